@@ -1,0 +1,1 @@
+"""Claims of mechanics, one module a family, each stated as expressions that must vanish."""

@@ -1,0 +1,59 @@
+"""A claim's time: a deadline that is handed down and never moves."""
+
+from __future__ import annotations
+
+import math
+import time
+
+from canon.errors import BudgetExceeded
+
+
+class Budget:
+    """A deadline, `seconds` from now (`math.inf` for none). Immutable.
+
+    Work that may take long asks `check()` now and then; work that may fail asks for a `share`
+    and leaves the rest to what is tried next.
+    """
+
+    __slots__ = ("_deadline", "seconds")
+
+    seconds: float
+    _deadline: float
+
+    def __init__(self, seconds: float = math.inf) -> None:
+        if math.isnan(seconds) or seconds < 0:
+            raise ValueError(f"a budget is a number of seconds from 0 on, not {seconds!r}")
+        object.__setattr__(self, "seconds", float(seconds))
+        object.__setattr__(self, "_deadline", time.monotonic() + seconds)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a Budget is immutable: {name!r} can't be set")
+
+    def __repr__(self) -> str:
+        return f"Budget({self.seconds:g} s, {self.left():.3g} s left)"
+
+    def __reduce__(self) -> tuple[type[Budget], tuple[float]]:
+        return (Budget, (self.left(),))
+
+    def left(self) -> float:
+        """The seconds that are left, never negative."""
+        return max(0.0, self._deadline - time.monotonic())
+
+    def spent(self) -> bool:
+        """Whether nothing is left."""
+        return time.monotonic() >= self._deadline
+
+    def check(self) -> None:
+        """Go on, or raise `BudgetExceeded` if the deadline has passed."""
+        if self.spent():
+            raise BudgetExceeded(f"the budget of {self.seconds:g} s is spent")
+
+    def share(self, fraction: float) -> Budget:
+        """A budget of `fraction` (0 to 1) of what is left: it can't outlive this one."""
+        if not 0 <= fraction <= 1:
+            raise ValueError(f"a share is between 0 and 1, not {fraction!r}")
+        return Budget(self.left() * fraction if fraction else 0.0)
+
+    def at_most(self, seconds: float) -> Budget:
+        """A budget of `seconds`, or of what is left if that is less."""
+        return Budget(min(self.left(), seconds))

@@ -1,0 +1,49 @@
+"""A claim: what is asserted, of what, and what its author expects of the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any, Final
+
+EXPECTATIONS: Final = ("holds", "fails", "proved", "refuted", "supported", "undecided")
+"""The words of `expect`: a verdict, or `holds` (proved or supported), or `fails` (refuted)."""
+
+_MET: Final[Mapping[str, tuple[str, ...]]] = {"holds": ("proved", "supported"), "fails": ("refuted",)}
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One assertion of a kind of `claim-files.md` about a subject.
+
+    **Arguments:** `kind`; `subject`, what all claims of one file share (phase space, Hamiltonian,
+    transformation, generating function, domain: `canon.mechanics.Subject`); `keys`, the kind's own keys
+    with typed values; `title` and `source`, free text; `expect`, one of `EXPECTATIONS`; `budget`
+    in seconds, which wins over the caller's; `index`, the claim's place in its file, from 0.
+    """
+
+    kind: str
+    subject: Any
+    keys: Mapping[str, Any] = field(default_factory=dict)
+    title: str | None = None
+    source: str | None = None
+    expect: str = "holds"
+    budget: float | None = None
+    index: int = 0
+
+    def __post_init__(self) -> None:
+        if self.expect not in EXPECTATIONS:
+            raise ValueError(f"expect is one of {', '.join(EXPECTATIONS)}, not {self.expect!r}")
+        object.__setattr__(self, "keys", MappingProxyType(dict(self.keys)))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "keys": dict(self.keys)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            object.__setattr__(self, name, MappingProxyType(value) if name == "keys" else value)
+
+    def is_met_by(self, status: str) -> bool:
+        """Whether a verdict of this status is what the claim's author expects."""
+        return status in _MET.get(self.expect, (self.expect,))

@@ -1,0 +1,114 @@
+"""The answer to a claim: four words, and what each of them rests on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final, Literal
+
+from canon.errors import ClaimFailed
+
+Status = Literal["proved", "refuted", "supported", "undecided"]
+
+STATUSES: Final[tuple[Status, ...]] = ("proved", "refuted", "supported", "undecided")
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What sampling found: at `points` points in `bits` bits, the largest residual and its rounding bound.
+
+    `max_residual` is the largest absolute residual, `bound` the rounding error that it is to be measured
+    against at that same point.
+    """
+
+    points: int
+    max_residual: float
+    bound: float
+    bits: int = 53
+
+    def __str__(self) -> str:
+        return (
+            f"{self.points} points in {self.bits} bits, largest residual {self.max_residual:.3g} "
+            f"against a rounding bound of {self.bound:.3g}"
+        )
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A claim's verdict with its grounds.
+
+    `proved` rests on an exact argument (`certificate`), `refuted` on a point at which the claim fails by more than
+    a rigorous bound (`witness`) or on an exact argument (`witness` None), `supported` on `numeric` evidence or on a
+    bounded probability of error; `undecided` says in `method` and `detail` what was tried.
+    """
+
+    status: Status
+    kind: str
+    title: str | None = None
+    method: str = ""
+    seconds: float = 0.0
+    witness: Mapping[str, Any] | None = None
+    numeric: Evidence | None = None
+    certificate: Mapping[str, Any] | None = None
+    detail: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.status not in STATUSES:
+            raise ValueError(f"a verdict is one of {', '.join(STATUSES)}, not {self.status!r}")
+
+    def __bool__(self) -> bool:
+        """True if proved, False if refuted; unknown is no truth value.
+
+        **Raises:** `TypeError` where the claim is neither proved nor refuted.
+        """
+        if self.status == "proved":
+            return True
+        if self.status == "refuted":
+            return False
+        raise TypeError(
+            f"the claim is {self.status}, which is neither true nor false: look at .status, or ask with .require()"
+        )
+
+    def require(self) -> Verdict:
+        """This verdict, if it is `proved`.
+
+        **Raises:** `ClaimFailed` otherwise, with the witness or with what isn't known.
+        """
+        if self.status != "proved":
+            raise ClaimFailed(self)
+        return self
+
+    def __str__(self) -> str:
+        name = f"{self.kind} ({self.title})" if self.title else self.kind
+        how = f" by {self.method}" if self.method else ""
+        lines = [f"{self.status}: {name}{how}, {_duration(self.seconds)}"]
+        if self.witness is not None:
+            lines.append("  at " + ", ".join(f"{key} = {_value(value)}" for key, value in self.witness.items()))
+        lines += [f"  {key.replace('_', ' ')}: {_value(value)}" for key, value in self.detail.items()]
+        if self.numeric is not None:
+            lines.append(f"  {self.numeric}")
+        return "\n".join(lines)
+
+    def _repr_markdown_(self) -> str:
+        first, *rest = str(self).split("\n")
+        status, _, remainder = first.partition(": ")
+        items = "".join(f"\n- {line.strip()}" for line in rest)
+        return f"**{status}**: {remainder}" + (f"\n{items}" if items else "")
+
+    def _repr_latex_(self) -> str:
+        words = self.kind.replace("_", r"\ ")
+        return rf"$\textbf{{{self.status}}}\colon\ \mathrm{{{words}}}$"
+
+
+def _duration(seconds: float) -> str:
+    return f"{1000 * seconds:.3g} ms" if seconds < 1 else f"{seconds:.3g} s"
+
+
+def _value(value: object) -> str:
+    if isinstance(value, Mapping):
+        if set(value) == {"re", "im"}:
+            return f"{value['re']} + {value['im']}*1j"
+        return "{" + ", ".join(f"{key}: {_value(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value(item) for item in value) + "]"
+    return str(value)

@@ -1,0 +1,161 @@
+"""One worker process: it verifies the claims that it is told to, one at a time, and can be killed at any moment.
+
+Positions come in and records go out over a pipe as JSON. A worker ignores Ctrl-C (its parent decides), is silent
+on the terminal, keeps within a limit of memory, and ends by itself when its parent is gone.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from typing import Any
+
+from canon.claim import Claim
+from canon.errors import InputError
+from canon.verdict import Verdict
+
+Record = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A claim, and where it was read: `file` as shown, `path` as opened, `index` counted from 0 in the file.
+
+    `claim` is None only in a worker that was spawned rather than forked: it reads the file again.
+    """
+
+    file: str
+    index: int
+    claim: Claim | None
+    path: str = ""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What holds for every claim of a run: seconds for each, random seed, method, and bytes of memory a worker."""
+
+    budget: float = 10.0
+    seed: int = 0
+    method: str = "symbolic"
+    memory: int | None = None
+
+    def seconds(self, entry: Entry) -> float:
+        """Return the budget of this claim; its own wins."""
+        own = entry.claim.budget if entry.claim is not None else None
+        return self.budget if own is None else float(own)
+
+    def grace(self, entry: Entry) -> float:
+        """Return how many seconds past its budget a claim is left alone before its worker is killed."""
+        return max(1.0, 0.2 * self.seconds(entry))
+
+
+Recorder = Callable[[Entry, Claim, Verdict], Record]
+
+
+def without_verdict(claim: Claim, note: str, seconds: float) -> Verdict:
+    """Return the verdict `undecided` for a claim whose verification was cut short, with the reason."""
+    return Verdict(
+        status="undecided", kind=claim.kind, title=claim.title, method="", seconds=seconds, detail={"note": note}
+    )
+
+
+def serve(
+    connection: Connection,
+    entries: Sequence[Entry],
+    settings: Settings,
+    recorder: Recorder,
+    inherited: Sequence[Connection] = (),
+) -> None:
+    """Answer the positions that come over `connection` until it is closed or memory runs out.
+
+    **Arguments**: `inherited` are the parent's ends of pipes that a fork has copied; they are closed here, so that
+    each worker learns of its parent's end.
+    """
+    for other in inherited:
+        other.close()
+    _isolate(settings.memory)
+    while True:
+        try:
+            position = json.loads(connection.recv_bytes())
+        except (EOFError, OSError):
+            return
+        reply = _answer(entries[position], settings, recorder)
+        try:
+            connection.send_bytes(json.dumps(reply).encode())
+        except OSError:
+            return
+        if reply["retire"]:
+            return
+
+
+def _answer(entry: Entry, settings: Settings, recorder: Recorder) -> Record:
+    """Return {"claim": record} or {"error": record}, and whether this worker should be replaced afterwards."""
+    from canon.claims.verify import verify
+
+    start = time.monotonic()
+    claim = entry.claim if entry.claim is not None else _read_again(entry)
+    budget = settings.seconds(Entry(entry.file, entry.index, claim))
+    _alarm(budget + 3 * settings.grace(entry))
+    retire = False
+    try:
+        verdict = verify(claim, budget=budget, seed=settings.seed, method=settings.method)
+    except InputError as error:
+        where = error.where or f"claim {entry.index + 1}"
+        return {"error": {"file": entry.file, "where": where, "message": error.message}, "retire": False}
+    except MemoryError:
+        retire = True
+        verdict = without_verdict(claim, "stopped: out of memory", time.monotonic() - start)
+    except Exception as error:
+        note = f"stopped by an internal error, {type(error).__name__}: {error} {_place(error)}".strip()
+        verdict = without_verdict(claim, note, time.monotonic() - start)
+    finally:
+        _alarm(0)
+    return {"claim": recorder(entry, claim, verdict), "retire": retire}
+
+
+def _place(error: Exception) -> str:
+    """Return the file and line where an unexpected exception was raised, so that it can be reported."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    if trace is None:
+        return ""
+    return f"({os.path.basename(trace.tb_frame.f_code.co_filename)}, line {trace.tb_lineno})"
+
+
+def _read_again(entry: Entry) -> Claim:
+    """Return the claim of an entry that came without it."""
+    from canon.claims.reader import read_file
+
+    claims, _ = read_file(entry.path)
+    return next(claim for index, claim in claims if index == entry.index)
+
+
+def _isolate(memory: int | None) -> None:
+    """Leave Ctrl-C to the parent, be silent (libraries in C print as they abort), and limit memory where it can be."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for stream in (0, 1, 2):
+        os.dup2(nowhere, stream)
+    if memory is None or sys.platform == "win32":
+        return
+    import resource
+
+    _, hard = resource.getrlimit(resource.RLIMIT_AS)
+    limit = memory if hard == resource.RLIM_INFINITY else min(memory, hard)
+    with contextlib.suppress(ValueError, OSError):
+        resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+
+
+def _alarm(seconds: float) -> None:
+    """Let the system end this process after so many seconds (0: never), in case the parent is no longer there."""
+    if hasattr(signal, "setitimer"):
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
+        signal.setitimer(signal.ITIMER_REAL, min(seconds, 1e8))

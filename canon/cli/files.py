@@ -1,0 +1,72 @@
+"""From the arguments of a command to the claim files that are meant."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class ClaimFile:
+    """A file to be read, and the name by which it is shown."""
+
+    name: str
+    path: Path
+
+
+@dataclass(frozen=True)
+class Missing:
+    """Something that was asked for and holds no claim file, with the reason."""
+
+    name: str
+    message: str
+
+
+def claim_files(names: Iterable[str]) -> tuple[list[ClaimFile], list[Missing]]:
+    """Return the files named, and every `*.toml` below the folders named, each folder in alphabetical order."""
+    found: list[ClaimFile] = []
+    missing: list[Missing] = []
+    for name in names:
+        if os.path.isdir(name):
+            below, unreadable = _below(name)
+            if not below and not unreadable:
+                missing.append(Missing(name, "no claim file (*.toml) in this folder or below it"))
+            found += below
+            missing += unreadable
+        elif os.path.exists(name):
+            found.append(ClaimFile(name, Path(name)))
+        else:
+            missing.append(Missing(name, f"no such file or folder{_nearest(name)}"))
+    return found, missing
+
+
+def _below(folder: str) -> tuple[list[ClaimFile], list[Missing]]:
+    """Return the claim files below a folder, and the folders that could not be read. Links to folders are left out."""
+    found: list[ClaimFile] = []
+    missing: list[Missing] = []
+
+    def unreadable(error: OSError) -> None:
+        missing.append(Missing(str(error.filename), f"this folder can't be read: {error.strerror}"))
+
+    for parent, folders, files in os.walk(folder, onerror=unreadable):
+        folders.sort()
+        for file in sorted(files):
+            if file.endswith(".toml"):
+                path = os.path.join(parent, file)
+                found.append(ClaimFile(path, Path(path)))
+    return found, missing
+
+
+def _nearest(name: str) -> str:
+    """Return a hint at the file of the same folder whose name is nearest, if there is one."""
+    from difflib import get_close_matches
+
+    parent, base = os.path.split(name)
+    try:
+        others = os.listdir(parent or os.curdir)
+    except OSError:
+        return ""
+    near = get_close_matches(base, others, n=1, cutoff=0.7)
+    return f"; is {os.path.join(parent, near[0])!r} meant?" if near else ""

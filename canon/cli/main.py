@@ -1,0 +1,77 @@
+"""The command `canon`: finds out which command is meant and hands over to its module.
+
+Nothing heavy is imported here, so that `canon --help` and `canon --version` answer at once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from typing import Final
+
+from canon.cli import verify
+from canon.cli.parser import Parser
+
+COMMANDS: Final = {"verify": verify}
+EPILOG: Final = """\
+examples:
+  canon verify                      check the built-in catalogue
+  canon verify oscillator.toml      check the claims of one file
+  canon verify claims/ --json       check every *.toml below a folder, print one JSON object
+
+exit status of verify:
+  0  every claim is as expected (proved or supported, unless the claim says otherwise)
+  1  some claim is refuted, or otherwise against its expectation
+  2  some claim is undecided
+  3  some input could not be read or is ill-posed (the rest is checked all the same)
+"""
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser of the command line."""
+    top = Parser(
+        prog="canon",
+        description="Decides whether transformations of classical mechanics are canonical: "
+        "with a proof, or with a point at which they fail.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    top.add_argument("--version", action="store_true", help="print the version and exit")
+    commands = top.add_subparsers(title="commands", dest="command", metavar="COMMAND", parser_class=Parser)
+    for name, module in COMMANDS.items():
+        module.declare(commands.add_parser(name, help=module.HELP, description=module.DESCRIPTION))
+    return top
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line (default: this process's arguments) and return the exit status."""
+    top = parser()
+    arguments = top.parse_args(argv)
+    if arguments.version:
+        print(f"canon {_version()}")
+        return 0
+    if arguments.command is None:
+        top.print_help()
+        return 0
+    return COMMANDS[arguments.command].execute(arguments)
+
+
+def entry() -> None:
+    """Run as a program: the exit status goes to the shell, and a reader that hangs up is no error."""
+    try:
+        status = main()
+        sys.stdout.flush()
+    except BrokenPipeError:
+        sys.stderr.close()
+        status = 1
+    sys.exit(status)
+
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("canon-mechanics")
+    except PackageNotFoundError:
+        return "(not installed)"

@@ -1,0 +1,72 @@
+"""A parser of arguments whose errors say what to do instead, and end with exit status 3 (bad input)."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+import sys
+from typing import NoReturn
+
+BAD_INPUT = 3
+
+
+class Parser(argparse.ArgumentParser):
+    """`argparse.ArgumentParser`, but no abbreviated options, and errors with advice and exit status 3."""
+
+    def __init__(self, **settings: object) -> None:
+        super().__init__(**{"allow_abbrev": False, **settings})  # type: ignore[arg-type]
+
+    def error(self, message: str) -> NoReturn:
+        """Print the usage, the error and the nearest thing that exists, and exit with status 3."""
+        lines = [self.format_usage().rstrip(), f"{self.prog}: error: {message}"]
+        advice = self._advice(message)
+        lines.append(f"{advice} See `{self.prog} --help`." if advice else f"See `{self.prog} --help`.")
+        self.exit(BAD_INPUT, "\n".join(lines) + "\n")
+
+    def _advice(self, message: str) -> str:
+        from difflib import get_close_matches
+
+        unknown = re.search(r"unrecognized arguments: (.+)|invalid choice: '([^']*)'", message)
+        if unknown is None:
+            return ""
+        words = [word.partition("=")[0] for word in (unknown[1] or unknown[2] or "").split()]
+        known = [option for action in self._every_action() for option in action.option_strings]
+        known += [str(choice) for action in self._every_action() for choice in action.choices or ()]
+        for word in words:
+            if near := get_close_matches(word, known, n=1):
+                return f"Did you mean {near[0]}?"
+        return ""
+
+    def _every_action(self) -> list[argparse.Action]:
+        actions = list(self._actions)
+        for action in self._actions:
+            if isinstance(action, argparse._SubParsersAction):
+                for sub in action.choices.values():
+                    actions += sub._actions
+        return actions
+
+
+def seconds(text: str) -> float:
+    """Read a time in seconds, more than 0."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (value > 0 and math.isfinite(value)):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds: give one above 0, as 2.5")
+    return value
+
+
+def count(text: str) -> int:
+    """Read a whole number, at least 1."""
+    if not (text.isascii() and text.isdigit() and len(text) < 10 and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"{text!r} is no count: give a whole number from 1 on")
+    return int(text)
+
+
+def whole(text: str) -> int:
+    """Read a whole number, 0 or more."""
+    if not (text.isascii() and text.isdigit() and len(text) < 20):
+        raise argparse.ArgumentTypeError(f"{text!r} is no whole number from 0 on")
+    return int(text)

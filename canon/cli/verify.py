@@ -1,0 +1,168 @@
+"""`canon verify`: check the claims of files, of folders, or of the built-in catalogue."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Final
+
+from canon.cli.files import ClaimFile, claim_files
+from canon.cli.parser import count, seconds, whole
+
+if TYPE_CHECKING:
+    from canon.claims.worker import Entry, Settings
+
+HELP: Final = "check the claims of files, of folders, or of the built-in catalogue"
+DESCRIPTION: Final = (
+    "Checks claims about transformations of mechanics. A verdict is `proved` (by an exact argument), `refuted` "
+    "(by a point of the domain, or an exact argument), `supported` (numerically) or `undecided`."
+)
+INTERRUPTED: Final = 130
+Record = dict[str, Any]
+
+
+def declare(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments of the command."""
+    parser.add_argument(
+        "files", nargs="*", metavar="FILE", help="a claim file, or a folder: every *.toml below it (default: catalogue)"
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+    parser.add_argument(
+        "--method",
+        choices=("symbolic", "numeric", "all"),
+        default="symbolic",
+        help="decide exactly (symbolic, the default), only sample (numeric), or decide and sample (all)",
+    )
+    parser.add_argument("--budget", type=seconds, default=10.0, metavar="SECONDS", help="for each claim (default: 10)")
+    parser.add_argument("--seed", type=whole, default=0, metavar="N", help="of the sample points (default: 0)")
+    parser.add_argument("--jobs", type=count, default=None, metavar="N", help="worker processes (default: the cores)")
+
+
+def execute(arguments: argparse.Namespace) -> int:
+    """Check what is asked for, print the report, and return the exit status."""
+    start = time.monotonic()
+    results: dict[int, Record] = {}
+    entries: list[Entry] = []
+    errors: list[Record] = []
+    terminal = not arguments.json and sys.stdout.isatty()
+    interrupted = False
+    try:
+        _read(arguments.files, entries, errors)
+        _run(arguments, entries, results, terminal=terminal)
+    except KeyboardInterrupt:
+        interrupted = True
+    from canon.report.record import exit_status, run_record
+
+    answers = [results[position] for position in sorted(results)]
+    claims = [answer["claim"] for answer in answers if "claim" in answer]
+    errors += [answer["error"] for answer in answers if "error" in answer]
+    record = run_record(claims, errors)
+    left = len(entries) - len(results) if interrupted else 0
+    _print(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
+    return INTERRUPTED if interrupted else exit_status(claims, errors)
+
+
+def _read(names: list[str], entries: list[Entry], errors: list[Record]) -> None:
+    """Read the files into `entries` and `errors` (filled as reading goes on, so that an interruption loses nothing)."""
+    from canon.claims.reader import read_file
+    from canon.claims.worker import Entry
+    from canon.report.record import error_record
+
+    files, missing = claim_files(names) if names else (_catalogue(), [])
+    errors += [error_record(absent.name, "", absent.message) for absent in missing]
+    for file in files:
+        try:
+            claims, problems = read_file(file.path)
+        except Exception as error:  # a flaw of the reader must not keep the other files from being checked
+            message = f"this file stopped the reader, which is a flaw of canon: {type(error).__name__}: {error}"
+            errors.append(error_record(file.name, "", message))
+            continue
+        entries += [Entry(file.name, claim.index, claim, str(file.path)) for claim in claims]
+        errors += [error_record(file.name, problem["where"], problem["message"]) for problem in problems]
+
+
+def _catalogue() -> list[ClaimFile]:
+    """Return the files of the built-in catalogue, named by their room in it and their file's name."""
+    from canon import catalogue
+
+    paths = [Path(str(file)) for file in catalogue.files()]
+    return [ClaimFile(f"{path.parent.name}/{path.name}", path) for path in paths]
+
+
+def _run(arguments: argparse.Namespace, entries: list[Entry], results: dict[int, Record], *, terminal: bool) -> None:
+    """Verify the claims and collect the answers by position; show lines or a progress bar meanwhile."""
+    from canon.claims.worker import Settings
+
+    settings = Settings(budget=arguments.budget, seed=arguments.seed, method=arguments.method)
+    if terminal:
+        _run_with_bar(entries, settings, arguments.jobs, results)
+    elif arguments.json:
+        _collect(entries, settings, arguments.jobs, results)
+    else:
+        _run_with_lines(entries, settings, arguments.jobs, results)
+
+
+def _collect(
+    entries: list[Entry], settings: Settings, jobs: int | None, results: dict[int, Record], watch: Any = None
+) -> None:
+    from canon.claims.run import run
+    from canon.report.record import claim_record
+
+    for position, answer in run(entries, settings, claim_record, jobs=jobs, watch=watch):
+        results[position] = answer
+
+
+def _run_with_bar(entries: list[Entry], settings: Settings, jobs: int | None, results: dict[int, Record]) -> None:
+    from rich.console import Console
+
+    from canon.report.console import progress
+
+    console = Console(stderr=True)
+    if not (console.is_terminal and entries):
+        _collect(entries, settings, jobs, results)
+        return
+    with progress(len(entries), console) as bar:
+        _collect(
+            entries,
+            settings,
+            jobs,
+            results,
+            lambda done, running: bar.update(done, entries[running[0]].file if running else ""),
+        )
+
+
+def _run_with_lines(entries: list[Entry], settings: Settings, jobs: int | None, results: dict[int, Record]) -> None:
+    from canon.claims.run import run
+    from canon.report.plain import Columns
+    from canon.report.record import claim_record
+    from canon.report.words import name
+
+    heads = [{"title": entry.claim.title, "kind": entry.claim.kind} for entry in entries if entry.claim is not None]
+    columns = Columns.of([(entry.file, entry.index) for entry in entries], [name(head) for head in heads])
+    printed = 0
+    for position, answer in run(entries, settings, claim_record, jobs=jobs):
+        results[position] = answer
+        while printed in results:
+            if "claim" in results[printed]:
+                print(columns.line(results[printed]["claim"]), flush=True)
+            printed += 1
+
+
+def _print(record: Record, *, json: bool, terminal: bool, seconds: float, interrupted: int) -> None:
+    """Print the report of the run in the form that the reader of it can use."""
+    if json:
+        import json as notation
+
+        print(notation.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+    elif terminal:
+        from rich.console import Console
+
+        from canon.report.console import print_record
+
+        print_record(record, Console(highlight=False), seconds=seconds, interrupted=interrupted)
+    else:
+        from canon.report.plain import print_rest
+
+        print_rest(record, sys.stdout, seconds=seconds, interrupted=interrupted)

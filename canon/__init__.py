@@ -1,0 +1,65 @@
+"""Decides, with proofs and counterexamples, whether transformations of classical mechanics are canonical.
+
+The public names below are loaded when they are first used, so `import canon` itself costs nothing.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+__version__ = "0.1.0"
+
+_HOMES: dict[str, tuple[str, ...]] = {
+    "canon.errors": ("CanonError", "ClaimFailed", "InputError"),
+    "canon.verdict": ("Verdict",),
+    "canon.claim": ("Claim",),
+    "canon.domain": ("Condition", "Domain"),
+    "canon.expression": ("Formula",),
+    "canon.claims.verify": ("verify",),
+    "canon.mechanics.phase_space": ("PhaseSpace",),
+    "canon.mechanics.subject": ("Subject",),
+    "canon.mechanics.transformation": ("Transformation",),
+    "canon.mechanics.generating_function": ("GeneratingFunction",),
+    "canon.mechanics.legendre_conversion": ("recovered",),
+    "canon.mechanics.composition": ("compose", "extended_by_time", "identity_transformation"),
+    "canon.mechanics.point_transformation": ("PointTransformation",),
+    "canon.mechanics.hamiltonian": ("Hamiltonian",),
+    "canon.mechanics.lagrangian": ("Lagrangian",),
+    "canon.mechanics.poisson": (
+        "bracket_matrix",
+        "jacobi_sum",
+        "lagrange_bracket",
+        "lagrange_matrix",
+        "poisson_bracket",
+        "standard_j",
+    ),
+    "canon.mechanics.lie_series": ("InfinitesimalTransformation", "closed_lie_series", "truncated_lie_series"),
+    "canon.mechanics.conventions": ("GOLDSTEIN", "LANDAU_LIFSHITZ", "SICM", "Conventions"),
+    "canon.mechanics.statements": (
+        "bracket",
+        "conserved",
+        "equations_of_motion",
+        "hamiltonian_field",
+        "identity",
+        "independent",
+        "infinitesimal",
+        "involution",
+        "jacobi",
+        "legendre",
+        "lie_series",
+    ),
+}
+_HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
+
+__all__ = ["__version__", *sorted(_HOME_OF)]  # pyright: ignore[reportUnsupportedDunderAll]
+
+
+def __getattr__(name: str) -> object:
+    if name not in _HOME_OF:
+        raise AttributeError(f"module 'canon' has no attribute {name!r}")
+    value = getattr(import_module(_HOME_OF[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,74 @@
+"""Formulas with the conditions under which they are defined: wrapping, and substitution along a map."""
+
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import TypeAlias
+
+import sympy as sp
+
+from canon.domain import Condition, Domain, conditions_of
+from canon.errors import InputError
+from canon.expression import Formula
+
+Expression: TypeAlias = Formula | sp.Expr | int | Fraction
+
+
+def as_expression(value: Expression, where: str = "") -> sp.Expr:
+    """The bare sympy expression of `value`.
+
+    **Arguments:** a `Formula`, a sympy expression, an `int` or a `Fraction`.
+
+    **Raises:** `InputError` for floats (exact claims want exact numbers) and for anything else.
+    """
+    if isinstance(value, Formula):
+        return value.expr
+    if isinstance(value, bool) or not isinstance(value, int | Fraction | sp.Expr):
+        advice = "; write Rational('0.1') for an exact 0.1" if isinstance(value, float) else ""
+        raise InputError(f"an expression is expected, not {value!r}{advice}", where)
+    if isinstance(value, sp.Expr):
+        if value.has(sp.Float):
+            raise InputError(f"{value} contains a floating-point number; write it as a Rational", where)
+        if not value.is_commutative:
+            raise InputError(f"{value} contains symbols that do not commute", where)
+        return value
+    return sp.Integer(value) if isinstance(value, int) else sp.Rational(value.numerator, value.denominator)
+
+
+def as_formula(value: Expression, where: str = "") -> Formula:
+    """`value` as a `Formula`; a plain expression gets the conditions that its own form shows."""
+    if isinstance(value, Formula):
+        return value
+    expression = as_expression(value, where)
+    return Formula(expression, tuple(conditions_of(expression)), str(expression))
+
+
+def as_formulas(values: Expression | Iterable[Expression], where: str = "") -> tuple[Formula, ...]:
+    """Several of them; a single expression counts as a sequence of one."""
+    if isinstance(values, Formula | sp.Expr | int | Fraction):
+        return (as_formula(values, where),)
+    return tuple(as_formula(value, where) for value in values)
+
+
+def replaced(expression: sp.Expr, mapping: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """`expression` with all symbols of `mapping` replaced at once, inside derivatives of arbitrary functions too."""
+    if expression.has(sp.Derivative, sp.Subs):
+        return expression.subs(dict(mapping), simultaneous=True)
+    return expression.xreplace(dict(mapping))
+
+
+def substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formula:
+    """The pull-back of `formula` along x -> mapping[x].
+
+    It is defined where the images that it uses are defined and its own conditions hold of them.
+    """
+    used = [symbol for symbol in mapping if symbol in formula.expr.free_symbols]
+    needed = {symbol for condition in formula.conditions for term in condition.terms for symbol in term.free_symbols}
+    images = {symbol: image.expr for symbol, image in mapping.items()}
+    own = Domain(conditions=formula.conditions).substitute(images).conditions
+    inherited = tuple(c for s in mapping if s in needed or s in used for c in mapping[s].conditions)
+    return Formula(replaced(formula.expr, images), distinct(inherited + own), formula.text)
+
+
+def distinct(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
+    """The conditions in their order, each kind and terms once."""
+    return tuple({(c.kind, c.terms): c for c in conditions}.values())

@@ -1,0 +1,90 @@
+"""A Lagrangian and its Legendre transform, in both directions."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from canon.claim import Claim
+from canon.errors import InputError
+from canon.expression import Formula
+from canon.mechanics import statements
+from canon.mechanics.formulas import Expression, as_expression, as_formula, replaced
+from canon.mechanics.hamiltonian import Hamiltonian
+from canon.mechanics.one_form import tidy
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.solving import branches
+
+
+@dataclass(frozen=True, init=False)
+class Lagrangian:
+    """L(q, v, t) with velocities v, in the order of the coordinates.
+
+    **Raises:** `InputError` when there are not as many velocities as coordinates.
+    """
+
+    space: PhaseSpace
+    L: Formula
+    velocities: tuple[sp.Symbol, ...]
+
+    def __init__(self, space: PhaseSpace, L: Expression, velocities: sp.Symbol | Sequence[sp.Symbol]) -> None:
+        names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
+        if len(names) != space.n:
+            raise InputError(f"{len(names)} velocities for {space.n} coordinates", "velocities")
+        object.__setattr__(self, "space", space)
+        object.__setattr__(self, "L", as_formula(L, "L"))
+        object.__setattr__(self, "velocities", names)
+
+    def momenta(self) -> tuple[sp.Expr, ...]:
+        """p = dL/dv, in (q, v, t)."""
+        return tuple(self.L.expr.diff(v) for v in self.velocities)
+
+    def hessian(self) -> sp.ImmutableMatrix:
+        """d2L/dv dv: L is regular where this is not singular."""
+        momenta = self.momenta()
+        return sp.ImmutableMatrix([[momentum.diff(v) for v in self.velocities] for momentum in momenta])
+
+    def energy(self) -> sp.Expr:
+        """v dL/dv - L in (q, v, t): the value of H before the velocities are eliminated."""
+        terms = (v * momentum for v, momentum in zip(self.velocities, self.momenta(), strict=True))
+        return sp.Add(*terms) - self.L.expr
+
+    def legendre_residual(self, H: Expression) -> sp.Expr:
+        """H(q, dL/dv, t) - (v dL/dv - L), which vanishes when H is the Legendre transform."""
+        at = dict(zip(self.space.p, self.momenta(), strict=True))
+        return replaced(as_expression(H), at) - self.energy()
+
+    def hamiltonian(self, branch: int = 0) -> Hamiltonian:
+        """The Legendre transform, with p = dL/dv solved for the velocities.
+
+        **Raises:** `InputError` when no solution is found, as for a singular Lagrangian.
+        """
+        equations = dict(zip(self.space.p, self.momenta(), strict=True))
+        found = branches(equations, self.velocities)
+        if len(found) <= branch:
+            raise InputError("p = dL/dv was not solved for the velocities", "L")
+        return Hamiltonian(self.space, tidy(replaced(self.energy(), found[branch])))
+
+    def legendre(self, H: Expression) -> Claim:
+        """Claims that H is the Legendre transform of this Lagrangian, and that it is regular."""
+        return statements.legendre(self.space, H, self.L, self.velocities)
+
+    def _repr_latex_(self) -> str:
+        return f"$L = {sp.latex(self.L.expr)}$"
+
+
+def lagrangian_of(
+    hamiltonian: Hamiltonian, velocities: sp.Symbol | Sequence[sp.Symbol], branch: int = 0
+) -> Lagrangian:
+    """The inverse transform: L = p v - H with v = dH/dp solved for the momenta.
+
+    **Raises:** `InputError` when no solution is found.
+    """
+    space = hamiltonian.space
+    names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
+    qdot, _ = hamiltonian.equations()
+    found = branches(dict(zip(names, qdot, strict=True)), space.p)
+    if len(found) <= branch:
+        raise InputError("v = dH/dp was not solved for the momenta", "hamiltonian, H")
+    terms = (v * p for v, p in zip(names, space.p, strict=True))
+    return Lagrangian(space, tidy(replaced(sp.Add(*terms) - hamiltonian.H.expr, found[branch])), names)

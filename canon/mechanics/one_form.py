@@ -1,0 +1,81 @@
+"""One-forms: exterior derivative, and the potential of an exact one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from canon.mechanics.formulas import replaced
+
+
+@dataclass(frozen=True)
+class Potential:
+    """A function meant to have a given one-form as its differential.
+
+    `residuals` are d(function)/dx_k - a_k: whether they vanish is for the caller to decide. None of the terms of
+    `function` is left as an unevaluated integral.
+    """
+
+    function: sp.Expr
+    residuals: tuple[sp.Expr, ...]
+
+
+def exterior_derivative(coefficients: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
+    """d(sum a_k dx_k): the components da_k/dx_j - da_j/dx_k for j < k, in the order (0, 1), (0, 2), ..., (1, 2), ...
+
+    All of them vanish exactly when the form is closed.
+    """
+    size = len(variables)
+    return tuple(
+        coefficients[k].diff(variables[j]) - coefficients[j].diff(variables[k])
+        for j in range(size)
+        for k in range(j + 1, size)
+    )
+
+
+def potential(coefficients: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -> Potential | None:
+    """A function whose differential is sum a_k dx_k, if the form is closed and sympy finds the integrals.
+
+    It integrates one variable at a time what earlier ones have left over. `None` when an integral is not found. A
+    form that is not closed shows itself by residuals that do not vanish.
+    """
+    found: sp.Expr = sp.S.Zero
+    for index, (coefficient, variable) in enumerate(zip(coefficients, variables, strict=True)):
+        rest = tidy(coefficient - found.diff(variable))
+        earlier = [past for past in variables[:index] if rest.has(past)]
+        if earlier:
+            rest = _without(rest, earlier)
+        if rest == 0:
+            continue
+        part = sp.integrate(rest, variable, conds="none")
+        if part.has(sp.Integral, sp.Piecewise, sp.zoo, sp.nan):
+            return None
+        found = sp.Add(found, part)
+    residuals = tuple(found.diff(x) - a for a, x in zip(coefficients, variables, strict=True))
+    return Potential(found, residuals)
+
+
+def tidy(expression: sp.Expr) -> sp.Expr:
+    """A shorter form of the same function where one is found cheaply; never a statement that something is zero."""
+    if not expression.free_symbols or sp.count_ops(expression) > 200:
+        return expression
+    forms = [expression, sp.expand(expression)]
+    try:
+        forms.append(sp.cancel(sp.together(expression)))
+    except (sp.PolynomialError, NotImplementedError):
+        forms.append(sp.together(expression))
+    if expression.has(sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh):
+        forms.append(sp.trigsimp(forms[-1]))
+    return min(forms, key=sp.count_ops)
+
+
+def _without(rest: sp.Expr, earlier: Sequence[sp.Symbol]) -> sp.Expr:
+    """`rest` as a function of the later variables alone, where it should not depend on the earlier ones.
+
+    If it really does not, any value of these gives the same; the first at which `rest` is finite is taken.
+    """
+    for value in (sp.S.One, sp.Integer(2), sp.S.Half, sp.Integer(3)):
+        there = replaced(rest, dict.fromkeys(earlier, value))
+        if not there.has(sp.zoo, sp.nan, sp.oo):
+            return there
+    return rest

@@ -1,0 +1,268 @@
+"""Phase space: canonical coordinates with what is assumed of them, parameters, and time."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
+from typing import TypeAlias
+
+import sympy as sp
+
+from canon.domain import Condition, Domain, conditions_of
+from canon.errors import InputError
+
+Names: TypeAlias = str | sp.Symbol | Iterable[str | sp.Symbol]
+
+ASSUMPTIONS: dict[str, dict[str, bool]] = {
+    "real": {"real": True},
+    "complex": {"complex": True},
+    "positive": {"positive": True},
+    "negative": {"negative": True},
+    "nonnegative": {"nonnegative": True},
+    "nonzero": {"zero": False},
+    "integer": {"integer": True},
+}
+
+
+def symbol_with(name: str, words: str | Iterable[str] = ()) -> sp.Symbol:
+    """The symbol `name` with the assumptions that `words` name; it is real unless `complex` is among them."""
+    given = words.split() if isinstance(words, str) else list(words)
+    facts: dict[str, bool] = {} if "complex" in given else {"real": True}
+    for word in given:
+        if word not in ASSUMPTIONS:
+            near = get_close_matches(word, ASSUMPTIONS, 1)
+            raise InputError(f"unknown assumption {word!r}" + (f"; did you mean {near[0]!r}?" if near else ""), name)
+        facts |= ASSUMPTIONS[word]
+    try:
+        return sp.Symbol(name, **facts)
+    except sp.core.assumptions.InconsistentAssumptions as error:
+        raise InputError(f"the assumptions {', '.join(given)} contradict each other", name) from error
+
+
+def _listed(names: Names) -> tuple[str | sp.Symbol, ...]:
+    if isinstance(names, str):
+        return tuple(names.replace(",", " ").split())
+    return (names,) if isinstance(names, sp.Symbol) else tuple(names)
+
+
+@dataclass(frozen=True, init=False)
+class PhaseSpace:
+    """The phase space with coordinates q, momenta p, and, where there is a transformation, new ones Q, P.
+
+    **Arguments:**
+
+    - `q`, `p`: names (`"x y"`, `["x", "y"]`) or sympy symbols, in the same order.
+    - `new`: the pair (names of Q, names of P); at most as many pairs as old ones.
+    - `time`: the name of time.
+    - `positive`, `negative`, `nonnegative`, `nonzero`, `integer`, `real`, `complex`: names of which that is
+      assumed; names that are not coordinates become parameters. What has no assumption is real.
+    - `symbols`: the same the other way round, `{"n": ["integer", "positive"], "V": "function"}`.
+    - `functions`: names of arbitrary smooth real functions.
+    - `domain`: the region of which claims speak; see `where`.
+
+    **Raises:** `InputError` when the counts differ, a name is declared twice, or assumptions contradict each other.
+    """
+
+    q: tuple[sp.Symbol, ...]
+    p: tuple[sp.Symbol, ...]
+    Q: tuple[sp.Symbol, ...]
+    P: tuple[sp.Symbol, ...]
+    t: sp.Symbol
+    parameters: tuple[sp.Symbol, ...]
+    functions: tuple[str, ...]
+    domain: Domain = field(default_factory=Domain)
+
+    def __init__(
+        self,
+        q: Names,
+        p: Names,
+        *,
+        new: tuple[Names, Names] | None = None,
+        time: str | sp.Symbol = "t",
+        symbols: Mapping[str, str | Iterable[str]] | None = None,
+        functions: Names = (),
+        domain: Domain | None = None,
+        positive: Names = (),
+        negative: Names = (),
+        nonnegative: Names = (),
+        nonzero: Names = (),
+        integer: Names = (),
+        real: Names = (),
+        complex: Names = (),  # noqa: A002 - the field's own word
+    ) -> None:
+        words: dict[str, list[str]] = {}
+        given: dict[str, sp.Symbol] = {}
+        for name, what in (symbols or {}).items():
+            words.setdefault(name, []).extend([what] if isinstance(what, str) else what)
+        keywords = {
+            "positive": positive,
+            "negative": negative,
+            "nonnegative": nonnegative,
+            "nonzero": nonzero,
+            "integer": integer,
+            "real": real,
+            "complex": complex,
+            "function": functions,
+        }
+        for word, names in keywords.items():
+            for name in _listed(names):
+                if isinstance(name, sp.Symbol):
+                    given[name.name] = name
+                    words.setdefault(name.name, [])
+                else:
+                    words.setdefault(name, []).append(word)
+
+        def symbol(name: str | sp.Symbol) -> sp.Symbol:
+            if isinstance(name, sp.Symbol):
+                return name
+            if not name.isidentifier():
+                raise InputError(f"{name!r} is not a name", "phase_space")
+            return given[name] if name in given else symbol_with(name, words.get(name, ()))
+
+        old, momenta = (tuple(symbol(name) for name in _listed(names)) for names in (q, p))
+        new_q, new_p = (tuple(symbol(name) for name in _listed(names)) for names in (new or ((), ())))
+        moment = symbol(time)
+        if not old or len(old) != len(momenta):
+            raise InputError(f"{len(old)} coordinates and {len(momenta)} momenta", "phase_space")
+        if len(new_q) != len(new_p):
+            raise InputError(f"{len(new_q)} new coordinates and {len(new_p)} new momenta", "phase_space")
+        if len(new_q) > len(old):
+            raise InputError(f"{len(new_q)} new pairs, but only {len(old)} old ones", "phase_space")
+        variables = (*old, *momenta, *new_q, *new_p, moment)
+        taken = [variable.name for variable in variables]
+        for name in taken:
+            if taken.count(name) > 1:
+                raise InputError(f"{name!r} is declared twice", "phase_space")
+            if "function" in words.get(name, ()):
+                raise InputError(f"{name!r} is a variable, so it cannot be a function", "symbols")
+        rest = [name for name in words if name not in taken]
+        called = tuple(name for name in rest if "function" in words[name])
+        for name in called:
+            if set(words[name]) != {"function"}:
+                raise InputError(f"{name!r} is a function; other assumptions do not apply to it", "symbols")
+        put = object.__setattr__
+        put(self, "q", old)
+        put(self, "p", momenta)
+        put(self, "Q", new_q)
+        put(self, "P", new_p)
+        put(self, "t", moment)
+        put(self, "parameters", tuple(symbol(name) for name in rest if name not in called))
+        put(self, "functions", called)
+        put(self, "domain", domain if domain is not None else Domain())
+
+    @property
+    def n(self) -> int:
+        """The number of degrees of freedom."""
+        return len(self.q)
+
+    @property
+    def old(self) -> tuple[sp.Symbol, ...]:
+        """The old variables (q, p)."""
+        return self.q + self.p
+
+    @property
+    def new(self) -> tuple[sp.Symbol, ...]:
+        """The new variables (Q, P); empty where there is no transformation."""
+        return self.Q + self.P
+
+    @property
+    def J(self) -> sp.ImmutableMatrix:
+        """The matrix J = [[0, 1], [-1, 0]] of the brackets of (q, p)."""
+        n = self.n
+        return sp.ImmutableMatrix(2 * n, 2 * n, lambda i, j: int(j == i + n) - int(i == j + n))
+
+    @property
+    def vocabulary(self) -> dict[str, sp.Symbol]:
+        """Every name that stands for a symbol, with its symbol."""
+        return {s.name: s for s in (*self.old, *self.new, self.t, *self.parameters)}
+
+    def symbols(self, names: Names) -> sp.Symbol | tuple[sp.Symbol, ...]:
+        """The symbols with these names: a tuple, or for a single name the symbol itself.
+
+        **Raises:** `InputError` for a name that is not declared, with the nearest one that is.
+        """
+        found = tuple(self.symbol(name) for name in _listed(names))
+        return found[0] if len(found) == 1 else found
+
+    def symbol(self, name: str | sp.Symbol) -> sp.Symbol:
+        """The symbol with this name; **raises** `InputError` when it is not declared."""
+        known = self.vocabulary
+        key = name.name if isinstance(name, sp.Symbol) else name
+        if key not in known:
+            near = get_close_matches(key, known, 1)
+            hint = f"; did you mean {near[0]!r}?" if near else f"; known are {', '.join(known)}"
+            raise InputError(f"{key!r} is not declared in this phase space{hint}")
+        return known[key]
+
+    def function(self, name: str) -> sp.Function:
+        """The arbitrary smooth function with this name; **raises** `InputError` when it is not declared."""
+        if name not in self.functions:
+            raise InputError(f"{name!r} is not declared as a function")
+        return sp.Function(name, real=True)
+
+    def where(self, *relations: sp.Basic) -> "PhaseSpace":
+        """The same space, with claims restricted to the region where the relations hold.
+
+        **Arguments:** inequalities (`>=` is read as `>`: claims speak of the open part), `Ne`, conjunctions of these,
+        and `Eq` for a surface.
+
+        **Raises:** `InputError` for a relation that cannot hold, or that is none.
+        """
+        region = self.domain
+        for relation in relations:
+            region = region & _region_of(relation)
+        return self.with_domain(region)
+
+    def with_domain(self, domain: Domain) -> "PhaseSpace":
+        """The same space with another domain."""
+        return _copy(self, domain=domain)
+
+    def with_new(self, new: tuple[Names, Names] | None) -> "PhaseSpace":
+        """The same space with other new variables (none at all for `None`)."""
+        added = tuple(_listed(names) for names in (new or ((), ())))
+        return PhaseSpace(
+            self.q, self.p, new=added, time=self.t, real=self.parameters, functions=self.functions, domain=self.domain
+        )
+
+    def swapped(self) -> "PhaseSpace":
+        """The space with the roles of old and new variables exchanged: where the inverse map lives.
+
+        **Raises:** `InputError` when there are not as many new pairs as old ones.
+        """
+        if len(self.Q) != self.n:
+            raise InputError(f"{len(self.Q)} new pairs and {self.n} old ones cannot change places")
+        return _copy(self, q=self.Q, p=self.P, Q=self.q, P=self.p)
+
+    def _repr_latex_(self) -> str:
+        def row(symbols: tuple[sp.Symbol, ...]) -> str:
+            return ", ".join(sp.latex(symbol) for symbol in symbols)
+
+        to = f" \\mapsto ({row(self.new)})" if self.Q else ""
+        return f"$({row(self.old)}){to}$"
+
+
+def _copy(space: PhaseSpace, **changes: object) -> PhaseSpace:
+    """A copy with some fields changed (the constructor reads names, so `dataclasses.replace` does not serve)."""
+    copy = object.__new__(PhaseSpace)
+    for name in PhaseSpace.__dataclass_fields__:
+        object.__setattr__(copy, name, changes.get(name, getattr(space, name)))
+    return copy
+
+
+def _region_of(relation: sp.Basic) -> Domain:
+    if relation == sp.true:
+        return Domain()
+    if relation == sp.false:
+        raise InputError("a relation of the domain can never hold")
+    if isinstance(relation, sp.And):
+        region = Domain()
+        for part in relation.args:
+            region = region & _region_of(part)
+        return region
+    if not isinstance(relation, sp.core.relational.Relational):
+        raise InputError(f"an inequality or equation is expected, not {relation!r}", "domain")
+    difference = relation.gts - relation.lts if hasattr(relation, "gts") else relation.lhs - relation.rhs
+    defined = tuple(conditions_of(relation.lhs)) + tuple(conditions_of(relation.rhs))
+    if isinstance(relation, sp.Eq):
+        return Domain(conditions=defined, surface=(difference,))
+    kind = "nonzero" if isinstance(relation, sp.Ne) else "positive"
+    return Domain(conditions=(*defined, Condition(kind, (difference,), str(relation))))

@@ -1,0 +1,197 @@
+"""Solving the equations of a transformation for some of its variables, branch by branch.
+
+What is found is a proposal: it satisfies the equations at sample points and the assumptions on the names, and whoever
+uses it has it verified as any other formula.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from random import Random
+from typing import TypeAlias
+
+import sympy as sp
+
+from canon.mechanics.formulas import replaced
+from canon.mechanics.one_form import tidy
+
+Solution: TypeAlias = dict[sp.Symbol, sp.Expr]
+
+_LARGEST = 8  # branches that are followed at once
+_SAMPLES = 12
+_DIGITS = 30
+
+
+def branches(equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[Solution, ...]:
+    """The solutions of y = equations[y] for `unknowns`, as functions of the y and whatever else occurs.
+
+    **Returns:** the branches that are right at some sample point, those that are right at the most of them first;
+    empty when sympy finds none. With arbitrary functions in the equations no branch can be sampled and all are kept.
+    """
+    system = [_prepared(known, value) for known, value in equations.items()]
+    found: list[Solution] = []
+    for solution in _solve(system, tuple(unknowns)):
+        readable = {x: tidy(_readable(solution[x])) for x in unknowns}
+        for form in (_smooth(readable), readable):
+            if form not in found:
+                found.append(form)
+        if len(found) >= _LARGEST:
+            break
+    points = list(_samples(equations, unknowns))
+    if not points:
+        return tuple(found)
+    right = [sum(_agrees(solution, point) for point in points) for solution in found]
+    kinks = [any(value.has(sp.Abs, sp.sign) for value in solution.values()) for solution in found]
+    order = sorted((k for k in range(len(found)) if right[k]), key=lambda k: (kinks[k], -right[k]))
+    return tuple(found[k] for k in order)
+
+
+def _prepared(known: sp.Symbol, value: sp.Expr) -> sp.Expr:
+    """An expression that vanishes where `known = value`, with an outermost arctangent undone."""
+    if isinstance(value, sp.atan2):
+        y, x = value.args
+        return y * sp.cos(known) - x * sp.sin(known)
+    if isinstance(value, sp.atan):
+        return value.args[0] - sp.tan(known)
+    return value - known
+
+
+def _solve(system: Sequence[sp.Expr], unknowns: tuple[sp.Symbol, ...]) -> Iterator[Solution]:
+    """Solve by elimination: an equation in one unknown first, then one linear in an unknown, else the whole system."""
+    if not unknowns:
+        yield {}
+        return
+    rooted = _without_roots(system, unknowns)
+    if rooted is not None:
+        easier, roots = rooted
+        for solution in _solve(easier, tuple(roots.get(x, x) for x in unknowns)):
+            yield {x: solution[roots[x]] ** 2 if x in roots else solution[x] for x in unknowns}
+        return
+    system = [_numerator(equation) for equation in system]
+    pick = _easiest(system, unknowns)
+    if pick is None:
+        yield from _solve_whole(system, unknowns)
+        return
+    index, unknown = pick
+    rest = [equation for k, equation in enumerate(system) if k != index]
+    others = tuple(x for x in unknowns if x != unknown)
+    for root in _roots(system[index], unknown):
+        reduced = [tidy(replaced(equation, {unknown: root})) for equation in rest]
+        if any(equation.has(sp.zoo, sp.nan) or equation == 0 for equation in reduced):
+            continue
+        for solution in _solve(reduced, others):
+            yield {unknown: replaced(root, solution), **solution}
+
+
+def _without_roots(
+    system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
+) -> tuple[list[sp.Expr], dict[sp.Symbol, sp.Symbol]] | None:
+    """The system with x = s^2, s > 0, for each unknown x that occurs under a square root by itself."""
+    powers = {power for equation in system for power in equation.atoms(sp.Pow) if power.exp.is_Rational}
+    roots = {
+        x: sp.Dummy(f"root_{x}", positive=True)
+        for x in unknowns
+        if any(power.base == x and power.exp.q == 2 for power in powers)
+    }
+    if not roots:
+        return None
+    squares = {x: root**2 for x, root in roots.items()}
+    return [replaced(equation, squares) for equation in system], roots
+
+
+def _numerator(equation: sp.Expr) -> sp.Expr:
+    return sp.fraction(sp.together(equation))[0] if sp.count_ops(equation) < 200 else equation
+
+
+def _easiest(system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[int, sp.Symbol] | None:
+    """An equation and the unknown to solve it for: linear ones first, then those in one unknown alone."""
+    best: tuple[tuple[int, int], int, sp.Symbol] | None = None
+    for index, equation in enumerate(system):
+        present = [x for x in unknowns if x in equation.free_symbols]
+        for x in present:
+            linear = not tidy(equation.diff(x)).has(x)
+            if not linear and len(present) > 1:
+                continue
+            rank = (len(present) if linear else 2 * len(unknowns), sp.count_ops(equation))
+            if best is None or rank < best[0]:
+                best = (rank, index, x)
+    return None if best is None else (best[1], best[2])
+
+
+def _roots(equation: sp.Expr, unknown: sp.Symbol) -> list[sp.Expr]:
+    slope = tidy(equation.diff(unknown))
+    if not slope.has(unknown):
+        return [] if slope == 0 else [tidy(-replaced(equation, {unknown: sp.S.Zero}) / slope)]
+    try:
+        roots = sp.solve(equation, unknown, check=False, simplify=False)
+    except (NotImplementedError, ValueError, TypeError):
+        return []
+    return [root for root in roots if isinstance(root, sp.Expr) and not root.has(sp.Piecewise, sp.zoo, sp.nan)]
+
+
+def _solve_whole(system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> Iterator[Solution]:
+    try:
+        solutions = sp.solve(system, unknowns, dict=True, check=False, simplify=False)
+    except (NotImplementedError, ValueError, TypeError):
+        return
+    for solution in solutions:
+        free = {x for value in solution.values() for x in value.free_symbols}
+        if set(solution) == set(unknowns) and not free & set(unknowns):
+            yield dict(solution)
+
+
+def _readable(expression: sp.Expr) -> sp.Expr:
+    """Inverse functions of the language alone: acot x = atan(1/x), asec x = acos(1/x), acsc x = asin(1/x)."""
+    plain = {sp.acot: sp.atan, sp.asec: sp.acos, sp.acsc: sp.asin, sp.acoth: sp.atanh}
+    for function, direct in plain.items():
+        expression = expression.replace(function, lambda x, direct=direct: direct(1 / x))
+    return expression
+
+
+def _smooth(solution: Solution) -> Solution:
+    """The branch that continues analytically where an absolute value has its kink."""
+    return {x: tidy(value.replace(sp.Abs, lambda inner: inner)) for x, value in solution.items()}
+
+
+def _samples(equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbol]) -> Iterator[Solution]:
+    """Points at which all equations hold, found by choosing everything but the left sides."""
+    values = list(equations.values())
+    free = sorted({*unknowns, *(s for value in values for s in value.free_symbols)}, key=str)
+    if any(value.atoms(sp.core.function.AppliedUndef) for value in values):
+        return
+    random, count = Random(0), 0
+    for attempt in range(8 * _SAMPLES):
+        size = (1, 3)[attempt % 2]
+        chosen = {symbol: _choice(symbol, random, size) for symbol in free}
+        left = {known: replaced(value, chosen).evalf(_DIGITS) for known, value in equations.items()}
+        if all(_suits(known, value) for known, value in left.items()):
+            yield chosen | left
+            count += 1
+            if count == _SAMPLES:
+                return
+
+
+def _choice(symbol: sp.Symbol, random: Random, size: int) -> sp.Expr:
+    if symbol.is_integer:
+        return sp.Integer(random.randint(1, 4) * (-1 if symbol.is_negative else 1))
+    value = sp.Rational(random.randint(20, 1000), 1000) * size
+    if symbol.is_negative:
+        return -value
+    return value if symbol.is_nonnegative or random.random() < 0.5 else -value
+
+
+def _suits(symbol: sp.Symbol, value: sp.Expr) -> bool:
+    """Whether a sampled value is finite and what is assumed of its name."""
+    if not value.is_number or value.has(sp.zoo, sp.nan, sp.oo):
+        return False
+    if symbol.is_real and not value.is_real:
+        return False
+    if symbol.is_nonnegative and not value.is_nonnegative:
+        return False
+    return not (symbol.is_nonpositive and not value.is_nonpositive)
+
+
+def _agrees(solution: Solution, point: Solution) -> bool:
+    for unknown, formula in solution.items():
+        value = (replaced(formula, point) - point[unknown]).evalf(_DIGITS)
+        if not value.is_number or value.has(sp.nan, sp.zoo) or abs(complex(value)) > 1e-9:
+            return False
+    return True

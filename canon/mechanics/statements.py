@@ -1,0 +1,108 @@
+"""Claims about functions on phase space, stated as a physicist would; `verify` gives their verdicts.
+
+Claims about transformations and generating functions are methods of these.
+"""
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from canon.claim import Claim
+from canon.mechanics.formulas import Expression, as_formula, as_formulas
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.subject import Subject
+
+
+def _about(space: PhaseSpace, H: Expression | None = None) -> Subject:
+    form = None if H is None else as_formula(H, "hamiltonian, H")
+    return Subject(space, hamiltonian=form, domain=space.domain, functions=space.functions)
+
+
+def bracket(space: PhaseSpace, f: Expression, g: Expression, equals: Expression) -> Claim:
+    """{f, g} = equals, in the old variables."""
+    keys = {"f": as_formula(f, "f"), "g": as_formula(g, "g"), "equals": as_formula(equals, "equals")}
+    return _about(space).claim("bracket", keys)
+
+
+def jacobi(space: PhaseSpace, f: Expression, g: Expression, h: Expression) -> Claim:
+    """{f, {g, h}} + {g, {h, f}} + {h, {f, g}} = 0."""
+    return _about(space).claim("jacobi", {"f": as_formula(f), "g": as_formula(g), "h": as_formula(h)})
+
+
+def conserved(space: PhaseSpace, H: Expression, f: Expression) -> Claim:
+    """f is a constant of the motion of H: df/dt + {f, H} = 0."""
+    return _about(space, H).claim("conserved", {"f": as_formula(f)})
+
+
+def involution(space: PhaseSpace, functions: Sequence[Expression]) -> Claim:
+    """Every pair of the functions has bracket 0."""
+    return _about(space).claim("involution", {"functions": as_formulas(functions)})
+
+
+def independent(space: PhaseSpace, functions: Sequence[Expression]) -> Claim:
+    """The functions are functionally independent almost everywhere."""
+    return _about(space).claim("independent", {"functions": as_formulas(functions)})
+
+
+def identity(space: PhaseSpace, lhs: Expression, rhs: Expression) -> Claim:
+    """lhs = rhs throughout the domain."""
+    return _about(space).claim("identity", {"lhs": as_formula(lhs), "rhs": as_formula(rhs)})
+
+
+def lie_series(
+    space: PhaseSpace,
+    generator: Expression,
+    parameter: sp.Symbol,
+    f: Expression,
+    equals: Expression,
+    *,
+    order: int | None = None,
+) -> Claim:
+    """exp(parameter {., generator}) f = equals; with `order`, the polynomial of that degree in the parameter."""
+    keys: dict[str, object] = {
+        "generator": as_formula(generator),
+        "parameter": parameter,
+        "f": as_formula(f),
+        "equals": as_formula(equals),
+    }
+    return _about(space).claim("lie_series", keys if order is None else keys | {"order": order})
+
+
+def infinitesimal(
+    space: PhaseSpace,
+    generator: Expression,
+    dq: Expression | Sequence[Expression],
+    dp: Expression | Sequence[Expression],
+) -> Claim:
+    """The generator moves (q, p) by eps (dq, dp): dq = dG/dp, dp = -dG/dq."""
+    keys = {"generator": as_formula(generator), "dq": as_formulas(dq), "dp": as_formulas(dp)}
+    return _about(space).claim("infinitesimal", keys)
+
+
+def equations_of_motion(
+    space: PhaseSpace,
+    H: Expression,
+    qdot: Expression | Sequence[Expression],
+    pdot: Expression | Sequence[Expression],
+) -> Claim:
+    """Hamilton's equations of H are these: qdot = dH/dp, pdot = -dH/dq."""
+    return _about(space, H).claim("equations_of_motion", {"qdot": as_formulas(qdot), "pdot": as_formulas(pdot)})
+
+
+def hamiltonian_field(
+    space: PhaseSpace,
+    qdot: Expression | Sequence[Expression],
+    pdot: Expression | Sequence[Expression],
+    H: Expression | None = None,
+) -> Claim:
+    """The vector field is locally Hamiltonian; with `H`, it is that of H."""
+    keys: dict[str, object] = {"qdot": as_formulas(qdot), "pdot": as_formulas(pdot)}
+    return _about(space).claim("hamiltonian_field", keys if H is None else keys | {"H": as_formula(H)})
+
+
+def legendre(
+    space: PhaseSpace, H: Expression, L: Expression, velocities: sp.Symbol | Sequence[sp.Symbol]
+) -> Claim:
+    """H is the Legendre transform of L, with momenta dL/dv and a Hessian in the velocities that is not singular."""
+    names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
+    return _about(space, H).claim("legendre", {"L": as_formula(L), "velocities": names})

@@ -1,0 +1,42 @@
+"""What a claim is about: the phase space and whatever lives on it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from canon.claim import Claim
+from canon.domain import Domain
+from canon.expression import Formula
+from canon.mechanics.phase_space import PhaseSpace
+
+if TYPE_CHECKING:
+    from canon.mechanics.generating_function import GeneratingFunction
+    from canon.mechanics.transformation import Transformation
+
+
+@dataclass(frozen=True)
+class Subject:
+    """All that the claims of one file share.
+
+    `domain` is the region that was asked for (`where` and `on`); each formula carries its own conditions besides.
+    `transformation` is the explicit one. Where there is none, claims are about the transformation that the generating
+    function defines: `map` is the one or the other.
+    """
+
+    space: PhaseSpace
+    hamiltonian: Formula | None = None
+    generating_function: "GeneratingFunction | None" = None
+    transformation: "Transformation | None" = None
+    domain: Domain = field(default_factory=Domain)
+    functions: tuple[str, ...] = ()
+
+    @property
+    def map(self) -> "Transformation | None":
+        """The transformation that claims are about: the explicit one, else the one generated, else `None`."""
+        if self.transformation is not None or self.generating_function is None:
+            return self.transformation
+        return self.generating_function.transformation()
+
+    def claim(self, kind: str, keys: Mapping[str, object], **options: object) -> Claim:
+        """The claim of this kind about this subject; `options` are `title`, `source`, `expect` and `budget`."""
+        return Claim(kind=kind, subject=self, keys=dict(keys), **options)  # pyright: ignore[reportArgumentType]

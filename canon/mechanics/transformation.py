@@ -1,0 +1,230 @@
+"""A transformation of phase space: new variables as functions of old ones, old of new, or implicit."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import sympy as sp
+
+from canon.claim import Claim
+from canon.errors import InputError
+from canon.expression import Formula
+from canon.mechanics.formulas import Expression, as_formula, as_formulas, substituted
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.poisson import BracketMatrix, bracket_matrix, lagrange_matrix, standard_j
+from canon.mechanics.subject import Subject
+
+if TYPE_CHECKING:
+    from canon.mechanics.generating_function import GeneratingFunction
+
+Direction = Literal["forward", "backward", "implicit"]
+
+
+@dataclass(frozen=True)
+class Transformation:
+    """(q, p) -> (Q, P), possibly with parameters and time.
+
+    **Arguments:** the phase space, and one of
+
+    - `Q`, `P`: the new variables as functions of the old ones (direction `forward`);
+    - `q`, `p`: the old variables as functions of the new ones (`backward`);
+    - `generating_function`: the map is defined by its equations alone (`implicit`).
+
+    A forward map may have fewer new pairs than old ones, as in the regularisation of Kustaanheimo and Stiefel.
+
+    **Raises:** `InputError` when the counts do not fit, or a formula uses variables of the wrong side.
+    """
+
+    space: PhaseSpace
+    Q: tuple[Formula, ...] = ()
+    P: tuple[Formula, ...] = ()
+    q: tuple[Formula, ...] = ()
+    p: tuple[Formula, ...] = ()
+    generating_function: "GeneratingFunction | None" = None
+
+    def __post_init__(self) -> None:
+        given = [name for name in "QPqp" if not isinstance(getattr(self, name), tuple) or getattr(self, name)]
+        if given not in (["Q", "P"], ["q", "p"], []) or (not given and self.generating_function is None):
+            raise InputError("a transformation is given by Q and P, or by q and p", "transformation")
+        allowed = {"Q": self.space.old, "P": self.space.old, "q": self.space.new, "p": self.space.new}
+        for name in given:
+            formulas = as_formulas(getattr(self, name), f"transformation, {name}")
+            object.__setattr__(self, name, formulas)
+            targets = getattr(self.space, name)
+            if len(formulas) != len(targets):
+                raise InputError(f"{len(formulas)} formulas for {len(targets)} variables", f"transformation, {name}")
+            wrong = {*self.space.old, *self.space.new} - {*allowed[name]}
+            for formula in formulas:
+                for symbol in sorted(formula.expr.free_symbols & wrong, key=str):
+                    raise InputError(
+                        f"{symbol} cannot occur here: the formula is one in {', '.join(map(str, allowed[name]))}",
+                        f"transformation, {name}",
+                    )
+        if given != ["Q", "P"] and len(self.space.Q) != self.space.n:
+            raise InputError("as many new pairs as old ones are needed here", "transformation")
+
+    @property
+    def direction(self) -> Direction:
+        """`forward`, `backward` or `implicit`."""
+        return "forward" if self.Q else "backward" if self.q else "implicit"
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """(Q, P) of a forward map, (q, p) of a backward one; **raises** `InputError` for an implicit one."""
+        if self.direction == "implicit":
+            raise InputError("an implicit transformation has no formulas; ask for .explicit(), .forward(), .backward()")
+        return self.Q + self.P if self.Q else self.q + self.p
+
+    @property
+    def expressions(self) -> tuple[sp.Expr, ...]:
+        """The formulas' bare expressions."""
+        return tuple(formula.expr for formula in self.formulas)
+
+    @property
+    def arguments(self) -> tuple[sp.Symbol, ...]:
+        """The variables in which the formulas are written."""
+        return self.space.old if self.direction == "forward" else self.space.new
+
+    @property
+    def targets(self) -> tuple[sp.Symbol, ...]:
+        """The variables for which the formulas stand."""
+        return self.space.new if self.direction == "forward" else self.space.old
+
+    @property
+    def mapping(self) -> dict[sp.Symbol, Formula]:
+        """Each target with its formula."""
+        return dict(zip(self.targets, self.formulas, strict=True))
+
+    def jacobian(self) -> sp.ImmutableMatrix:
+        """The derivatives of the formulas by their arguments: M = d(Q,P)/d(q,p) of a forward map, else its inverse."""
+        return sp.ImmutableMatrix([[value.diff(x) for x in self.arguments] for value in self.expressions])
+
+    def velocity(self) -> tuple[sp.Expr, ...]:
+        """The partial derivatives of the formulas by time."""
+        return tuple(value.diff(self.space.t) for value in self.expressions)
+
+    def symplectic_residual(self, scale: Expression = 1) -> sp.ImmutableMatrix:
+        """M J M^T - scale J of a forward map; A J A^T - J / scale of a backward one, with its Jacobian A = M^-1.
+
+        It vanishes where the transformation is canonical with that scale (valence). Arnold (1989), section 44.
+        """
+        jacobian = self.jacobian()
+        factor = as_formula(scale).expr
+        expected = factor if self.direction == "forward" else 1 / factor
+        product = jacobian * standard_j(jacobian.cols // 2) * jacobian.T
+        return sp.ImmutableMatrix(product - expected * standard_j(jacobian.rows // 2))
+
+    def poisson_brackets(self) -> BracketMatrix:
+        """The brackets of the new variables in the old ones (of the old in the new ones, for a backward map)."""
+        space = self.space if self.direction == "forward" else self.space.swapped()
+        return bracket_matrix(self.formulas, space, [sp.latex(target) for target in self.targets])
+
+    def lagrange_brackets(self) -> BracketMatrix:
+        """The Lagrange brackets of the arguments with respect to the targets."""
+        pairs = len(self.targets) // 2
+        return lagrange_matrix(self.arguments, self.expressions[:pairs], self.expressions[pairs:])
+
+    def pull_back(self, f: Expression) -> Formula:
+        """`f`, a function of the targets, as a function of the arguments."""
+        return substituted(as_formula(f), self.mapping)
+
+    def inverse(self) -> "Transformation":
+        """The inverse map (Q, P) -> (q, p). Nothing is solved: the roles of old and new change places."""
+        space = self.space.swapped()
+        if self.direction == "implicit":
+            assert self.generating_function is not None
+            return self.generating_function.inverse().transformation()
+        return Transformation(space, Q=self.q, P=self.p, q=self.Q, p=self.P)
+
+    def forward(self, branch: int = 0) -> "Transformation":
+        """The same map with the new variables as explicit functions of the old ones, solved for where need be.
+
+        **Raises:** `InputError` when no solution is found, or there is no branch of that number.
+        """
+        from canon.mechanics.explicit import explicit
+
+        return explicit(self, "forward", branch)
+
+    def backward(self, branch: int = 0) -> "Transformation":
+        """The same map with the old variables as explicit functions of the new ones; as `forward` otherwise."""
+        from canon.mechanics.explicit import explicit
+
+        return explicit(self, "backward", branch)
+
+    def after(self, first: "Transformation") -> "Transformation":
+        """The composition: `first`, whose new variables are this one's old ones, and then this one."""
+        from canon.mechanics.composition import compose
+
+        return compose(first, self)
+
+    def subject(self, hamiltonian: Expression | None = None) -> Subject:
+        """What claims about this transformation are about."""
+        return Subject(
+            space=self.space,
+            hamiltonian=None if hamiltonian is None else as_formula(hamiltonian, "hamiltonian"),
+            generating_function=self.generating_function,
+            transformation=None if self.direction == "implicit" else self,
+            domain=self.space.domain,
+            functions=self.space.functions,
+        )
+
+    def canonical(self, scale: Expression = 1, *, order: tuple[sp.Symbol, int] | None = None) -> Claim:
+        """Claims M J M^T = scale J; for a truncated map with `order = (eps, n)` up to terms of eps^(n+1)."""
+        keys: dict[str, object] = {} if as_formula(scale).expr == 1 else {"scale": as_formula(scale)}
+        return self.subject().claim("canonical", keys if order is None else keys | {"order": order})
+
+    def canonical_when(self, *solutions: Mapping[sp.Symbol, Expression]) -> Claim:
+        """Claims that the map is canonical at each of the solutions, and not at generic values of these parameters."""
+        tables = tuple({name: as_formula(value) for name, value in table.items()} for table in solutions)
+        return self.subject().claim("canonical_when", {"solutions": tables})
+
+    def fundamental_brackets(self) -> Claim:
+        """Claims {Q_i, Q_j} = {P_i, P_j} = 0 and {Q_i, P_j} = delta_ij."""
+        return self.subject().claim("fundamental_brackets", {})
+
+    def bracket_invariance(self, f: Expression, g: Expression) -> Claim:
+        """Claims that {f, g}, with f and g in the new variables, is the same in either set of variables."""
+        return self.subject().claim("bracket_invariance", {"f": as_formula(f), "g": as_formula(g)})
+
+    def volume(self) -> Claim:
+        """Claims |det M| = 1 (Liouville)."""
+        return self.subject().claim("volume", {})
+
+    def integral_invariant(self, order: int = 1) -> Claim:
+        """Claims that Poincaré's integral invariant of this order is preserved."""
+        return self.subject().claim("integral_invariant", {"order": order})
+
+    def cartan_invariant(self, H: Expression, K: Expression) -> Claim:
+        """Claims that p dq - H dt and P dQ - K dt differ by an exact form in extended phase space."""
+        return self.subject(H).claim("cartan_invariant", {"K": as_formula(K)})
+
+    def generated_by(self, F: "GeneratingFunction") -> Claim:
+        """Claims that `F` generates this explicit transformation."""
+        mine = self.subject()
+        return Subject(
+            space=mine.space,
+            generating_function=F,
+            transformation=mine.transformation,
+            domain=mine.domain,
+            functions=mine.functions,
+        ).claim("generates", {})
+
+    def has_generating_function(self, type: int | Sequence[int], F: Expression) -> Claim:  # noqa: A002
+        """Claims that F is a generating function of this type of the map, up to a function of time."""
+        kinds = type if isinstance(type, int) else tuple(type)
+        return self.subject().claim("generating_function", {"type": kinds, "F": as_formula(F)})
+
+    def new_hamiltonian(self, H: Expression, K: Expression) -> Claim:
+        """Claims that the map takes Hamilton's equations of H into those of K."""
+        return self.subject(H).claim("new_hamiltonian", {"K": as_formula(K)})
+
+    def symmetry(self, H: Expression) -> Claim:
+        """Claims that the map leaves H form-invariant."""
+        return self.subject(H).claim("symmetry", {})
+
+    def _repr_latex_(self) -> str:
+        if self.direction == "implicit":
+            assert self.generating_function is not None
+            return self.generating_function._repr_latex_()
+        rows = [f"{sp.latex(target)} &= {sp.latex(value.expr)}" for target, value in self.mapping.items()]
+        return "$\\begin{aligned} " + " \\\\ ".join(rows) + " \\end{aligned}$"

@@ -53,7 +53,7 @@ class Settings:
 
     def grace(self, entry: Entry) -> float:
         """Return how many seconds past its budget a claim is left alone before its worker is killed."""
-        return max(1.0, 0.2 * self.seconds(entry))
+        return min(5.0, max(1.0, 0.2 * self.seconds(entry)))
 
 
 Recorder = Callable[[Entry, Claim, Verdict], Record]

@@ -6,6 +6,8 @@ Nothing heavy is imported here, so that `canon --help` and `canon --version` ans
 from __future__ import annotations
 
 import argparse
+import io
+import os
 import sys
 from collections.abc import Sequence
 from typing import Final
@@ -58,13 +60,18 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def entry() -> None:
-    """Run as a program: the exit status goes to the shell, and a reader that hangs up is no error."""
+    """Run as a program: the exit status goes to the shell; Ctrl-C, and a reader that hangs up, are no errors."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
     try:
         status = main()
         sys.stdout.flush()
     except BrokenPipeError:
-        sys.stderr.close()
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         status = 1
+    except KeyboardInterrupt:
+        status = verify.INTERRUPTED
     sys.exit(status)
 
 

@@ -40,7 +40,8 @@ def explanation(claim: Record) -> Iterator[str]:
             f"rounding bound {numeric['bound']}"
         )
     if claim["verdict"] == "undecided":
-        yield f"  undecided after {duration(claim['seconds'])}; a larger --budget may help"
+        hint = "; a larger --budget may help" if "budget" in str(claim["detail"]) else ""
+        yield f"  undecided after {duration(claim['seconds'])}{hint}"
 
 
 def error_line(error: Record) -> str:

@@ -12,6 +12,7 @@ import sys
 from collections.abc import Sequence
 from typing import Final
 
+import canon
 from canon.cli import verify
 from canon.cli.parser import Parser
 
@@ -51,7 +52,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     top = parser()
     arguments = top.parse_args(argv)
     if arguments.version:
-        print(f"canon {_version()}")
+        print(f"canon {canon.__version__}")
         return 0
     if arguments.command is None:
         top.print_help()
@@ -73,12 +74,3 @@ def entry() -> None:
     except KeyboardInterrupt:
         status = verify.INTERRUPTED
     sys.exit(status)
-
-
-def _version() -> str:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version("canon-mechanics")
-    except PackageNotFoundError:
-        return "(not installed)"

@@ -67,7 +67,6 @@ def execute(arguments: argparse.Namespace) -> int:
 def _read(names: list[str], entries: list[Entry], errors: list[Record]) -> None:
     """Read the files into `entries` and `errors` (filled as reading goes on, so that an interruption loses nothing)."""
     from canon.claims.reader import read_file
-
     from canon.claims.worker import Entry
     from canon.report.record import error_record
 

@@ -7,15 +7,19 @@ dropped when it is made; one that can't hold anywhere is an `InputError` at once
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
+from canon.sign import is_complex as _is_complex
+from canon.sign import known_sign
 from canon.special import JacobiCN, JacobiDN, JacobiSN
 
+Test = Callable[[Any], bool]
 ConditionKind = Literal["positive", "nonzero", "uncut", "slit", "regular"]
 
 
@@ -43,7 +47,8 @@ class Condition:
 
     def substitute(self, mapping: Mapping[sp.Expr, sp.Expr]) -> Condition:
         """The condition pulled back: every key of `mapping` replaced by its value, all at once."""
-        terms = tuple(term.xreplace(dict(mapping)) for term in self.terms)
+        rules: Any = dict(mapping)
+        terms: tuple[Any, ...] = tuple(term.xreplace(rules) for term in self.terms)
         return self if terms == self.terms else Condition(self.kind, terms)
 
 
@@ -60,10 +65,9 @@ class Domain:
 
     def substitute(self, mapping: Mapping[sp.Expr, sp.Expr]) -> Domain:
         """The domain pulled back: every key of `mapping` replaced by its value, all at once."""
-        return Domain(
-            unique(condition.substitute(mapping) for condition in self.conditions),
-            tuple(expression.xreplace(dict(mapping)) for expression in self.surface),
-        )
+        rules: Any = dict(mapping)
+        surface: tuple[Any, ...] = tuple(expression.xreplace(rules) for expression in self.surface)
+        return Domain(unique(condition.substitute(mapping) for condition in self.conditions), surface)
 
 
 def unique(*groups: Iterable[Condition]) -> tuple[Condition, ...]:
@@ -84,12 +88,7 @@ def describe(kind: ConditionKind, *terms: str) -> str:
     return f"{terms[0]} is analytic"
 
 
-def is_complex(expression: sp.Expr) -> bool:
-    """Whether `expression` contains i or a name that isn't known to be real."""
-    return expression.has(sp.I) or any(symbol.is_real is not True for symbol in expression.free_symbols)
-
-
-def positive(expression: sp.Expr, text: str = "") -> tuple[Condition, ...]:
+def positive(expression: Any, text: str = "", *, is_complex: Test = _is_complex) -> tuple[Condition, ...]:
     """`expression` is real and positive; of a complex one, that it isn't in (−∞, 0]."""
     text = text or str(expression)
     sign = known_sign(expression)
@@ -97,22 +96,24 @@ def positive(expression: sp.Expr, text: str = "") -> tuple[Condition, ...]:
         return ()
     kind: ConditionKind = "slit" if is_complex(expression) else "positive"
     if sign in ("negative", "zero", "nonpositive"):
-        raise InputError(f"undefined everywhere: it needs {describe(kind, text)}, but that is never so")
+        raise InputError(f"undefined everywhere: it needs {describe(kind, text)}, which is never so")
     return (Condition(kind, (expression,), describe(kind, text)),)
 
 
-def nonzero(expression: sp.Expr, text: str = "") -> tuple[Condition, ...]:
+def nonzero(expression: Any, text: str = "", *, is_complex: Test = _is_complex) -> tuple[Condition, ...]:
     """`expression` doesn't vanish."""
     text = text or str(expression)
     sign = known_sign(expression)
     if sign in ("positive", "negative", "nonzero"):
         return ()
     if sign == "zero":
-        raise InputError(f"undefined everywhere: it needs {describe('nonzero', text)}, but that is never so")
+        raise InputError(f"undefined everywhere: {text} is zero")
     return (Condition("nonzero", (expression,), describe("nonzero", text)),)
 
 
-def uncut(y: sp.Expr, x: sp.Expr, y_text: str = "", x_text: str = "") -> tuple[Condition, ...]:
+def uncut(
+    y: Any, x: Any, y_text: str = "", x_text: str = "", *, is_complex: Test = _is_complex
+) -> tuple[Condition, ...]:
     """atan2(y, x) is smooth: not (y = 0 and x ≤ 0)."""
     y_text, x_text = y_text or str(y), x_text or str(x)
     if is_complex(y) or is_complex(x):
@@ -120,11 +121,13 @@ def uncut(y: sp.Expr, x: sp.Expr, y_text: str = "", x_text: str = "") -> tuple[C
     if known_sign(y) in ("positive", "negative", "nonzero") or known_sign(x) == "positive":
         return ()
     if y.is_zero:
-        return positive(x, x_text)
+        return positive(x, x_text, is_complex=is_complex)
     return (Condition("uncut", (y, x), describe("uncut", y_text, x_text)),)
 
 
-def power_conditions(base: sp.Expr, exponent: sp.Expr, text: str = "") -> tuple[Condition, ...]:
+def power_conditions(
+    base: Any, exponent: Any, text: str = "", *, is_complex: Test = _is_complex
+) -> tuple[Condition, ...]:
     """Where `base**exponent` is smooth.
 
     Everywhere for an exponent 0, 1, 2, …; where the base isn't 0 for other integers; for any other exponent where
@@ -133,23 +136,23 @@ def power_conditions(base: sp.Expr, exponent: sp.Expr, text: str = "") -> tuple[
     if exponent.is_integer and (exponent.is_nonnegative or exponent.is_zero):
         return ()
     if exponent.is_integer:
-        return nonzero(base, text)
-    return positive(base, text)
+        return nonzero(base, text, is_complex=is_complex)
+    return positive(base, text, is_complex=is_complex)
 
 
-_BOUNDED: Final = {sp.asin: -1, sp.acos: -1, sp.atanh: -1}
+_BOUNDED: Final = (sp.asin, sp.acos, sp.atanh)
 _POLES: Final = {
     sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin, sp.coth: sp.sinh, sp.csch: sp.sinh,
 }  # fmt: skip
 _ENTIRE: Final = (sp.exp, sp.sin, sp.cos, sp.sinh, sp.cosh)
 _SPECIAL: Final = (
-    sp.gamma, sp.LambertW, sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, JacobiSN, JacobiCN, JacobiDN,
+    sp.gamma, sp.LambertW, sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, sp.polygamma, JacobiSN, JacobiCN, JacobiDN,
 )  # fmt: skip
 
 
-def function_conditions(function: Any, arguments: tuple[sp.Expr, ...], texts: tuple[str, ...] = ()) -> tuple[
-    Condition, ...
-]:  # fmt: skip
+def function_conditions(
+    function: Any, arguments: tuple[Any, ...], texts: tuple[str, ...] = (), *, is_complex: Test = _is_complex
+) -> tuple[Condition, ...]:
     """Where the sympy function `function`, one of the language's, is smooth at `arguments`.
 
     `texts` are the arguments as their author wrote them.
@@ -161,29 +164,32 @@ def function_conditions(function: Any, arguments: tuple[sp.Expr, ...], texts: tu
     if function in _ENTIRE:
         return ()
     if function in _SPECIAL:
+        if function is sp.gamma and argument.is_Rational and argument > 0:
+            return ()
         name = f"{function.__name__}({', '.join(texts)})"
-        return (Condition("regular", (function(*arguments, evaluate=False),), describe("regular", name)),)
+        call: Any = function(*arguments, evaluate=False)
+        return (Condition("regular", (call,), describe("regular", name)),)
     if function in _POLES:
         inner = _POLES[function]
-        return nonzero(inner(argument), f"{inner.__name__}({text})")
+        return nonzero(inner(argument), f"{inner.__name__}({text})", is_complex=is_complex)
     if function is sp.log:
-        return positive(argument, text)
+        return positive(argument, text, is_complex=is_complex)
     if function in (sp.Abs, sp.sign):
-        return nonzero(argument, text)
+        return nonzero(argument, text, is_complex=is_complex)
     if function in _BOUNDED:
-        return positive(1 - argument**2, f"1 - ({text})**2")
+        return positive(1 - argument**2, f"1 - ({text})**2", is_complex=is_complex)
     if function is sp.acosh:
-        return positive(argument - 1, f"{text} - 1")
+        return positive(argument - 1, f"{text} - 1", is_complex=is_complex)
     if function in (sp.atan, sp.asinh):
-        return positive(1 + argument**2, f"1 + ({text})**2") if is_complex(argument) else ()
+        return positive(1 + argument**2, f"1 + ({text})**2", is_complex=is_complex) if is_complex(argument) else ()
     if function in (sp.tanh, sp.sech):
-        return nonzero(sp.cosh(argument), f"cosh({text})") if is_complex(argument) else ()
+        return nonzero(sp.cosh(argument), f"cosh({text})", is_complex=is_complex) if is_complex(argument) else ()
     if function is sp.atan2:
-        return uncut(argument, arguments[1], text, texts[1])
+        return uncut(argument, arguments[1], text, texts[1], is_complex=is_complex)
     raise InputError(f"{function} is not a function of the language")
 
 
-def conditions_of(expression: sp.Expr) -> tuple[Condition, ...]:
+def conditions_of(expression: Any) -> tuple[Condition, ...]:
     """Where a sympy expression is smooth, from its subexpressions as they stand.
 
     What sympy has merged before it got here can't be seen: `x/x` arrives as 1.
@@ -194,7 +200,7 @@ def conditions_of(expression: sp.Expr) -> tuple[Condition, ...]:
     return unique(condition for node in _nodes(expression) for condition in _node_conditions(node))
 
 
-def _nodes(expression: sp.Expr) -> Iterator[Any]:
+def _nodes(expression: Any) -> Iterator[Any]:
     """Every distinct subexpression once, bound variables of derivatives left out."""
     seen: set[Any] = set()
     stack: list[Any] = [expression]
@@ -205,7 +211,7 @@ def _nodes(expression: sp.Expr) -> Iterator[Any]:
         seen.add(node)
         yield node
         if isinstance(node, sp.Subs):
-            stack.extend(node.point)
+            stack.extend(node.args[2].args)
             stack.extend(_nodes_to_substitute(node))
         elif isinstance(node, sp.Derivative):
             stack.append(node.expr)
@@ -213,10 +219,10 @@ def _nodes(expression: sp.Expr) -> Iterator[Any]:
             stack.extend(reversed(node.args))
 
 
-def _nodes_to_substitute(node: sp.Subs) -> list[Any]:
+def _nodes_to_substitute(node: Any) -> list[Any]:
     """What to look at inside a `Subs`: nothing more if it is the derivative of an arbitrary function."""
     inner = node.expr
-    if isinstance(inner, sp.Derivative) and isinstance(inner.expr, sp.core.function.AppliedUndef):
+    if isinstance(inner, sp.Derivative) and isinstance(inner.expr, AppliedUndef):
         return [argument for argument in inner.expr.args if not argument.free_symbols & set(node.variables)]
     return [inner.doit().xreplace(dict(zip(node.variables, node.point, strict=True)))]
 
@@ -236,97 +242,8 @@ def _node_conditions(node: Any) -> tuple[Condition, ...]:
         raise InputError(f"{node} is not an expression of the language")
     if isinstance(node, sp.Pow):
         return power_conditions(node.base, node.exp)
-    if isinstance(node, sp.core.function.AppliedUndef):
+    if isinstance(node, AppliedUndef):
         return ()
     if isinstance(node, sp.Function):
         return function_conditions(node.func, node.args)
     raise InputError(f"{type(node).__name__} is not in the language")
-
-
-Sign = Literal["positive", "negative", "zero", "nonnegative", "nonpositive", "nonzero", "real"]
-
-_SYMBOL_SIGNS: Final[tuple[tuple[str, Sign], ...]] = (
-    ("is_positive", "positive"), ("is_negative", "negative"), ("is_zero", "zero"),
-)  # fmt: skip
-
-
-def known_sign(expression: sp.Expr, depth: int = 8) -> Sign | None:
-    """The sign that `expression` has wherever it is defined, as far as its outermost `depth` levels show it.
-
-    "nonnegative" and "nonpositive" include that it may vanish; "nonzero" may be complex; None where nothing shows.
-    No numerical evaluation and no rewriting: what it says follows from the assumptions on the names alone.
-    """
-    if expression.is_Rational:
-        return "zero" if not expression else "positive" if expression > 0 else "negative"
-    if expression in (sp.pi, sp.E):
-        return "positive"
-    if expression is sp.I:
-        return "nonzero"
-    if expression.is_Symbol:
-        return _symbol_sign(expression)
-    if depth == 0:
-        return None
-    if expression.is_Add:
-        return _sum_sign([known_sign(term, depth - 1) for term in expression.args])
-    if expression.is_Mul:
-        return _product_sign([known_sign(factor, depth - 1) for factor in expression.args])
-    if expression.is_Pow:
-        return _power_sign(expression, depth)
-    if isinstance(expression, (sp.exp, sp.cosh)):
-        real = not is_complex(expression)
-        return "positive" if real else "nonzero" if isinstance(expression, sp.exp) else None
-    return None
-
-
-def _symbol_sign(symbol: Any) -> Sign | None:
-    for attribute, sign in _SYMBOL_SIGNS:
-        if getattr(symbol, attribute):
-            return sign
-    if symbol.is_nonnegative:
-        return "nonnegative"
-    if symbol.is_nonpositive:
-        return "nonpositive"
-    if symbol.is_zero is False:
-        return "nonzero"
-    return "real" if symbol.is_real else None
-
-
-def _sum_sign(signs: list[Sign | None]) -> Sign | None:
-    found = set(signs) - {"zero"}
-    if found <= {"positive", "nonnegative"}:
-        return "positive" if "positive" in found else "nonnegative" if found else "zero"
-    if found <= {"negative", "nonpositive"}:
-        return "negative" if "negative" in found else "nonpositive"
-    return None
-
-
-def _product_sign(signs: list[Sign | None]) -> Sign | None:
-    if "zero" in signs:
-        return "zero"
-    if None in signs:
-        return None
-    if "real" in signs:
-        return None
-    flips = sum(sign in ("negative", "nonpositive") for sign in signs) % 2
-    if set(signs) <= {"positive", "negative"}:
-        return "negative" if flips else "positive"
-    if set(signs) <= {"positive", "negative", "nonzero"}:
-        return "nonzero"
-    if "nonzero" in signs:
-        return None
-    return "nonpositive" if flips else "nonnegative"
-
-
-def _power_sign(power: Any, depth: int) -> Sign | None:
-    base, exponent = known_sign(power.base, depth - 1), power.exp
-    if base == "positive" and not is_complex(exponent):
-        return "positive"
-    if base in ("positive", "negative", "nonzero") and exponent.is_Integer:
-        if exponent % 2 == 0 and not is_complex(power.base):
-            return "positive"
-        return base if exponent % 2 else "nonzero"
-    if exponent.is_Integer and exponent > 0 and exponent % 2 == 0 and not is_complex(power.base):
-        return "nonnegative"
-    if exponent.is_Rational and exponent.q % 2 == 0 and not is_complex(power.base):
-        return "nonnegative" if exponent > 0 else "positive"
-    return None

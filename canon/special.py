@@ -31,18 +31,24 @@ class JacobiSN(_Jacobi):
     """sn(u | m): sn' = cn dn."""
 
     def _in_u(self) -> Any:
-        return JacobiCN(*self.args) * JacobiDN(*self.args)
+        u_and_m: Any = self.args
+        cn: Any = JacobiCN(*u_and_m)
+        return cn * JacobiDN(*u_and_m)
 
 
 class JacobiCN(_Jacobi):
     """cn(u | m): cn' = −sn dn."""
 
     def _in_u(self) -> Any:
-        return -JacobiSN(*self.args) * JacobiDN(*self.args)
+        u_and_m: Any = self.args
+        sn: Any = JacobiSN(*u_and_m)
+        return -sn * JacobiDN(*u_and_m)
 
 
 class JacobiDN(_Jacobi):
     """dn(u | m): dn' = −m sn cn."""
 
     def _in_u(self) -> Any:
-        return -self.args[1] * JacobiSN(*self.args) * JacobiCN(*self.args)
+        u_and_m: Any = self.args
+        sn: Any = JacobiSN(*u_and_m)
+        return -u_and_m[1] * sn * JacobiCN(*u_and_m)

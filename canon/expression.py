@@ -1,0 +1,331 @@
+"""The safe reader of formulas: text to a sympy expression and the conditions under which it is smooth.
+
+A formula is data. Its text is parsed by `canon.syntax`, its names are looked up in a `Vocabulary`, and each operation
+first adds the conditions of what was written and only then hands its values to sympy, which may merge them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Final
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from canon.domain import Condition, function_conditions, nonzero, positive, power_conditions, unique
+from canon.errors import InputError
+from canon.measure import (
+    LARGEST,
+    Measure,
+    check_exponential,
+    check_power,
+    check_product,
+    check_sum,
+    derivative_size,
+)  # fmt: skip
+from canon.special import JacobiCN, JacobiDN, JacobiSN
+from canon.syntax import Call, Name, Node, Number, Power, Product, Sum, children, parse, parse_relation, place
+from canon.vocabulary import CALLABLE, CONSTANTS, Formula, Vocabulary
+
+__all__ = ["Formula", "Vocabulary", "read", "read_relation"]
+
+_FUNCTIONS: Final[dict[str, tuple[Any, tuple[int, ...]]]] = {
+    "exp": (sp.exp, (1,)), "log": (sp.log, (1,)), "sin": (sp.sin, (1,)), "cos": (sp.cos, (1,)),
+    "tan": (sp.tan, (1,)), "cot": (sp.cot, (1,)), "sec": (sp.sec, (1,)), "csc": (sp.csc, (1,)),
+    "asin": (sp.asin, (1,)), "acos": (sp.acos, (1,)), "atan": (sp.atan, (1,)), "atan2": (sp.atan2, (2,)),
+    "sinh": (sp.sinh, (1,)), "cosh": (sp.cosh, (1,)), "tanh": (sp.tanh, (1,)), "coth": (sp.coth, (1,)),
+    "asinh": (sp.asinh, (1,)), "acosh": (sp.acosh, (1,)), "atanh": (sp.atanh, (1,)),
+    "abs": (sp.Abs, (1,)), "sign": (sp.sign, (1,)), "gamma": (sp.gamma, (1,)), "lambertw": (sp.LambertW, (1,)),
+    "elliptic_k": (sp.elliptic_k, (1,)), "elliptic_e": (sp.elliptic_e, (1, 2)), "elliptic_f": (sp.elliptic_f, (2,)),
+    "jacobi_sn": (JacobiSN, (2,)), "jacobi_cn": (JacobiCN, (2,)), "jacobi_dn": (JacobiDN, (2,)),
+}  # fmt: skip
+_ROOTS: Final = {"sqrt": sp.Rational(1, 2), "cbrt": sp.Rational(1, 3)}
+_HIGHEST: Final = 20
+_GAMMA_LIMIT: Final = 300
+
+
+def read(text: str, vocabulary: Vocabulary, where: str = "") -> Formula:
+    """The formula that `text` states.
+
+    **Arguments:** `where`, the place of the text in its file, for errors.
+
+    **Raises:** `InputError` with the place in the text: outside the language, a name that isn't declared or is out of
+    place, a value that is undefined everywhere, or too large.
+    """
+    return _guarded(lambda: _read(text, vocabulary), where)
+
+
+def read_relation(text: str, vocabulary: Vocabulary, where: str = "") -> tuple[Condition, ...]:
+    """The conditions that a chain of inequalities states, and those of its sides.
+
+    `>=` says as much as `>`, since claims speak of the open part of a domain.
+
+    **Raises:** `InputError` as `read` does; for `==` too, and where the inequality can't hold anywhere.
+    """
+    return _guarded(lambda: _read_relation(text, vocabulary), where)
+
+
+def _guarded(reading: Callable[[], Any], where: str) -> Any:
+    try:
+        return reading()
+    except InputError as error:
+        raise error.at(where) from None
+    except RecursionError:
+        raise InputError("nested too deeply: use [definitions]", where) from None
+
+
+def _read(text: str, vocabulary: Vocabulary) -> Formula:
+    builder = _Builder(text, vocabulary)
+    value = builder.value_of(parse(text))
+    return Formula(
+        value, tuple(builder.conditions), " ".join(text.split()), frozenset(builder.names), builder.has_bracket
+    )
+
+
+def _read_relation(text: str, vocabulary: Vocabulary) -> tuple[Condition, ...]:
+    sides, signs = parse_relation(text)
+    if "==" in signs:
+        raise InputError("an equation restricts to a surface: write it as a difference under `on`")
+    builder = _Builder(text, vocabulary)
+    values = [builder.value_of(side) for side in sides]
+    found = list(builder.conditions)
+    for i, sign in enumerate(signs):
+        left, right = (builder.source(side) for side in sides[i : i + 2])
+        difference = builder.measure.admit(values[i] - values[i + 1])
+        if builder.measure.is_complex(difference) and sign != "!=":
+            raise InputError(f"{left} {sign} {right} compares complex values")
+        make, written = (nonzero, "!=") if sign == "!=" else (positive, sign.rstrip("="))
+        try:
+            conditions = make(-difference if written == "<" else difference)
+        except InputError:
+            raise InputError(f"the inequality {left} {sign} {right} can't hold anywhere") from None
+        found += [Condition(c.kind, c.terms, f"{left} {written} {right}") for c in conditions]
+    return unique(found)
+
+
+class _Builder:
+    """Builds one text's expressions and gathers their conditions on the way."""
+
+    def __init__(self, text: str, vocabulary: Vocabulary) -> None:
+        self.text = text
+        self.vocabulary = vocabulary
+        self.measure = Measure()
+        self.conditions: dict[Condition, None] = {}
+        self.names: set[str] = set()
+        self.has_bracket = False
+
+    def source(self, node: Node) -> str:
+        """What was written for `node`, shortened if it is long."""
+        start, end = node.span
+        written = " ".join(self.text[start : min(end, start + 120)].split())
+        return written if end - start <= 120 else written + "…"
+
+    def value_of(self, root: Node) -> Any:
+        """The value of a tree, its parts first; a loop, so that no depth of input exhausts the stack."""
+        values: list[Any] = []
+        stack: list[tuple[Node, bool]] = [(root, False)]
+        while stack:
+            node, ready = stack.pop()
+            parts = self.parts(node)
+            if not ready and parts:
+                stack.append((node, True))
+                stack.extend((part, False) for part in reversed(parts))
+                continue
+            arguments = values[len(values) - len(parts) :]
+            del values[len(values) - len(parts) :]
+            try:
+                values.append(self.measure.admit(self.build(node, arguments)))
+            except InputError as error:
+                at = place(self.text, node.span[0])
+                message = error.message if " at column " in error.message or " at line " in error.message else ""
+                raise InputError(message or f"{error.message} (in {self.source(node)!r} {at})") from None
+        return values[0]
+
+    def parts(self, node: Node) -> tuple[Node, ...]:
+        """The parts that have a value: not the variable and the order of a derivative."""
+        if isinstance(node, Call) and node.name == "D" and not self.vocabulary.declares("D"):
+            return node.arguments[:1]
+        return children(node)
+
+    def build(self, node: Node, values: list[Any]) -> Any:
+        if isinstance(node, Number):
+            value = sp.Rational(node.value.numerator, node.value.denominator)
+            return value * sp.I if node.imaginary else value
+        if isinstance(node, Name):
+            return self.name(node)
+        if isinstance(node, Sum):
+            check_sum(values)
+            return sp.Add(*(v if plus else -v for v, plus in zip(values, node.added, strict=True)))
+        if isinstance(node, Product):
+            return self.product(node, values)
+        if isinstance(node, Power):
+            return self.power(values[0], values[1], self.source(node.base))
+        return self.call(node, values)
+
+    def add(self, conditions: tuple[Condition, ...]) -> None:
+        self.conditions.update(dict.fromkeys(conditions))
+
+    def name(self, node: Name) -> Any:
+        name, vocabulary = node.name, self.vocabulary
+        where = place(self.text, node.span[0])
+        if name in vocabulary.definitions:
+            return self.definition(name, where)
+        if name in vocabulary.symbols:
+            self.use(name, where)
+            return vocabulary.symbols[name]
+        if name in vocabulary.functions:
+            raise InputError(f"{name!r} {where} is a function: it needs its arguments")
+        if name in CONSTANTS:
+            return CONSTANTS[name]
+        if name in CALLABLE:
+            raise InputError(f"{name!r} {where} is a built-in function and not declared as a name")
+        raise InputError(vocabulary.unknown(name, where))
+
+    def use(self, name: str, where: str, through: str = "") -> None:
+        """Record that `name` is used. **Raises** `InputError` if it is out of place."""
+        reason = self.vocabulary.refused.get(name)
+        if reason is not None:
+            inside = f" (in the definition {through!r})" if through else ""
+            raise InputError(f"{name!r} {where}{inside} is out of place: {reason}")
+        self.names.add(name)
+
+    def definition(self, name: str, where: str) -> Any:
+        formula = self.vocabulary.definitions[name]
+        if isinstance(formula, InputError):
+            raise InputError(f"the definition {name!r}, used {where}, is wrong: {formula.message}")
+        for inner in sorted(formula.names):
+            self.use(inner, where, name)
+        if formula.has_bracket:
+            self.use_bracket(where)
+        self.add(formula.conditions)
+        return formula.expr
+
+    def product(self, node: Product, values: list[Any]) -> Any:
+        check_product(values)
+        factors = list[Any]()
+        for part, value, straight in zip(node.factors, values, node.multiplied, strict=True):
+            if not straight:
+                self.add(nonzero(value, self.source(part), is_complex=self.measure.is_complex))
+                check_power(value, sp.Integer(-1))
+            factors.append(value if straight else value**-1)
+        return sp.Mul(*factors)
+
+    def power(self, base: Any, exponent: Any, text: str) -> Any:
+        self.add(power_conditions(base, exponent, text, is_complex=self.measure.is_complex))
+        check_power(base, exponent)
+        return base**exponent
+
+    def call(self, node: Call, values: list[Any]) -> Any:
+        name, where = node.name, place(self.text, node.span[0])
+        vocabulary = self.vocabulary
+        if name in vocabulary.functions:
+            return self.arbitrary(name, values, where)
+        if vocabulary.declares(name):
+            raise InputError(f"{name!r} {where} is declared as a name, not as a function: write a product with *")
+        if name not in CALLABLE:
+            raise InputError(vocabulary.unknown(name, where))
+        if name == "D":
+            return self.derivative(node, values, where)
+        if name == "bracket":
+            return self.bracket(node, values, where)
+        texts = tuple(self.source(argument) for argument in node.arguments)
+        if name in _ROOTS:
+            self.count(name, len(values), (1,), where)
+            return self.power(values[0], _ROOTS[name], texts[0])
+        function, counts = _FUNCTIONS[name]
+        self.count(name, len(values), counts, where)
+        return self.function(function, values, texts)
+
+    def count(self, name: str, given: int, wanted: tuple[int, ...], where: str) -> None:
+        if given not in wanted:
+            expected = " or ".join(str(n) for n in wanted)
+            raise InputError(f"{name!r} {where} takes {expected} argument{'s'[: wanted != (1,)]}, not {given}")
+
+    def function(self, function: Any, values: list[Any], texts: tuple[str, ...]) -> Any:
+        """A built-in function, kept from what sympy would make of values that it wasn't written for."""
+        is_complex = any(self.measure.is_complex(value) for value in values)
+        if is_complex and function is sp.sign:
+            raise InputError("sign is for real arguments only")
+        self.add(function_conditions(function, tuple(values), texts, is_complex=self.measure.is_complex))
+        if function is sp.exp:
+            check_exponential(values[0])
+        if function is sp.gamma and values[0].is_Rational and abs(values[0]) > _GAMMA_LIMIT:
+            raise InputError(f"gamma of a number above {_GAMMA_LIMIT}")
+        if function is sp.atan2 and values[0].is_zero:
+            return sp.Integer(0)
+        value = function(*values)
+        if is_complex and function is sp.Abs and value.has(sp.Abs, sp.re, sp.im, sp.arg, sp.conjugate):
+            raise InputError("abs of this complex expression: write sqrt(re**2 + im**2) with its two parts")
+        return value
+
+    def arbitrary(self, name: str, values: list[Any], where: str) -> Any:
+        wanted = self.vocabulary.functions[name]
+        if wanted is not None:
+            self.count(name, len(values), (wanted,), where)
+        self.use(name, where)
+        function: Any = sp.Function(name)
+        return function(*values)
+
+    def derivative(self, node: Call, values: list[Any], where: str) -> Any:
+        self.count("D", len(node.arguments), (2, 3), where)
+        variable, order = node.arguments[1], 1
+        symbol = self.vocabulary.symbols.get(variable.name) if isinstance(variable, Name) else None
+        if symbol is None or not isinstance(variable, Name):
+            raise InputError(f"D {where} is with respect to a name, not to {self.source(variable)!r}")
+        self.use(variable.name, place(self.text, variable.span[0]))
+        if len(node.arguments) == 3:
+            times = node.arguments[2]
+            if not isinstance(times, Number) or times.imaginary or times.value.denominator != 1:
+                raise InputError(f"the order of D {where} is a whole number, not {self.source(times)!r}")
+            order = int(times.value)
+            if order > _HIGHEST:
+                raise InputError(f"D {where} is of order {order}: at most {_HIGHEST}")
+        value = values[0]
+        for _ in range(order):
+            value = self.differentiated(value, symbol)
+        return value
+
+    def differentiated(self, value: Any, symbol: Any) -> Any:
+        if derivative_size(value, self.measure) > LARGEST:
+            raise InputError("too large to differentiate here")
+        if not value.has(symbol):
+            return sp.Integer(0)
+        smooth, signs = _without_kinks(value, self.measure)
+        result = smooth.diff(symbol)
+        for dummy, kink in signs:
+            result = result.xreplace({dummy: kink})
+        for derivative in result.atoms(sp.Derivative):
+            if not isinstance(derivative.expr, AppliedUndef):
+                name = derivative.expr.func.__name__
+                raise InputError(f"the derivative of {name} in its parameter is not in the language")
+        return self.measure.admit(result)
+
+    def use_bracket(self, where: str) -> None:
+        if self.vocabulary.no_bracket:
+            raise InputError(f"'bracket' {where} is out of place: {self.vocabulary.no_bracket}")
+        self.has_bracket = True
+
+    def bracket(self, node: Call, values: list[Any], where: str) -> Any:
+        self.count("bracket", len(values), (2,), where)
+        self.use_bracket(where)
+        f, g = values
+        terms = list[Any]()
+        for q, p in self.vocabulary.pairs:
+            df, dg = ([self.differentiated(h, x) for x in (q, p)] for h in (f, g))
+            terms += [df[0] * dg[1], -df[1] * dg[0]]
+        return sp.Add(*terms)
+
+
+def _without_kinks(value: Any, measure: Measure) -> tuple[Any, list[tuple[Any, Any]]]:
+    """`value` with |u| as s·u and sign(u) as s, and what each s stands for, outermost first.
+
+    Where u ≠ 0 its sign s is constant nearby, so that derivatives may take it for a constant.
+    """
+    smooth: dict[Any, Any] = {}
+    signs: dict[Any, Any] = {}
+    for kink in sorted(value.atoms(sp.Abs, sp.sign), key=lambda node: (measure.size(node), str(node.func))):
+        inner = kink.args[0].xreplace(smooth)
+        sign = signs.setdefault(inner, sp.Dummy(real=True))
+        smooth[kink] = sign * inner if isinstance(kink, sp.Abs) else sign
+    back = [(sign, sp.sign(inner)) for inner, sign in signs.items()]
+    return value.xreplace(smooth), back[::-1]

@@ -1,0 +1,170 @@
+"""The size of formulas while they are built: what keeps the reader within its time and memory.
+
+sympy shares subexpressions but walks them as trees, computes integer powers at once, and carries whatever its functions
+return. So every formula that is built has a bounded tree, bounded numbers, and heads of the language only.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any, Final
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from canon.errors import InputError
+from canon.special import JacobiCN, JacobiDN, JacobiSN
+from canon.syntax import BITS, DEEPEST
+
+LARGEST: Final = 20_000
+"""The most nodes of a formula's tree, abbreviations expanded."""
+STEEPEST: Final = 10_000
+"""The largest numerical exponent."""
+
+_HEADS: Final = (
+    sp.Add, sp.Mul, sp.Pow, sp.exp, sp.log, sp.Abs, sp.sign, sp.atan2, AppliedUndef, sp.Derivative, sp.Subs, sp.Tuple,
+    sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.asin, sp.acos, sp.atan, sp.sinh, sp.cosh, sp.tanh, sp.coth,
+    sp.sech, sp.csch, sp.asinh, sp.acosh, sp.atanh, sp.gamma, sp.polygamma, sp.LambertW,
+    sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, JacobiSN, JacobiCN, JacobiDN,
+)  # fmt: skip
+_CONSTANTS: Final = (sp.pi, sp.E, sp.I, sp.EulerGamma, sp.Catalan)
+
+
+class Measure:
+    """Tree size, depth and reality of expressions, each distinct one looked at once."""
+
+    def __init__(self) -> None:
+        self._known: dict[Any, tuple[int, int, bool]] = {}
+
+    def size(self, expression: Any) -> int:
+        """The number of nodes of the tree."""
+        return self._of(expression)[0]
+
+    def is_complex(self, expression: Any) -> bool:
+        """Whether it has i or a name that isn't known to be real."""
+        return self._of(expression)[2]
+
+    def admit(self, expression: Any) -> Any:
+        """The expression itself.
+
+        **Raises:** `InputError` if it is too large, has too large a number, or is infinite or undefined.
+        """
+        size, depth, _ = self._of(expression)
+        if size > LARGEST:
+            raise InputError(f"too large: more than {LARGEST} operations with its abbreviations expanded")
+        if depth > 2 * DEEPEST:
+            raise InputError(f"nested more than {2 * DEEPEST} levels deep with its abbreviations expanded")
+        return expression
+
+    def _of(self, expression: Any) -> tuple[int, int, bool]:
+        found = self._known.get(expression)
+        if found is not None:
+            return found
+        stack = [expression]
+        while stack:
+            node = stack[-1]
+            missing = [part for part in node.args if part not in self._known]
+            if missing:
+                stack.extend(missing)
+                continue
+            stack.pop()
+            if node not in self._known:
+                self._known[node] = self._measured(node)
+        return self._known[expression]
+
+    def _measured(self, node: Any) -> tuple[int, int, bool]:
+        if not node.args:
+            _check_leaf(node)
+            return 1, 1, node is sp.I or (node.is_Symbol and node.is_real is not True)
+        if not isinstance(node, _HEADS):
+            raise InputError(f"it leads to {type(node).__name__}, which is not in the language")
+        if isinstance(node, sp.Pow):
+            check_power(node.base, node.exp)
+        parts = [self._known[part] for part in node.args]
+        size = 1 + sum(part[0] for part in parts)
+        return size, 1 + max(part[1] for part in parts), any(part[2] for part in parts)
+
+
+def _check_leaf(node: Any) -> None:
+    if node.is_Rational:
+        if max(bits(node.p), bits(node.q)) > 2 * BITS:
+            raise InputError(f"a number of more than {BITS} bits arises")
+    elif node.is_infinite or node is sp.nan:
+        raise InputError("undefined everywhere: a value is infinite or indeterminate")
+    elif not node.is_Symbol and node not in _CONSTANTS and not isinstance(node, sp.Tuple):
+        raise InputError(f"it leads to {node}, which is not in the language")
+
+
+def bits(integer: Any) -> int:
+    """The bits of an integer."""
+    return int(integer).bit_length()
+
+
+def _height(number: Any) -> int:
+    return max(bits(number.p), bits(number.q))
+
+
+def check_power(base: Any, exponent: Any) -> None:
+    """Refuse `base**exponent` before it is computed, if it is or soon becomes too large a number or power.
+
+    **Raises:** `InputError`.
+    """
+    if exponent.is_Rational:
+        steepness = abs(exponent)
+        factors = base.args if base.is_Mul else (base,)
+        inner = max((abs(factor.exp) for factor in factors if factor.is_Pow and factor.exp.is_Rational), default=1)
+        if steepness * max(inner, 1) > STEEPEST:
+            raise InputError(f"an exponent above {STEEPEST}")
+        coefficient = base.as_coeff_Mul()[0]
+        if abs(coefficient) != 1 and _height(coefficient) * steepness > 2 * BITS:
+            raise InputError(f"a power of more than {BITS} bits")
+    elif base.is_number and any(abs(number) > STEEPEST for number in exponent.atoms(sp.Rational)):
+        raise InputError(f"an exponent above {STEEPEST}")
+
+
+def check_product(factors: Iterable[Any]) -> None:
+    """Refuse a product whose numerical factors make too large a number. **Raises:** `InputError`."""
+    if sum(_height(factor.as_coeff_Mul()[0]) for factor in factors) > 2 * BITS:
+        raise InputError(f"a number of more than {BITS} bits arises")
+
+
+def check_sum(terms: Iterable[Any]) -> None:
+    """Refuse a sum of fractions without a common denominator of bounded size. **Raises:** `InputError`."""
+    common = 1
+    for term in terms:
+        common = math.lcm(common, int(term.as_coeff_Mul()[0].q))
+        if bits(common) > 2 * BITS:
+            raise InputError(f"a denominator of more than {BITS} bits arises")
+
+
+def check_exponential(argument: Any) -> None:
+    """Refuse exp(n log a), which sympy computes as a**n, where that is too large. **Raises:** `InputError`."""
+    for term in sp.Add.make_args(argument):
+        coefficient, rest = term.as_coeff_Mul()
+        for factor in sp.Mul.make_args(rest):
+            if isinstance(factor, sp.log):
+                check_power(factor.args[0], coefficient)
+
+
+def derivative_size(expression: Any, measure: Measure) -> int:
+    """A bound on the tree size of a derivative, from the rules that compute it and before they do."""
+    sizes: dict[Any, int] = {}
+    stack = [expression]
+    while stack:
+        node = stack[-1]
+        missing = [part for part in node.args if part not in sizes]
+        if missing:
+            stack.extend(missing)
+            continue
+        stack.pop()
+        parts = sum(sizes[part] for part in node.args)
+        if isinstance(node, sp.Add):
+            sizes[node] = 1 + parts
+        elif isinstance(node, sp.Mul):
+            sizes[node] = 1 + parts + len(node.args) * measure.size(node)
+        elif node.args:
+            sizes[node] = 8 + parts + 6 * len(node.args) * measure.size(node)
+        else:
+            sizes[node] = 1
+    return sizes[expression]

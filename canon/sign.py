@@ -1,0 +1,100 @@
+"""The sign of an expression as far as the assumptions on its names show it at once."""
+
+from __future__ import annotations
+
+from typing import Any, Final, Literal
+
+import sympy as sp
+
+Sign = Literal["positive", "negative", "zero", "nonnegative", "nonpositive", "nonzero", "real"]
+
+_SYMBOL_SIGNS: Final[tuple[tuple[str, Sign], ...]] = (
+    ("is_positive", "positive"), ("is_negative", "negative"), ("is_zero", "zero"),
+)  # fmt: skip
+
+
+def is_complex(expression: Any) -> bool:
+    """Whether `expression` contains i or a name that isn't known to be real."""
+    return expression.has(sp.I) or any(symbol.is_real is not True for symbol in expression.free_symbols)
+
+
+def known_sign(expression: Any, depth: int = 8) -> Sign | None:
+    """The sign that `expression` has wherever it is defined, as far as its outermost `depth` levels show it.
+
+    "nonnegative" and "nonpositive" include that it may vanish; "nonzero" may be complex; None where nothing shows.
+    No numerical evaluation and no rewriting: what it says follows from the assumptions on the names alone.
+    """
+    if expression.is_Rational:
+        return "zero" if not expression else "positive" if expression > 0 else "negative"
+    if expression in (sp.pi, sp.E):
+        return "positive"
+    if expression is sp.I:
+        return "nonzero"
+    if expression.is_Symbol:
+        return _symbol_sign(expression)
+    if depth == 0:
+        return None
+    if expression.is_Add:
+        return _sum_sign([known_sign(term, depth - 1) for term in expression.args])
+    if expression.is_Mul:
+        return _product_sign([known_sign(factor, depth - 1) for factor in expression.args])
+    if expression.is_Pow:
+        return _power_sign(expression, depth)
+    if isinstance(expression, (sp.exp, sp.cosh)):
+        real = not is_complex(expression)
+        return "positive" if real else "nonzero" if isinstance(expression, sp.exp) else None
+    return None
+
+
+def _symbol_sign(symbol: Any) -> Sign | None:
+    for attribute, sign in _SYMBOL_SIGNS:
+        if getattr(symbol, attribute):
+            return sign
+    if symbol.is_nonnegative:
+        return "nonnegative"
+    if symbol.is_nonpositive:
+        return "nonpositive"
+    if symbol.is_zero is False:
+        return "nonzero"
+    return "real" if symbol.is_real else None
+
+
+def _sum_sign(signs: list[Sign | None]) -> Sign | None:
+    found = set(signs) - {"zero"}
+    if found <= {"positive", "nonnegative"}:
+        return "positive" if "positive" in found else "nonnegative" if found else "zero"
+    if found <= {"negative", "nonpositive"}:
+        return "negative" if "negative" in found else "nonpositive"
+    return None
+
+
+def _product_sign(signs: list[Sign | None]) -> Sign | None:
+    if "zero" in signs:
+        return "zero"
+    if None in signs:
+        return None
+    if "real" in signs:
+        return None
+    flips = sum(sign in ("negative", "nonpositive") for sign in signs) % 2
+    if set(signs) <= {"positive", "negative"}:
+        return "negative" if flips else "positive"
+    if set(signs) <= {"positive", "negative", "nonzero"}:
+        return "nonzero"
+    if "nonzero" in signs:
+        return None
+    return "nonpositive" if flips else "nonnegative"
+
+
+def _power_sign(power: Any, depth: int) -> Sign | None:
+    base, exponent = known_sign(power.base, depth - 1), power.exp
+    if base == "positive" and not is_complex(exponent):
+        return "positive"
+    if base in ("positive", "negative", "nonzero") and exponent.is_Integer:
+        if exponent % 2 == 0 and not is_complex(power.base):
+            return "positive"
+        return base if exponent % 2 else "nonzero"
+    if exponent.is_Integer and exponent > 0 and exponent % 2 == 0 and not is_complex(power.base):
+        return "nonnegative"
+    if exponent.is_Rational and exponent.q % 2 == 0 and not is_complex(power.base):
+        return "nonnegative" if exponent > 0 else "positive"
+    return None

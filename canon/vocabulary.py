@@ -1,0 +1,101 @@
+"""What a formula may speak of: the names that are declared, and which of them are out of place in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
+from typing import Final
+
+import sympy as sp
+
+from canon.domain import Condition
+from canon.errors import InputError
+
+CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
+"""Built-in names that stand for a number."""
+
+CALLABLE: Final = (
+    "sqrt", "cbrt", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh",
+    "cosh", "tanh", "coth", "asinh", "acosh", "atanh", "abs", "sign", "elliptic_k", "elliptic_e", "elliptic_f",
+    "jacobi_sn", "jacobi_cn", "jacobi_dn", "gamma", "lambertw", "D", "bracket",
+)  # fmt: skip
+"""Built-in names that are called."""
+
+_MEANT: Final = {
+    "e": "write exp(x) for e**x, or declare e", "E": "write exp(1), or declare E", "I": "the imaginary unit is 1j",
+    "i": "the imaginary unit is 1j", "j": "the imaginary unit is 1j", "ln": "write log", "arcsin": "write asin",
+    "arccos": "write acos", "arctan": "write atan", "arctan2": "write atan2", "arsinh": "write asinh",
+    "arcosh": "write acosh", "artanh": "write atanh", "arcsinh": "write asinh", "arccosh": "write acosh",
+    "arctanh": "write atanh", "Abs": "write abs", "ellipk": "write elliptic_k", "LambertW": "write lambertw",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Formula:
+    """An expression with the conditions under which what was written is smooth.
+
+    **Arguments:** `expr`, as sympy holds it; `conditions`, also those that no longer show in `expr` (`x/x` is 1
+    where x ≠ 0); `text`, as its author wrote it; `names`, those that were written, abbreviations followed;
+    `has_bracket`, whether a Poisson bracket was.
+    """
+
+    expr: sp.Expr
+    conditions: tuple[Condition, ...] = ()
+    text: str = ""
+    names: frozenset[str] = field(default=frozenset(), compare=False)
+    has_bracket: bool = field(default=False, compare=False)
+
+    def __str__(self) -> str:
+        return self.text or str(self.expr)
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """The names that a formula may use.
+
+    **Arguments:** `symbols` by name; `functions`, the names of arbitrary functions, each with its number of arguments
+    or None if that is open; `definitions`, abbreviations with their formula, or with the error in it that is
+    reported where they are used; `pairs`, the canonical pairs (q_i, p_i) of `bracket`; `refused`, names that are
+    declared but out of place here, each with the reason; `no_bracket`, why `bracket` is out of place, if it is.
+    Declared names win over built-in ones.
+    """
+
+    symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    functions: Mapping[str, int | None] = field(default_factory=dict)
+    definitions: Mapping[str, Formula | InputError] = field(default_factory=dict)
+    pairs: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
+    refused: Mapping[str, str] = field(default_factory=dict)
+    no_bracket: str = ""
+
+    def refusing(self, names: Iterable[str], reason: str, no_bracket: str = "") -> Vocabulary:
+        """The same with `names` out of place, `reason` said of each."""
+        refused = {**self.refused, **dict.fromkeys(names, reason)}
+        return replace(self, refused=refused, no_bracket=no_bracket or self.no_bracket)
+
+    def declaring(self, symbols: Mapping[str, sp.Symbol]) -> Vocabulary:
+        """The same with further symbols; a name that is declared already keeps its symbol."""
+        new = {name: symbol for name, symbol in symbols.items() if not self.declares(name)}
+        return replace(self, symbols={**self.symbols, **new})
+
+    def declares(self, name: str) -> bool:
+        """Whether the file declares `name`, so that it wins over a built-in one."""
+        return name in self.symbols or name in self.functions or name in self.definitions
+
+    def unknown(self, name: str, where: str = "") -> str:
+        """What to say of a name that nobody declared: the nearest known one, or what is probably meant."""
+        if name in _MEANT:
+            return f"unknown name {name!r} {where}".rstrip() + f": {_MEANT[name]}"
+        known = [*self.symbols, *self.functions, *self.definitions, *CONSTANTS, *CALLABLE]
+        return f"unknown name {name[:80]!r} {where}".rstrip() + nearest(name, known)
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """ ": did you mean …?" with the nearest of the known words, or nothing if none is near."""
+    words = list(dict.fromkeys(known))
+    lowered = {word.lower(): word for word in reversed(words)}
+    name = name[:80]
+    close = get_close_matches(name, words, 1, 0.6) or [
+        lowered[word] for word in get_close_matches(name.lower(), lowered, 1, 0.6)
+    ]
+    return f": did you mean {close[0]!r}?" if close else ""

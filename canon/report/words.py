@@ -52,7 +52,7 @@ def value(datum: object) -> str:
 def _written(datum: object) -> str:
     if isinstance(datum, Mapping):
         if set(datum) == {"re", "im"}:
-            return f"{datum['re']} + {datum['im']} i"
+            return f"{datum['re']} + {datum['im']} i".replace("+ -", "- ")
         return ", ".join(f"{visible(str(key))} = {_written(item)}" for key, item in datum.items())
     if isinstance(datum, Sequence) and not isinstance(datum, str):
         return "; ".join(_written(item) for item in datum)

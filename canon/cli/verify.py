@@ -85,9 +85,9 @@ def _read(names: list[str], entries: list[Entry], errors: list[Record]) -> None:
 
 def _catalogue() -> list[ClaimFile]:
     """Return the files of the built-in catalogue, named by their room in it and their file's name."""
-    from canon import catalogue
+    from canon.catalogue import files
 
-    paths = [Path(str(file)) for file in catalogue.files()]
+    paths = [Path(str(file)) for file in files()]
     return [ClaimFile(f"{path.parent.name}/{path.name}", path) for path in paths]
 
 

@@ -77,9 +77,9 @@ def _guarded(reading: Callable[[], Any], where: str) -> Any:
 def _read(text: str, vocabulary: Vocabulary) -> Formula:
     builder = _Builder(text, vocabulary)
     value = builder.value_of(parse(text))
-    return Formula(
-        value, tuple(builder.conditions), " ".join(text.split()), frozenset(builder.names), builder.has_bracket
-    )
+    written = " ".join(text.split())
+    names, calls = frozenset(builder.names), frozenset(builder.calls)
+    return Formula(value, tuple(builder.conditions), written, names, builder.has_bracket, calls)
 
 
 def _read_relation(text: str, vocabulary: Vocabulary) -> tuple[Condition, ...]:
@@ -112,6 +112,7 @@ class _Builder:
         self.measure = Measure()
         self.conditions: dict[Condition, None] = {}
         self.names: set[str] = set()
+        self.calls: set[tuple[str, int]] = set()
         self.has_bracket = False
 
     def source(self, node: Node) -> str:
@@ -197,6 +198,7 @@ class _Builder:
             self.use(inner, where, name)
         if formula.has_bracket:
             self.use_bracket(where)
+        self.calls |= formula.calls
         self.add(formula.conditions)
         return formula.expr
 
@@ -259,10 +261,8 @@ class _Builder:
         return value
 
     def arbitrary(self, name: str, values: list[Any], where: str) -> Any:
-        wanted = self.vocabulary.functions[name]
-        if wanted is not None:
-            self.count(name, len(values), (wanted,), where)
         self.use(name, where)
+        self.calls.add((name, len(values)))
         function: Any = sp.Function(name)
         return function(*values)
 
@@ -308,12 +308,27 @@ class _Builder:
     def bracket(self, node: Call, values: list[Any], where: str) -> Any:
         self.count("bracket", len(values), (2,), where)
         self.use_bracket(where)
+        for name in sorted(self.vocabulary.new & written_names(node, self.vocabulary)):
+            raise InputError(f"'bracket' {where} is in the old variables, but {name!r} is a new one")
         f, g = values
         terms = list[Any]()
         for q, p in self.vocabulary.pairs:
             df, dg = ([self.differentiated(h, x) for x in (q, p)] for h in (f, g))
             terms += [df[0] * dg[1], -df[1] * dg[0]]
         return sp.Add(*terms)
+
+
+def written_names(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
+    """The names that are written below `node`, abbreviations followed."""
+    found: set[str] = set()
+    stack = [node]
+    while stack:
+        part = stack.pop()
+        stack.extend(children(part))
+        if isinstance(part, Name):
+            formula = vocabulary.definitions.get(part.name)
+            found |= formula.names if isinstance(formula, Formula) else {part.name}
+    return frozenset(found)
 
 
 def _without_kinks(value: Any, measure: Measure) -> tuple[Any, list[tuple[Any, Any]]]:

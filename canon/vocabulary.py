@@ -37,7 +37,7 @@ class Formula:
 
     **Arguments:** `expr`, as sympy holds it; `conditions`, also those that no longer show in `expr` (`x/x` is 1
     where x ≠ 0); `text`, as its author wrote it; `names`, those that were written, abbreviations followed;
-    `has_bracket`, whether a Poisson bracket was.
+    `has_bracket`, whether a Poisson bracket was; `calls`, the arbitrary functions with their numbers of arguments.
     """
 
     expr: sp.Expr
@@ -45,6 +45,7 @@ class Formula:
     text: str = ""
     names: frozenset[str] = field(default=frozenset(), compare=False)
     has_bracket: bool = field(default=False, compare=False)
+    calls: frozenset[tuple[str, int]] = field(default=frozenset(), compare=False)
 
     def __str__(self) -> str:
         return self.text or str(self.expr)
@@ -52,21 +53,23 @@ class Formula:
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """The names that a formula may use.
+    """The names that a formula may use; declared ones win over built-in ones.
 
-    **Arguments:** `symbols` by name; `functions`, the names of arbitrary functions, each with its number of arguments
-    or None if that is open; `definitions`, abbreviations with their formula, or with the error in it that is
-    reported where they are used; `pairs`, the canonical pairs (q_i, p_i) of `bracket`; `refused`, names that are
-    declared but out of place here, each with the reason; `no_bracket`, why `bracket` is out of place, if it is.
-    Declared names win over built-in ones.
+    **Arguments:** `symbols` by name; `functions`, the names of arbitrary functions; `definitions`, abbreviations with
+    their formula, or with the error in it that is reported where they are used; `pairs`, the canonical pairs
+    (q_i, p_i) of `bracket`; `new`, the names of new variables, which its arguments can't contain; `refused`, names
+    that are declared but out of place here, each with the reason; `no_bracket`, why `bracket` is out of place, if it
+    is; `later`, abbreviations that are defined further down.
     """
 
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
-    functions: Mapping[str, int | None] = field(default_factory=dict)
+    functions: frozenset[str] = frozenset()
     definitions: Mapping[str, Formula | InputError] = field(default_factory=dict)
     pairs: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
+    new: frozenset[str] = frozenset()
     refused: Mapping[str, str] = field(default_factory=dict)
     no_bracket: str = ""
+    later: frozenset[str] = frozenset()
 
     def refusing(self, names: Iterable[str], reason: str, no_bracket: str = "") -> Vocabulary:
         """The same with `names` out of place, `reason` said of each."""
@@ -84,6 +87,8 @@ class Vocabulary:
 
     def unknown(self, name: str, where: str = "") -> str:
         """What to say of a name that nobody declared: the nearest known one, or what is probably meant."""
+        if name in self.later:
+            return f"{name!r} {where}".rstrip() + " is defined further down: definitions are read from top to bottom"
         if name in _MEANT:
             return f"unknown name {name!r} {where}".rstrip() + f": {_MEANT[name]}"
         known = [*self.symbols, *self.functions, *self.definitions, *CONSTANTS, *CALLABLE]

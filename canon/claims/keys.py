@@ -1,0 +1,87 @@
+"""Which keys each kind of claim takes, what they hold, and what else a file must state for it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final, Literal
+
+Form = Literal[
+    "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix", "structure"
+]
+"""What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
+`["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value."""
+
+Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian"]
+"""The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
+none at all; coordinates and velocities. Parameters and (but for "parameters") time are open to all."""
+
+Need = Literal["hamiltonian", "transformation", "generating_function", "map", "square"]
+"""What a kind needs of its file: sections; `map`, a transformation or a generating function; `square`, as many new
+pairs as old ones."""
+
+COMMON: Final = ("kind", "title", "source", "expect", "budget")
+"""The keys that every claim may have."""
+
+
+@dataclass(frozen=True)
+class Key:
+    """One key: its form, the variables open to it, and whether it may be left out."""
+
+    form: Form = "expression"
+    side: Side = "old"
+    optional: bool = False
+
+
+@dataclass(frozen=True)
+class KeySpec:
+    """The keys of a kind and what it needs of its file."""
+
+    keys: Mapping[str, Key] = field(default_factory=dict)
+    needs: tuple[Need, ...] = ()
+
+
+_OLD: Final = Key()
+_NEW: Final = Key(side="new")
+_PER_PAIR: Final = Key("per pair")
+_TENSOR: Final[Mapping[str, Key]] = {
+    "tensor": Key("matrix", optional=True),
+    "coordinates": Key("names", optional=True),
+    "structure": Key("structure", optional=True),
+}
+
+KEYS: Final[Mapping[str, KeySpec]] = {
+    "canonical": KeySpec(
+        {"scale": Key(side="parameters", optional=True), "order": Key("power", optional=True)}, ("map",)
+    ),
+    "canonical_when": KeySpec({"solutions": Key("tables", "parameters")}, ("map",)),
+    "fundamental_brackets": KeySpec({}, ("map",)),
+    "bracket_invariance": KeySpec({"f": _NEW, "g": _NEW}, ("map",)),
+    "volume": KeySpec({}, ("map", "square")),
+    "integral_invariant": KeySpec({"order": Key("number", optional=True)}, ("map", "square")),
+    "cartan_invariant": KeySpec({"K": _NEW}, ("hamiltonian", "map", "square")),
+    "generates": KeySpec({}, ("generating_function", "transformation", "square")),
+    "generating_function": KeySpec({"type": Key("type"), "F": Key(side="mixed")}, ("transformation", "square")),
+    "new_hamiltonian": KeySpec({"K": _NEW}, ("hamiltonian", "map", "square")),
+    "symmetry": KeySpec({}, ("hamiltonian", "map", "square")),
+    "bracket": KeySpec({"f": _OLD, "g": _OLD, "equals": _OLD, **_TENSOR}),
+    "jacobi": KeySpec({"f": _OLD, "g": _OLD, "h": _OLD, **_TENSOR}),
+    "conserved": KeySpec({"f": _OLD, **_TENSOR}, ("hamiltonian",)),
+    "involution": KeySpec({"functions": Key("expressions"), **_TENSOR}),
+    "independent": KeySpec({"functions": Key("expressions")}),
+    "lie_series": KeySpec(
+        {"generator": _OLD, "parameter": Key("name"), "f": _OLD, "equals": _OLD, "order": Key("number", optional=True)}
+    ),
+    "infinitesimal": KeySpec({"generator": _OLD, "dq": _PER_PAIR, "dp": _PER_PAIR}),
+    "equations_of_motion": KeySpec({"qdot": _PER_PAIR, "pdot": _PER_PAIR}, ("hamiltonian",)),
+    "hamiltonian_field": KeySpec({"qdot": _PER_PAIR, "pdot": _PER_PAIR, "H": Key(optional=True)}),
+    "legendre": KeySpec({"L": Key(side="lagrangian"), "velocities": Key("names")}, ("hamiltonian",)),
+    "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
+}
+"""The kinds that this version checks."""
+
+LATER: Final = (
+    "hamilton_jacobi", "action", "frequency", "action_angle", "normal_form", "algebra", "matrix_algebra", "group",
+    "casimir",
+)  # fmt: skip
+"""The kinds of the format that this version doesn't check yet."""

@@ -6,6 +6,66 @@ The public names below are loaded when they are first used, so `import canon` it
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+if TYPE_CHECKING:
+    from canon.claim import Claim
+    from canon.claims.verify import verify
+    from canon.domain import (
+        Condition,
+        Domain,
+    )
+    from canon.errors import (
+        CanonError,
+        ClaimFailed,
+        InputError,
+    )
+    from canon.expression import Formula
+    from canon.mechanics.composition import (
+        compose,
+        extended_by_time,
+        identity_transformation,
+    )
+    from canon.mechanics.conventions import (
+        GOLDSTEIN,
+        LANDAU_LIFSHITZ,
+        SICM,
+        Conventions,
+    )
+    from canon.mechanics.generating_function import GeneratingFunction
+    from canon.mechanics.hamiltonian import Hamiltonian
+    from canon.mechanics.lagrangian import Lagrangian
+    from canon.mechanics.legendre_conversion import recovered
+    from canon.mechanics.lie_series import (
+        InfinitesimalTransformation,
+        closed_lie_series,
+        truncated_lie_series,
+    )
+    from canon.mechanics.phase_space import PhaseSpace
+    from canon.mechanics.point_transformation import PointTransformation
+    from canon.mechanics.poisson import (
+        bracket_matrix,
+        jacobi_sum,
+        lagrange_bracket,
+        lagrange_matrix,
+        poisson_bracket,
+        standard_j,
+    )
+    from canon.mechanics.statements import (
+        bracket,
+        conserved,
+        equations_of_motion,
+        hamiltonian_field,
+        identity,
+        independent,
+        infinitesimal,
+        involution,
+        jacobi,
+        legendre,
+        lie_series,
+    )
+    from canon.mechanics.subject import Subject
+    from canon.mechanics.transformation import Transformation
+    from canon.verdict import Verdict
+
 __version__ = "0.1.0"
 
 _HOMES: dict[str, tuple[str, ...]] = {
@@ -50,7 +110,53 @@ _HOMES: dict[str, tuple[str, ...]] = {
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
 
-__all__ = ["__version__", *sorted(_HOME_OF)]  # pyright: ignore[reportUnsupportedDunderAll]
+__all__ = [
+    "GOLDSTEIN",
+    "LANDAU_LIFSHITZ",
+    "SICM",
+    "CanonError",
+    "Claim",
+    "ClaimFailed",
+    "Condition",
+    "Conventions",
+    "Domain",
+    "Formula",
+    "GeneratingFunction",
+    "Hamiltonian",
+    "InfinitesimalTransformation",
+    "InputError",
+    "Lagrangian",
+    "PhaseSpace",
+    "PointTransformation",
+    "Subject",
+    "Transformation",
+    "Verdict",
+    "__version__",
+    "bracket",
+    "bracket_matrix",
+    "closed_lie_series",
+    "compose",
+    "conserved",
+    "equations_of_motion",
+    "extended_by_time",
+    "hamiltonian_field",
+    "identity",
+    "identity_transformation",
+    "independent",
+    "infinitesimal",
+    "involution",
+    "jacobi",
+    "jacobi_sum",
+    "lagrange_bracket",
+    "lagrange_matrix",
+    "legendre",
+    "lie_series",
+    "poisson_bracket",
+    "recovered",
+    "standard_j",
+    "truncated_lie_series",
+    "verify",
+]
 
 
 def __getattr__(name: str) -> object:

@@ -73,7 +73,7 @@ def _domain(first: Transformation, second: Transformation) -> Domain:
     """Where the composition is asked about: the domain of the first map, and the second's pulled back through it."""
     if second.space.domain == Domain() or first.direction != "forward":
         return first.space.domain
-    images = {x: value.expr for x, value in zip(second.space.old, first.formulas, strict=True)}
+    images: dict[sp.Expr, sp.Expr] = {x: value.expr for x, value in zip(second.space.old, first.formulas, strict=True)}
     return first.space.domain & second.space.domain.substitute(images)
 
 
@@ -111,6 +111,4 @@ def extended_by_time(
         domain=space.domain,
     )
     balance = Formula(extended.p[-1] - shift.expr, shift.conditions, f"{extended.p[-1]} - ({shift.text})")
-    return Transformation(
-        extended, Q=(*transformation.Q, as_formula(space.t)), P=(*transformation.P, balance)
-    )
+    return Transformation(extended, Q=(*transformation.Q, as_formula(space.t)), P=(*transformation.P, balance))

@@ -47,9 +47,7 @@ def _of_generating_function(transformation: Transformation, direction: Direction
     rest = F.new_conjugates if forward else F.old_conjugates
     formulas = F.conjugates()
     solved = branches({y: formulas[y] for y in known}, unknown)
-    return tuple(
-        {**solution, **{y: tidy(replaced(formulas[y], solution)) for y in rest}} for solution in solved
-    )
+    return tuple({**solution, **{y: tidy(replaced(formulas[y], solution)) for y in rest}} for solution in solved)
 
 
 def _transformation(origin: Transformation, direction: Direction, solution: Solution) -> Transformation:
@@ -61,7 +59,7 @@ def _transformation(origin: Transformation, direction: Direction, solution: Solu
     if direction == "forward":
         return Transformation(
             space, Q=formulas(space.Q), P=formulas(space.P), generating_function=origin.generating_function
-        )  # pyright: ignore[reportArgumentType]
+        )
     return Transformation(
         space, q=formulas(space.q), p=formulas(space.p), generating_function=origin.generating_function
-    )  # pyright: ignore[reportArgumentType]
+    )

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import sympy as sp
 
@@ -49,7 +49,7 @@ def as_formulas(values: Expression | Iterable[Expression], where: str = "") -> t
     return tuple(as_formula(value, where) for value in values)
 
 
-def replaced(expression: sp.Expr, mapping: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     """`expression` with all symbols of `mapping` replaced at once, inside derivatives of arbitrary functions too."""
     if expression.has(sp.Derivative, sp.Subs):
         return expression.subs(dict(mapping), simultaneous=True)
@@ -63,7 +63,7 @@ def substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formu
     """
     used = [symbol for symbol in mapping if symbol in formula.expr.free_symbols]
     needed = {symbol for condition in formula.conditions for term in condition.terms for symbol in term.free_symbols}
-    images = {symbol: image.expr for symbol, image in mapping.items()}
+    images: dict[sp.Expr, sp.Expr] = {symbol: image.expr for symbol, image in mapping.items()}
     own = Domain(conditions=formula.conditions).substitute(images).conditions
     inherited = tuple(c for s in mapping if s in needed or s in used for c in mapping[s].conditions)
     return Formula(replaced(formula.expr, images), distinct(inherited + own), formula.text)

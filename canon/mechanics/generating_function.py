@@ -102,9 +102,7 @@ class GeneratingFunction:
         old, new = self.signs()
         F = self.F.expr
         names = self.old_conjugates + self.new_conjugates
-        return {
-            y: sign * F.diff(x) for y, sign, x in zip(names, (*old, *new), self.mixed, strict=True)
-        }
+        return {y: sign * F.diff(x) for y, sign, x in zip(names, (*old, *new), self.mixed, strict=True)}
 
     def old(self) -> tuple[sp.Expr, ...]:
         """(q, p) as functions of u."""

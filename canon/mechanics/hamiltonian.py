@@ -42,9 +42,7 @@ class Hamiltonian:
         """Claims that f is a constant of the motion."""
         return statements.conserved(self.space, self.H, f)
 
-    def has_equations(
-        self, qdot: Expression | Sequence[Expression], pdot: Expression | Sequence[Expression]
-    ) -> Claim:
+    def has_equations(self, qdot: Expression | Sequence[Expression], pdot: Expression | Sequence[Expression]) -> Claim:
         """Claims that these are Hamilton's equations of H."""
         return statements.equations_of_motion(self.space, self.H, qdot, pdot)
 
@@ -57,9 +55,7 @@ def field_residuals(space: PhaseSpace, qdot: Sequence[Expression], pdot: Sequenc
     return exterior_derivative(_gradient(qdot, pdot), space.old)
 
 
-def hamiltonian_of_field(
-    space: PhaseSpace, qdot: Sequence[Expression], pdot: Sequence[Expression]
-) -> Potential | None:
+def hamiltonian_of_field(space: PhaseSpace, qdot: Sequence[Expression], pdot: Sequence[Expression]) -> Potential | None:
     """H with qdot = dH/dp and pdot = -dH/dq, up to a function of time; `None` when an integral is not found."""
     return potential(_gradient(qdot, pdot), space.old)
 

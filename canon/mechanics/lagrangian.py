@@ -73,9 +73,7 @@ class Lagrangian:
         return f"$L = {sp.latex(self.L.expr)}$"
 
 
-def lagrangian_of(
-    hamiltonian: Hamiltonian, velocities: sp.Symbol | Sequence[sp.Symbol], branch: int = 0
-) -> Lagrangian:
+def lagrangian_of(hamiltonian: Hamiltonian, velocities: sp.Symbol | Sequence[sp.Symbol], branch: int = 0) -> Lagrangian:
     """The inverse transform: L = p v - H with v = dH/dp solved for the momenta.
 
     **Raises:** `InputError` when no solution is found.

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
@@ -47,7 +48,7 @@ def potential(coefficients: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -
             rest = _without(rest, earlier)
         if rest == 0:
             continue
-        part = sp.integrate(rest, variable, conds="none")
+        part = sp.integrate(rest, variable, conds="none").replace(sp.Piecewise, _real_piece)
         if part.has(sp.Integral, sp.Piecewise, sp.zoo, sp.nan):
             return None
         found = sp.Add(found, part)
@@ -55,7 +56,13 @@ def potential(coefficients: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -
     return Potential(found, residuals)
 
 
-def tidy(expression: sp.Expr) -> sp.Expr:
+def _real_piece(*pieces: Any) -> Any:
+    """Of an antiderivative in pieces the first that is written without the imaginary unit, else the last."""
+    formulas = [piece[0] for piece in pieces]
+    return next((formula for formula in formulas if not formula.has(sp.I)), formulas[-1])
+
+
+def tidy(expression: Any) -> Any:
     """A shorter form of the same function where one is found cheaply; never a statement that something is zero."""
     if not expression.free_symbols or sp.count_ops(expression) > 200:
         return expression

@@ -1,11 +1,12 @@
 """Phase space: canonical coordinates with what is assumed of them, parameters, and time."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from difflib import get_close_matches
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import sympy as sp
+from sympy.core.relational import GreaterThan, LessThan, Relational, StrictGreaterThan, StrictLessThan
 
 from canon.domain import Condition, Domain, conditions_of
 from canon.errors import InputError
@@ -34,7 +35,7 @@ def symbol_with(name: str, words: str | Iterable[str] = ()) -> sp.Symbol:
         facts |= ASSUMPTIONS[word]
     try:
         return sp.Symbol(name, **facts)
-    except sp.core.assumptions.InconsistentAssumptions as error:
+    except ValueError as error:
         raise InputError(f"the assumptions {', '.join(given)} contradict each other", name) from error
 
 
@@ -193,7 +194,7 @@ class PhaseSpace:
             raise InputError(f"{key!r} is not declared in this phase space{hint}")
         return known[key]
 
-    def function(self, name: str) -> sp.Function:
+    def function(self, name: str) -> Any:
         """The arbitrary smooth function with this name; **raises** `InputError` when it is not declared."""
         if name not in self.functions:
             raise InputError(f"{name!r} is not declared as a function")
@@ -218,9 +219,14 @@ class PhaseSpace:
 
     def with_new(self, new: tuple[Names, Names] | None) -> "PhaseSpace":
         """The same space with other new variables (none at all for `None`)."""
-        added = tuple(_listed(names) for names in (new or ((), ())))
         return PhaseSpace(
-            self.q, self.p, new=added, time=self.t, real=self.parameters, functions=self.functions, domain=self.domain
+            self.q,
+            self.p,
+            new=new,
+            time=self.t,
+            real=self.parameters,
+            functions=self.functions,
+            domain=self.domain,
         )
 
     def swapped(self) -> "PhaseSpace":
@@ -248,7 +254,7 @@ def _copy(space: PhaseSpace, **changes: object) -> PhaseSpace:
     return copy
 
 
-def _region_of(relation: sp.Basic) -> Domain:
+def _region_of(relation: Any) -> Domain:
     if relation == sp.true:
         return Domain()
     if relation == sp.false:
@@ -258,10 +264,14 @@ def _region_of(relation: sp.Basic) -> Domain:
         for part in relation.args:
             region = region & _region_of(part)
         return region
-    if not isinstance(relation, sp.core.relational.Relational):
+    if not isinstance(relation, Relational):
         raise InputError(f"an inequality or equation is expected, not {relation!r}", "domain")
-    difference = relation.gts - relation.lts if hasattr(relation, "gts") else relation.lhs - relation.rhs
-    defined = tuple(conditions_of(relation.lhs)) + tuple(conditions_of(relation.rhs))
+    ordered: Any = relation
+    if isinstance(relation, GreaterThan | LessThan | StrictGreaterThan | StrictLessThan):
+        difference = ordered.gts - ordered.lts
+    else:
+        difference = ordered.lhs - ordered.rhs
+    defined = tuple(conditions_of(ordered.lhs)) + tuple(conditions_of(ordered.rhs))
     if isinstance(relation, sp.Eq):
         return Domain(conditions=defined, surface=(difference,))
     kind = "nonzero" if isinstance(relation, sp.Ne) else "positive"

@@ -5,6 +5,7 @@ Sign: {f, g} = sum_i (df/dq_i dg/dp_i - df/dp_i dg/dq_i), so {q, p} = 1. Other c
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
@@ -32,9 +33,7 @@ def bracket_in(f: sp.Expr, g: sp.Expr, q: Sequence[sp.Symbol], p: Sequence[sp.Sy
     return sp.Add(*terms)
 
 
-def lagrange_bracket(
-    u: sp.Symbol, v: sp.Symbol, q: Sequence[Expression], p: Sequence[Expression]
-) -> sp.Expr:
+def lagrange_bracket(u: sp.Symbol, v: sp.Symbol, q: Sequence[Expression], p: Sequence[Expression]) -> sp.Expr:
     """[u, v] = sum_i (dq_i/du dp_i/dv - dp_i/du dq_i/dv), for q and p as functions of u, v and other variables.
 
     Goldstein, Poole and Safko (2002), eq. 9.79; the matrix of these is inverse (up to sign) to that of the {u, v}.
@@ -53,7 +52,7 @@ class BracketMatrix:
     matrix: sp.ImmutableMatrix
     names: tuple[str, ...]
 
-    def entry(self, first: str, second: str) -> sp.Expr:
+    def entry(self, first: str, second: str) -> Any:
         """The bracket of two of the functions by name; **raises** `InputError` for a name that is none of them."""
         for name in (first, second):
             if name not in self.names:
@@ -93,9 +92,7 @@ def bracket_matrix(functions: Sequence[Expression], space: PhaseSpace, names: Se
     return BracketMatrix(sp.ImmutableMatrix(size, size, entry), labels)
 
 
-def lagrange_matrix(
-    variables: Sequence[sp.Symbol], q: Sequence[Expression], p: Sequence[Expression]
-) -> BracketMatrix:
+def lagrange_matrix(variables: Sequence[sp.Symbol], q: Sequence[Expression], p: Sequence[Expression]) -> BracketMatrix:
     """The Lagrange brackets of all pairs of `variables`, of which q and p are functions."""
     size = len(variables)
     values = sp.ImmutableMatrix(size, size, lambda i, j: lagrange_bracket(variables[i], variables[j], q, p))

@@ -6,14 +6,15 @@ uses it has it verified as any other formula.
 
 from collections.abc import Iterator, Mapping, Sequence
 from random import Random
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from canon.mechanics.formulas import replaced
 from canon.mechanics.one_form import tidy
 
-Solution: TypeAlias = dict[sp.Symbol, sp.Expr]
+Solution: TypeAlias = dict[Any, Any]
 
 _LARGEST = 8  # branches that are followed at once
 _SAMPLES = 12
@@ -23,8 +24,9 @@ _DIGITS = 30
 def branches(equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[Solution, ...]:
     """The solutions of y = equations[y] for `unknowns`, as functions of the y and whatever else occurs.
 
-    **Returns:** the branches that are right at some sample point, those that are right at the most of them first;
-    empty when sympy finds none. With arbitrary functions in the equations no branch can be sampled and all are kept.
+    **Returns:** the branches that are right at some sample point: smooth ones before those with absolute values, and
+    rare ones last; empty when sympy finds none. With arbitrary functions in the equations no branch can be sampled
+    and all are kept.
     """
     system = [_prepared(known, value) for known, value in equations.items()]
     found: list[Solution] = []
@@ -40,7 +42,9 @@ def branches(equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbo
         return tuple(found)
     right = [sum(_agrees(solution, point) for point in points) for solution in found]
     kinks = [any(value.has(sp.Abs, sp.sign) for value in solution.values()) for solution in found]
-    order = sorted((k for k in range(len(found)) if right[k]), key=lambda k: (kinks[k], -right[k]))
+    rare = [2 * count < max(right) for count in right]
+    negative = [sum(value.could_extract_minus_sign() for value in solution.values()) for solution in found]
+    order = sorted((k for k in range(len(found)) if right[k]), key=lambda k: (kinks[k], rare[k], negative[k]))
     return tuple(found[k] for k in order)
 
 
@@ -65,6 +69,14 @@ def _solve(system: Sequence[sp.Expr], unknowns: tuple[sp.Symbol, ...]) -> Iterat
         for solution in _solve(easier, tuple(roots.get(x, x) for x in unknowns)):
             yield {x: solution[roots[x]] ** 2 if x in roots else solution[x] for x in unknowns}
         return
+    turned = _polar_pair(system, unknowns)
+    if turned is not None:
+        angle, candidates = turned
+        others = tuple(x for x in unknowns if x != angle)
+        for value, reduced in candidates:
+            for solution in _solve(reduced, others):
+                yield {angle: replaced(value, solution), **solution}
+        return
     system = [_numerator(equation) for equation in system]
     pick = _easiest(system, unknowns)
     if pick is None:
@@ -83,9 +95,9 @@ def _solve(system: Sequence[sp.Expr], unknowns: tuple[sp.Symbol, ...]) -> Iterat
 
 def _without_roots(
     system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
-) -> tuple[list[sp.Expr], dict[sp.Symbol, sp.Symbol]] | None:
+) -> tuple[list[sp.Expr], dict[Any, Any]] | None:
     """The system with x = s^2, s > 0, for each unknown x that occurs under a square root by itself."""
-    powers = {power for equation in system for power in equation.atoms(sp.Pow) if power.exp.is_Rational}
+    powers: set[Any] = {power for equation in system for power in equation.atoms(sp.Pow) if power.exp.is_Rational}
     roots = {
         x: sp.Dummy(f"root_{x}", positive=True)
         for x in unknowns
@@ -95,6 +107,47 @@ def _without_roots(
         return None
     squares = {x: root**2 for x, root in roots.items()}
     return [replaced(equation, squares) for equation in system], roots
+
+
+def _polar_pair(
+    system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
+) -> tuple[sp.Symbol, list[tuple[sp.Expr, list[sp.Expr]]]] | None:
+    """An angle of two equations A cos(angle) = a, k A sin(angle) = b, with what is left of the system.
+
+    Then angle = atan2(b / k, a) with A = sqrt(a^2 + b^2 / k^2), or both signs turned.
+    """
+    for angle in unknowns:
+        cosines, sines = [], []
+        for index, equation in enumerate(system):
+            found = _single_wave(equation, angle, unknowns)
+            if found is not None:
+                (cosines if found[0] is sp.cos else sines).append((index, *found[1:]))
+        for i, A, a in cosines:
+            for j, B, b in sines:
+                ratio = tidy(B / A)
+                if ratio.free_symbols & {*unknowns}:
+                    continue
+                y = tidy(b / ratio)
+                radius = sp.sqrt(tidy(a**2 + y**2))
+                kept = [equation for k, equation in enumerate(system) if k not in (i, j)]
+                return angle, [
+                    (direction, [A - size, *(replaced(equation, {angle: direction}) for equation in kept)])
+                    for direction, size in ((sp.atan2(y, a), radius), (sp.atan2(-y, -a), -radius))
+                ]
+    return None
+
+
+def _single_wave(equation: sp.Expr, angle: sp.Symbol, unknowns: Sequence[sp.Symbol]) -> tuple | None:
+    """(cos, A, a) if the equation is A cos(angle) = a, and the same with sin; a must be known."""
+    if angle not in equation.free_symbols:
+        return None
+    expanded = sp.expand(equation)
+    for wave in (sp.cos, sp.sin):
+        amplitude = expanded.coeff(wave(angle))
+        rest = expanded - sp.expand(amplitude * wave(angle))
+        if amplitude != 0 and not amplitude.has(angle) and not rest.free_symbols & {*unknowns}:
+            return wave, amplitude, -rest
+    return None
 
 
 def _numerator(equation: sp.Expr) -> sp.Expr:
@@ -138,7 +191,7 @@ def _solve_whole(system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> It
             yield dict(solution)
 
 
-def _readable(expression: sp.Expr) -> sp.Expr:
+def _readable(expression: Any) -> Any:
     """Inverse functions of the language alone: acot x = atan(1/x), asec x = acos(1/x), acsc x = asin(1/x)."""
     plain = {sp.acot: sp.atan, sp.asec: sp.acos, sp.acsc: sp.asin, sp.acoth: sp.atanh}
     for function, direct in plain.items():
@@ -154,8 +207,8 @@ def _smooth(solution: Solution) -> Solution:
 def _samples(equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbol]) -> Iterator[Solution]:
     """Points at which all equations hold, found by choosing everything but the left sides."""
     values = list(equations.values())
-    free = sorted({*unknowns, *(s for value in values for s in value.free_symbols)}, key=str)
-    if any(value.atoms(sp.core.function.AppliedUndef) for value in values):
+    free: list[Any] = sorted({*unknowns, *(s for value in values for s in value.free_symbols)}, key=str)
+    if any(value.atoms(AppliedUndef) for value in values):
         return
     random, count = Random(0), 0
     for attempt in range(8 * _SAMPLES):

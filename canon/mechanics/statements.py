@@ -100,9 +100,7 @@ def hamiltonian_field(
     return _about(space).claim("hamiltonian_field", keys if H is None else keys | {"H": as_formula(H)})
 
 
-def legendre(
-    space: PhaseSpace, H: Expression, L: Expression, velocities: sp.Symbol | Sequence[sp.Symbol]
-) -> Claim:
+def legendre(space: PhaseSpace, H: Expression, L: Expression, velocities: sp.Symbol | Sequence[sp.Symbol]) -> Claim:
     """H is the Legendre transform of L, with momenta dL/dv and a Hessian in the velocities that is not singular."""
     names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
     return _about(space, H).claim("legendre", {"L": as_formula(L), "velocities": names})

@@ -42,8 +42,7 @@ def transformed_hamiltonian(transformation: Transformation, H: Expression, scale
     value = as_expression(scale) * replaced(as_expression(H), images)
     F = transformation.generating_function
     if F is not None:
-        into = images | dict.fromkeys(())
-        return tidy(value + replaced(F.time_derivative(), into))
+        return tidy(value + replaced(F.time_derivative(), images))
     shift = hamiltonian_shift(back)
     if shift is None:
         raise InputError("what the transformation adds to H could not be integrated")
@@ -61,6 +60,4 @@ def new_hamiltonian_residuals(
         raise InputError("the residuals are written for a map given forward")
     difference = transformation.pull_back(as_formula(K)).expr - as_expression(scale) * as_expression(H)
     required = shift_gradient(transformation)
-    return tuple(
-        difference.diff(x) - part for x, part in zip(transformation.space.old, required, strict=True)
-    )
+    return tuple(difference.diff(x) - part for x, part in zip(transformation.space.old, required, strict=True))

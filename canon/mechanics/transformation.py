@@ -1,6 +1,6 @@
 """A transformation of phase space: new variables as functions of old ones, old of new, or implicit."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -20,7 +20,22 @@ if TYPE_CHECKING:
 Direction = Literal["forward", "backward", "implicit"]
 
 
-@dataclass(frozen=True)
+def _check(
+    formulas: Sequence[Formula],
+    targets: Sequence[sp.Symbol],
+    side: Sequence[sp.Symbol],
+    other: Sequence[sp.Symbol],
+    where: str,
+) -> None:
+    """Raise unless there is a formula for each target, in the variables of `side` alone."""
+    if len(formulas) != len(targets):
+        raise InputError(f"{len(formulas)} formulas for {len(targets)} variables", where)
+    for formula in formulas:
+        for symbol in sorted(formula.expr.free_symbols & {*other} - {*side}, key=str):
+            raise InputError(f"{symbol} cannot occur here: the formula is one in {', '.join(map(str, side))}", where)
+
+
+@dataclass(frozen=True, init=False)
 class Transformation:
     """(q, p) -> (Q, P), possibly with parameters and time.
 
@@ -36,32 +51,36 @@ class Transformation:
     """
 
     space: PhaseSpace
-    Q: tuple[Formula, ...] = ()
-    P: tuple[Formula, ...] = ()
-    q: tuple[Formula, ...] = ()
-    p: tuple[Formula, ...] = ()
-    generating_function: "GeneratingFunction | None" = None
+    Q: tuple[Formula, ...]
+    P: tuple[Formula, ...]
+    q: tuple[Formula, ...]
+    p: tuple[Formula, ...]
+    generating_function: "GeneratingFunction | None"
 
-    def __post_init__(self) -> None:
-        given = [name for name in "QPqp" if not isinstance(getattr(self, name), tuple) or getattr(self, name)]
-        if given not in (["Q", "P"], ["q", "p"], []) or (not given and self.generating_function is None):
+    def __init__(
+        self,
+        space: PhaseSpace,
+        *,
+        Q: Expression | Iterable[Expression] = (),
+        P: Expression | Iterable[Expression] = (),
+        q: Expression | Iterable[Expression] = (),
+        p: Expression | Iterable[Expression] = (),
+        generating_function: "GeneratingFunction | None" = None,
+    ) -> None:
+        formulas = {
+            name: as_formulas(value, f"transformation, {name}")
+            for name, value in zip("QPqp", (Q, P, q, p), strict=True)
+        }
+        given = [name for name in "QPqp" if formulas[name]]
+        if given not in (["Q", "P"], ["q", "p"], []) or (not given and generating_function is None):
             raise InputError("a transformation is given by Q and P, or by q and p", "transformation")
-        allowed = {"Q": self.space.old, "P": self.space.old, "q": self.space.new, "p": self.space.new}
+        side, other = (space.old, space.new) if "Q" in given else (space.new, space.old)
         for name in given:
-            formulas = as_formulas(getattr(self, name), f"transformation, {name}")
-            object.__setattr__(self, name, formulas)
-            targets = getattr(self.space, name)
-            if len(formulas) != len(targets):
-                raise InputError(f"{len(formulas)} formulas for {len(targets)} variables", f"transformation, {name}")
-            wrong = {*self.space.old, *self.space.new} - {*allowed[name]}
-            for formula in formulas:
-                for symbol in sorted(formula.expr.free_symbols & wrong, key=str):
-                    raise InputError(
-                        f"{symbol} cannot occur here: the formula is one in {', '.join(map(str, allowed[name]))}",
-                        f"transformation, {name}",
-                    )
-        if given != ["Q", "P"] and len(self.space.Q) != self.space.n:
+            _check(formulas[name], getattr(space, name), side, other, f"transformation, {name}")
+        if given != ["Q", "P"] and len(space.Q) != space.n:
             raise InputError("as many new pairs as old ones are needed here", "transformation")
+        for name, value in {"space": space, **formulas, "generating_function": generating_function}.items():
+            object.__setattr__(self, name, value)
 
     @property
     def direction(self) -> Direction:

@@ -1,0 +1,66 @@
+"""Answers of the ladder: what is known of one residual, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from flint import acb
+
+from canon.decide.enclosure import Ball
+from canon.decide.search import Sample
+from canon.decide.tape import Node, Tape
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A point of the region at which a residual's ball excludes 0 (certified, each condition included)."""
+
+    coordinates: Mapping[str, Any]
+    functions: Mapping[str, str]
+    value: str
+    size: float
+
+    @staticmethod
+    def of(tape: Tape, sample: Sample, ball: Ball) -> Witness:
+        """The witness at a certified sample."""
+        coordinates: dict[str, Any] = {}
+        for node, value in sorted(sample.point.items(), key=lambda item: str(tape.symbol_at(item[0]))):
+            name = str(tape.symbol_at(node))
+            coordinates[name] = {"re": str(value[0]), "im": str(value[1])} if isinstance(value, tuple) else str(value)
+        for node, box in sample.solved.items():
+            coordinates[str(tape.symbol_at(node))] = box.mid().str(30, radius=False)
+        functions = {name: chosen.formula() for name, chosen in sample.functions.items()}
+        return Witness(coordinates, functions, show_ball(ball), float(ball.abs_lower()))
+
+    def as_table(self) -> dict[str, Any]:
+        """name = value, with the chosen functions by formula (a, or a1, a2, … their arguments)."""
+        return {**self.coordinates, **self.functions}
+
+
+def show_ball(ball: Ball) -> str:
+    """A ball's middle to the digits that are certain."""
+    if isinstance(ball, acb):
+        return f"{ball.real.str(12, radius=False)} + {ball.imag.str(12, radius=False)}*I"
+    return ball.str(12, radius=False)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What is known of one node: does it vanish on the region?
+
+    `status` is "proved", "refuted", "supported" or "undecided"; `conditions` are the side conditions that the
+    argument used; `log2_error` bounds the probability that a `supported` by modular evaluation is wrong.
+    """
+
+    status: str
+    method: str
+    note: str = ""
+    witness: Witness | None = None
+    conditions: tuple[str, ...] = ()
+    certificate: Mapping[str, Any] = field(default_factory=dict)
+    log2_error: float | None = None
+
+
+Answers = dict[Node, Answer]

@@ -1,0 +1,216 @@
+"""Convex cells: the region cut along the zeros of its conditions, so that signs and connectedness are known.
+
+The cut set has measure zero and every residual is continuous on the region, so what vanishes on every
+cell vanishes on the region. A cell whose remaining conditions all have a definite sign on its box is
+the box itself: convex, hence connected.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from flint import fmpq_poly
+
+from canon.budget import Budget
+from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
+from canon.decide.region import Region, Requirement
+from canon.decide.ring import TooCostly
+from canon.decide.signs import classify, sign_of
+from canon.decide.tape import Node, Tape, Unsupported
+from canon.decide.tower import Tower
+
+MOST_CELLS = 48
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A box of exact intervals; `connected` says that it lies in the region wholly, up to nothing."""
+
+    intervals: dict[Node, Interval]
+    connected: bool
+    region: Region
+
+    def describe(self, tape: Tape) -> str:
+        """The cell in words, for the certificate."""
+        parts = []
+        for node, interval in sorted(self.intervals.items()):
+            low = "" if interval.low is None else f"{_shown(interval.low)} < "
+            high = "" if interval.high is None else f" < {_shown(interval.high)}"
+            if low or high:
+                parts.append(f"{low}{tape.symbol_at(node)}{high}")
+        return ", ".join(parts) or "everywhere"
+
+
+def cells_of(tape: Tape, region: Region, nodes: Sequence[Node], budget: Budget) -> list[Cell] | None:
+    """The cells of the region that can contain points, or None where it can't be cut so (surfaces, complex symbols)."""
+    if region.surface:
+        return None
+    symbols = set().union(*(tape.support(n) for n in [*nodes, *region.nodes()]))
+    if any(not tape.symbol_at(n).is_real or tape.symbol_at(n).is_integer for n in symbols):
+        return None
+    box = {n: declared(tape, n) for n in symbols}
+    box.update({n: i for n, i in intervals_of(tape, region).items() if n in symbols})
+    cuts: dict[Node, list[Edge]] = {}
+    for requirement in region.requirements:
+        for node in _factors(tape, requirement):
+            for symbol, edge in _zeros(tape, node):
+                known = cuts.setdefault(symbol, [])
+                if all(edge.compare(other) for other in known):
+                    known.append(edge)
+    pieces = {n: _pieces(box[n], cuts.get(n, ())) for n in symbols}
+    total = 1
+    for intervals in pieces.values():
+        total *= max(1, len(intervals))
+    if total > MOST_CELLS:
+        return None
+    names = sorted(pieces)
+    out = []
+    for choice in itertools.product(*(pieces[n] for n in names)):
+        budget.check()
+        intervals = dict(zip(names, choice))
+        state = _state(tape, region, intervals, budget)
+        if state != "outside":
+            out.append(Cell(intervals, state == "inside", region.also(*_walls(tape, intervals))))
+    return out
+
+
+def _factors(tape: Tape, requirement: Requirement) -> Iterable[Node]:
+    for node in requirement.nodes:
+        yield node
+        if tape.ops[node][0] == "*":
+            yield from (inner for inner, _ in tape.ops[node][1])
+
+
+def _zeros(tape: Tape, node: Node) -> list[tuple[Node, Edge]]:
+    """Rational (or rational multiples of π as) zeros of a node in one symbol: affine, or a polynomial with rational roots."""
+    form = exact_affine(tape, node)
+    if form is not None:
+        constant, slope, symbol = form
+        return [(symbol, constant.scaled(-1 / slope))]
+    support = tape.support(node)
+    if len(support) != 1:
+        return []
+    (symbol,) = support
+    polynomial = univariate(tape, node, symbol)
+    if polynomial is None or polynomial.degree() < 1:
+        return []
+    _, factors = polynomial.factor()
+    out = []
+    for f, _ in factors:
+        if f.degree() == 1:
+            root = -f[0] / f[1]
+            out.append((symbol, Edge(Fraction(int(root.p), int(root.q)))))
+    return out
+
+
+def univariate(tape: Tape, node: Node, symbol: Node) -> fmpq_poly | None:
+    """The node as a polynomial over Q in one symbol, or None."""
+    values: dict[Node, fmpq_poly] = {}
+    for i in tape.reach([node]):
+        op = tape.ops[i]
+        if op[0] == "n":
+            values[i] = fmpq_poly([_fmpq(op[1])])
+        elif i == symbol:
+            values[i] = fmpq_poly([0, 1])
+        elif op[0] == "+":
+            total = fmpq_poly([_fmpq(op[1])])
+            for a, c in op[2]:
+                total = total + values[a] * _fmpq(c)
+            values[i] = total
+        elif op[0] == "*" and all(0 < e <= 40 for _, e in op[1]):
+            total = fmpq_poly([1])
+            for a, e in op[1]:
+                total = total * values[a] ** e
+            values[i] = total
+        else:
+            return None
+    return values[node]
+
+
+def _fmpq(value: Fraction):
+    from canon.decide.arbitrary import rational
+
+    return rational(value)
+
+
+def _pieces(box: Interval, cuts: Iterable[Edge]) -> list[Interval]:
+    """The box cut at the edges that lie inside it."""
+    out = [box]
+    for edge in cuts:
+        split: list[Interval] = []
+        for piece in out:
+            split += [piece.meet(Interval(high=edge)), piece.meet(Interval(low=edge))]
+        out = [piece for piece in split if not piece.is_empty()]
+    return out
+
+
+def _state(tape: Tape, region: Region, intervals: dict[Node, Interval], budget: Budget) -> str:
+    """ "inside", "outside" or "unsure": whether each condition has a definite sign on the box."""
+    unsure = False
+    for requirement in region.requirements:
+        sign = definite_sign(tape, requirement.nodes[0], intervals, budget)
+        if requirement.kind == "positive":
+            if sign == "neg":
+                return "outside"
+            unsure = unsure or sign != "pos"
+        elif requirement.kind == "nonzero":
+            unsure = unsure or sign is None
+        elif requirement.kind == "uncut":
+            x = definite_sign(tape, requirement.nodes[1], intervals, budget)
+            unsure = unsure or (sign is None and x != "pos")
+        else:
+            unsure = True
+    return "unsure" if unsure else "inside"
+
+
+def definite_sign(tape: Tape, node: Node, intervals: dict[Node, Interval], budget: Budget) -> str | None:
+    """ "pos" or "neg" where the node has that sign on the whole box, else None."""
+    form = exact_affine(tape, node)
+    if form is not None:
+        constant, slope, symbol = form
+        interval = intervals.get(symbol, declared(tape, symbol)).affine(slope, constant)
+        return interval.sign()
+    try:
+        tower = Tower(tape, [node], intervals=intervals, budget=budget)
+        value = tower.values.get(node)
+        if value is None:
+            field, kernels = tower.field, tower.values
+            from canon.decide.tower import combine
+
+            values = dict(kernels)
+            for i in tape.reach([node]):
+                if i not in values:
+                    values[i] = combine(field, tape.ops[i], values)
+            value = values[node]
+        if tower.is_complex(value) or not value[0]:
+            return None
+        sign, _, known, unknown = classify(tower, value)
+        strict = all(sign_of(tower, f) in ("pos", "neg") for f, _ in known)
+    except (Unsupported, TooCostly, ZeroDivisionError):
+        return None
+    if unknown or not strict:
+        return None
+    return "pos" if sign > 0 else "neg"
+
+
+def _walls(tape: Tape, intervals: dict[Node, Interval]) -> list[Requirement]:
+    """The cell's own bounds as requirements, so that sample points lie in it."""
+    out = []
+    for node, interval in intervals.items():
+        for edge, slope in ((interval.low, 1), (interval.high, -1)):
+            if edge is not None:
+                bound = tape.add(((node, slope), (tape.constant("pi"), -slope * edge.pi)), -slope * edge.rational)
+                out.append(Requirement("positive", (bound,), f"{tape.symbol_at(node)} in its cell"))
+    return out
+
+
+def _shown(edge: Edge) -> str:
+    parts = [str(edge.rational)] if edge.rational or not edge.pi else []
+    if edge.pi:
+        parts.append(f"{edge.pi}*pi")
+    return " + ".join(parts)
+
+

@@ -1,0 +1,226 @@
+"""Rigorous balls for every node of the tape at a point (Arb's arithmetic, through python-flint).
+
+A value is a real ball where the node is real, a complex ball where it isn't. Evaluation stops with
+OutOfDomain wherever a principal value isn't certified to exist: nothing is continued across a cut.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import flint
+from flint import acb, arb
+
+from canon.decide.arbitrary import ChosenFunction, rational
+from canon.decide.tape import Node, Tape, Unsupported
+
+Ball = Any  # flint.arb or flint.acb; the package has no type stubs
+
+
+class OutOfDomain(Exception):
+    """The point isn't certified to lie where the expression is defined."""
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """Arb's working precision, which is global to the process, set and put back."""
+    before = flint.ctx.prec
+    flint.ctx.prec = bits
+    try:
+        yield
+    finally:
+        flint.ctx.prec = before
+
+
+def evaluate(
+    tape: Tape,
+    order: Sequence[Node],
+    point: Mapping[Node, Ball],
+    functions: Mapping[str, ChosenFunction] | None = None,
+    values: dict[Node, Ball] | None = None,
+) -> dict[Node, Ball]:
+    """Balls for the nodes of `order` (an order of evaluation) at a point given by its symbol nodes.
+
+    Raises OutOfDomain where the value isn't certified to exist, Unsupported where there is no enclosure.
+    """
+    ball: dict[Node, Ball] = {} if values is None else values
+    ops = tape.ops
+    for i in order:
+        if i in ball:
+            continue
+        op = ops[i]
+        kind = op[0]
+        if kind == "*":
+            value = _product(op[1], ball)
+        elif kind == "+":
+            value = _sum(op[1], op[2], ball)
+        elif kind == "n":
+            value = arb(rational(op[1]))
+        elif kind == "s":
+            value = point[i]
+        elif kind == "r":
+            value = _root(ball[op[1]], op[2], op[3])
+        elif kind == "f":
+            value = _function(op[1], [ball[a] for a in op[2]])
+        elif kind == "c":
+            value = arb.pi() if op[1] == "pi" else acb(0, 1)
+        else:
+            if not functions or op[1] not in functions:
+                raise Unsupported(f"no value of the arbitrary function {op[1]}")
+            value = functions[op[1]].derivative_at(op[2], [ball[a] for a in op[3]])
+        if not value.is_finite():
+            raise OutOfDomain("a value that is not finite")
+        ball[i] = value
+    return ball
+
+
+def excludes_zero(ball: Ball) -> bool:
+    """True when the number in the ball is certainly not 0."""
+    return not ball.contains(0)
+
+
+def certainly_positive(ball: Ball) -> bool:
+    """True when the ball is real and certainly positive."""
+    return isinstance(ball, arb) and bool(ball > 0)
+
+
+def off_the_slit(ball: Ball) -> bool:
+    """True when the number is certainly not in (−∞, 0]."""
+    if isinstance(ball, arb):
+        return bool(ball > 0)
+    return bool(ball.real > 0) or not ball.imag.contains(0)
+
+
+def magnitude(ball: Ball) -> float:
+    """An upper bound of |ball| as a float."""
+    return float(ball.abs_upper())
+
+
+def _product(factors: Sequence[tuple[Node, int]], ball: Mapping[Node, Ball]) -> Ball:
+    value = None
+    for node, exponent in factors:
+        factor = ball[node]
+        if exponent < 0:
+            if factor.contains(0):
+                raise OutOfDomain("a denominator that may be zero")
+            factor = 1 / (factor if exponent == -1 else factor ** (-exponent))
+        elif exponent > 1:
+            factor = factor**exponent
+        value = factor if value is None else value * factor
+    return value
+
+
+def _sum(constant: Any, terms: Sequence[tuple[Node, Any]], ball: Mapping[Node, Ball]) -> Ball:
+    value = arb(rational(constant)) if constant else None
+    for node, coefficient in terms:
+        term = ball[node]
+        if coefficient == -1:
+            term = -term
+        elif coefficient.denominator == 1:
+            if coefficient != 1:
+                term = term * coefficient.numerator
+        else:
+            term = term * coefficient.numerator / coefficient.denominator
+        value = term if value is None else value + term
+    return value
+
+
+def _root(base: Ball, numerator: int, denominator: int) -> Ball:
+    if not off_the_slit(base):
+        raise OutOfDomain("a radicand that may be negative or zero")
+    if isinstance(base, arb):
+        value = base.sqrt() if denominator == 2 else base.root(denominator)
+    else:
+        value = base.sqrt() if denominator == 2 else (base.log() / denominator).exp()
+    return value**numerator if numerator >= 0 else 1 / value ** (-numerator)
+
+
+def _function(name: str, arguments: list[Ball]) -> Ball:
+    u = arguments[0]
+    if name in ("exp", "sin", "cos"):
+        return getattr(u, name)()
+    if name == "log":
+        if not off_the_slit(u):
+            raise OutOfDomain("the logarithm of something that may be zero or negative")
+        return u.log()
+    if not all(isinstance(a, arb) for a in arguments):
+        raise Unsupported(f"{name} of a complex argument")
+    rule = REAL.get(name)
+    if rule is None:
+        raise Unsupported(f"no enclosure of {name}")
+    return rule(*arguments)
+
+
+def _abs(u: Ball) -> Ball:
+    if u.contains(0):
+        raise OutOfDomain("the argument of an absolute value may be zero")
+    return abs(u)
+
+
+def _within(name: str) -> Callable[[Ball], Ball]:
+    def rule(u: Ball) -> Ball:
+        if not abs(u) < 1:
+            raise OutOfDomain(f"the argument of {name} may leave (-1, 1)")
+        return getattr(u, name)()
+
+    return rule
+
+
+def _atan2(y: Ball, x: Ball) -> Ball:
+    if not x > 0 and y.contains(0):
+        raise OutOfDomain("atan2 on its cut")
+    return arb.atan2(y, x)
+
+
+def _gamma(u: Ball) -> Ball:
+    return u.gamma()
+
+
+def _lambertw(u: Ball) -> Ball:
+    if not u * arb(1).exp() > -1:
+        raise OutOfDomain("lambertw needs an argument above -1/e")
+    return u.lambertw()
+
+
+def _complete(name: str) -> Callable[[Ball], Ball]:
+    def rule(m: Ball) -> Ball:
+        if not m < 1:
+            raise OutOfDomain("a complete elliptic integral needs m < 1")
+        return getattr(acb(m), name)().real
+
+    return rule
+
+
+def _incomplete(name: str) -> Callable[[Ball, Ball], Ball]:
+    def rule(phi: Ball, m: Ball) -> Ball:
+        if not m * phi.sin() ** 2 < 1 or not (m < 1 or abs(phi) < arb.pi() / 2):
+            raise OutOfDomain("an incomplete elliptic integral needs m sin(phi)^2 < 1 along its path")
+        return getattr(acb, name)(acb(phi), acb(m)).real
+
+    return rule
+
+
+def _jacobi(which: str) -> Callable[[Ball, Ball], Ball]:
+    """sn, cn, dn by theta functions (DLMF 22.2.4-6), for 0 < m < 1."""
+
+    def rule(u: Ball, m: Ball) -> Ball:
+        if not (m > 0 and m < 1):
+            raise OutOfDomain("Jacobi's functions are enclosed for 0 < m < 1")
+        period, other = acb(m).elliptic_k(), acb(1 - m).elliptic_k()
+        tau = acb(0, 1) * other / period
+        _, t2, t3, t4 = acb.modular_theta(acb(0), tau)
+        s1, s2, s3, s4 = acb.modular_theta(acb(u) / (2 * period), tau)
+        value = {"sn": t3 * s1 / (t2 * s4), "cn": t4 * s2 / (t2 * s4), "dn": t4 * s3 / (t3 * s4)}[which]
+        return value.real
+
+    return rule
+
+
+REAL: dict[str, Callable[..., Ball]] = {
+    "abs": _abs, "atan": lambda u: u.atan(), "asin": _within("asin"), "acos": _within("acos"), "atan2": _atan2,
+    "gamma": _gamma, "lambertw": _lambertw, "elliptic_k": _complete("elliptic_k"), "elliptic_e": _complete("elliptic_e"),
+    "elliptic_f": _incomplete("elliptic_f"), "elliptic_ei": _incomplete("elliptic_e_inc"),
+    "jacobi_sn": _jacobi("sn"), "jacobi_cn": _jacobi("cn"), "jacobi_dn": _jacobi("dn"),
+}  # fmt: skip

@@ -1,0 +1,104 @@
+"""Inverse trigonometric, special and arbitrary functions: kernels with few relations or none.
+
+They stand as generators of their arguments; equal arguments share one. What relates different ones
+(atan x and atan 1/x) is left to the later steps of the ladder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from canon.decide.fraction_field import Element
+from canon.decide.tape import ONE, Unsupported
+
+if TYPE_CHECKING:
+    from canon.decide.tower import Tower
+
+ODD = ("atan", "asin")
+REAL_KERNELS = ("atan", "asin", "acos", "atan2", "gamma", "lambertw", "elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei")
+
+
+def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
+    """The generator of an inverse or special function of real arguments."""
+    field = tower.field
+    if any(tower.is_complex(x) for x in arguments):
+        raise Unsupported(f"{name} of a complex argument")
+    if name in ("jacobi_sn", "jacobi_cn", "jacobi_dn"):
+        return _jacobi(tower, name, arguments)
+    if name not in REAL_KERNELS:
+        raise Unsupported(f"no exact argument about {name}")
+    flipped = name in ODD and bool(arguments[0][0]) and tower.ring.leading(arguments[0][0]) < 0
+    if flipped:
+        arguments = [field.negative(arguments[0])]
+    known = _find(tower, name, arguments)
+    if known is None:
+        constant = all(tower.is_constant(x) for x in arguments)
+        sign = _sign(tower, name, arguments)
+        known = tower.element(_made(tower, name, sign, arguments, constant))
+    return field.negative(known) if flipped else known
+
+
+def arbitrary(tower: Tower, name: str, orders: tuple[int, ...], arguments: Sequence[Element]) -> Element:
+    """A derivative of an arbitrary function as a free generator: true for every value, true for every function."""
+    table = tower.memory.setdefault("arbitrary", [])
+    for known, order, others, made in table:
+        if known == name and order == orders and all(tower.field.equal(x, y) for x, y in zip(others, arguments)):
+            return tower.element(made)
+    sign = "cplx" if any(tower.is_complex(x) for x in arguments) else "real"
+    made = tower.generator("arbitrary", sign, (name, orders, tuple(arguments)))
+    table.append((name, orders, tuple(arguments), made))
+    return tower.element(made)
+
+
+def _find(tower: Tower, name: str, arguments: Sequence[Element]) -> Element | None:
+    for known, others, made in tower.memory.setdefault("kernels", []):
+        if known == name and all(tower.field.equal(x, y) for x, y in zip(others, arguments)):
+            return tower.element(made)
+    return None
+
+
+def _made(tower: Tower, name: str, sign: str, arguments: Sequence[Element], constant: bool):
+    made = tower.generator(name, sign, tuple(arguments), constant=constant)
+    tower.memory["kernels"].append((name, tuple(arguments), made))
+    return made
+
+
+def _sign(tower: Tower, name: str, arguments: Sequence[Element]) -> str:
+    from canon.decide.signs import classify
+
+    if name == "acos" or name in ("elliptic_k", "elliptic_e"):
+        return "pos"
+    if name in ("atan", "asin"):
+        sign, _, known, unknown = classify(tower, arguments[0])
+        if not unknown and arguments[0][0]:
+            strict = all(_strict(tower, f) for f, _ in known)
+            return ("pos" if sign > 0 else "neg") if strict else ("nonneg" if sign > 0 else "nonpos")
+    return "real"
+
+
+def _strict(tower: Tower, f) -> bool:
+    from canon.decide.signs import sign_of
+
+    return sign_of(tower, f) in ("pos", "neg")
+
+
+def _jacobi(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
+    """sn, cn, dn with cn² = 1 − sn² and dn² = 1 − m·sn² (DLMF 22.6.1)."""
+    field, ring = tower.field, tower.ring
+    known = _find(tower, name, arguments)
+    if known is not None:
+        return known
+    sn = _find(tower, "jacobi_sn", arguments)
+    if sn is None:
+        sn = tower.element(_made(tower, "jacobi_sn", "real", arguments, False))
+    if name == "jacobi_sn":
+        return sn
+    factor = field.constant(1) if name == "jacobi_cn" else arguments[1]
+    lower = field.combine([(-ONE, field.product([factor, field.power(sn, 2)]))], ONE)
+    if lower[1]:
+        raise Unsupported("Jacobi's functions of a fractional parameter")
+    sign = "real" if name == "jacobi_cn" else "pos"
+    made = tower.generator(name, sign, tuple(arguments), relation=(2, lower[0]))
+    tower.memory["kernels"].append((name, tuple(arguments), made))
+    return tower.element(made)

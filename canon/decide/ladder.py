@@ -1,0 +1,266 @@
+"""The ladder: witness first, then normal form, then the arguments that need more than one of either.
+
+Soundness: `refuted` only by a ball that excludes 0 at a certified point of the region; `proved` only by
+an exact argument valid on the whole region. Both together can't be, and that is checked on every proof.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Sequence
+
+from canon.budget import Budget, BudgetExceeded
+from canon.decide import modular
+from canon.decide.answer import Answer, Answers, Witness
+from canon.decide.certificate import Certificate, of_tower
+from canon.decide.constants import number_is_zero
+from canon.decide.continuity import vanishes_by_cells
+from canon.decide.enclosure import OutOfDomain, excludes_zero
+from canon.decide.intervals import intervals_of
+from canon.decide.normal_form import reduce_to_zero
+from canon.decide.on_surface import vanishes_on_surface
+from canon.decide.region import Region
+from canon.decide.ring import TooCostly
+from canon.decide.search import Sample, evaluate_again, samples
+from canon.decide.tape import Node, Tape, Unsupported
+from canon.decide.tower import Tower
+from canon.errors import InputError
+
+DEEPER = (256, 1024, 4096)
+
+
+class Contradiction(AssertionError):
+    """A proof and a ball that excludes 0 at once: a fault of the decider, never to be answered over."""
+
+
+def vanish(
+    tape: Tape,
+    nodes: Sequence[Node],
+    region: Region,
+    *,
+    budget: Budget,
+    seed: int = 0,
+    first_refutation: bool = True,
+) -> list[Answer]:
+    """Is each node the zero function on the region?
+
+    Arguments:
+      nodes: the residuals.
+      first_refutation: stop at the first residual that is refuted; the others may then be `undecided`.
+    Returns: one answer a node.
+    Raises: InputError where no point of the region could be found.
+    """
+    answers: Answers = {}
+    open_nodes = list(dict.fromkeys(nodes))
+    ladder = _Ladder(tape, region, budget, random.Random(seed))
+    try:
+        ladder.run(open_nodes, answers, first_refutation)
+    except BudgetExceeded:
+        pass
+    for node in open_nodes:
+        if node not in answers:
+            tried = ", ".join(ladder.tried) or "nothing yet"
+            answers[node] = Answer("undecided", "", f"the budget ended; tried: {tried}")
+    return [answers[node] for node in nodes]
+
+
+def nonvanishing(tape: Tape, node: Node, region: Region, *, budget: Budget, seed: int = 0) -> Answer:
+    """Is the node not identically zero?  Proved by a point at which its ball excludes 0, refuted by a proof of 0."""
+    answer = vanish(tape, [node], region, budget=budget, seed=seed)[0]
+    if answer.status == "refuted":
+        return Answer("proved", f"nonzero at a point ({answer.method})", answer.note, answer.witness, answer.conditions)
+    if answer.status == "proved":
+        return Answer("refuted", f"identically zero ({answer.method})", answer.note, None, answer.conditions, answer.certificate)
+    return Answer("undecided", answer.method, answer.note)
+
+
+class _Ladder:
+    """One run of the ladder over residuals of one region."""
+
+    def __init__(self, tape: Tape, region: Region, budget: Budget, rng: random.Random) -> None:
+        self.tape, self.region, self.budget, self.rng = tape, region, budget, rng
+        self.points: list[Sample] = []
+        self.tried: list[str] = []
+
+    def run(self, nodes: Sequence[Node], answers: Answers, first_refutation: bool) -> None:
+        """Rung by rung; every rung takes what the ones before left open."""
+
+        def left() -> list[Node]:
+            return [node for node in nodes if node not in answers]
+
+        def done() -> bool:
+            return not left() or (first_refutation and any(a.status == "refuted" for a in answers.values()))
+
+        self.witnesses(nodes, answers)
+        for node in nodes:
+            if node not in answers and node == self.tape.zero:
+                answers[node] = Answer("proved", "identity", certificate={"argument": "the residual is the number 0"})
+        if done():
+            return
+        self.normal_forms(left(), answers)
+        if done():
+            return
+        self.deeper_witnesses(left(), answers, first_refutation)
+        if done():
+            return
+        for node in left():
+            self.by_other_arguments(node, answers)
+        for node in left():
+            self.leave(node, answers)
+
+    # -- witnesses ----------------------------------------------------------------------------------
+
+    def witnesses(self, nodes: Sequence[Node], answers: Answers) -> None:
+        """Two certified points: the region isn't empty, and most of what is false ends here."""
+        self.tried.append("balls at two points")
+        try:
+            for sample in samples(
+                self.tape, nodes, self.region, self.rng, count=2, tries=60, budget=self.budget, nice=True
+            ):
+                self.points.append(sample)
+                self.refute(nodes, sample, sample.balls, answers, 64)
+        except Unsupported as reason:
+            self.tried.append(f"no balls: {reason}")
+        if not self.points:
+            self._require_a_point()
+
+    def _require_a_point(self) -> None:
+        """The region by itself has a point, or the claim is ill-posed."""
+        try:
+            for sample in samples(self.tape, [], self.region, self.rng, count=1, bits=256, tries=400, budget=self.budget):
+                self.points.append(sample)
+                return
+        except Unsupported:
+            return
+        except BudgetExceeded:
+            pass
+        words = [requirement.text for requirement in self.region.requirements]
+        raise InputError(
+            "no point of the domain was found, it seems empty"
+            + (f": {'; '.join(words[:6])}" if words else "")
+            + ("; and on the surface" if self.region.surface else "")
+        )
+
+    def refute(self, nodes: Iterable[Node], sample: Sample, balls, answers: Answers, bits: int) -> None:
+        """Record every node whose ball excludes 0 at the sample."""
+        for node in nodes:
+            if node not in answers and node in balls and excludes_zero(balls[node]):
+                witness = Witness.of(self.tape, sample, balls[node])
+                answers[node] = Answer("refuted", f"ball at {bits} bits", witness=witness)
+
+    def deeper_witnesses(self, nodes: Sequence[Node], answers: Answers, first_refutation: bool) -> None:
+        """More points and more bits, for differences that hide below 64 bits."""
+        for bits in DEEPER:
+            self.budget.check()
+            self.tried.append(f"balls at {bits} bits")
+            try:
+                new = list(
+                    samples(self.tape, nodes, self.region, self.rng, count=2, bits=bits, tries=20, budget=self.budget)
+                )
+                for sample in new:
+                    self.refute(nodes, sample, sample.balls, answers, bits)
+                for sample in self.points[:1]:
+                    if not sample.solved:
+                        self.refute(nodes, sample, evaluate_again(self.tape, nodes, sample, bits), answers, bits)
+            except (Unsupported, OutOfDomain, ZeroDivisionError):
+                continue
+            if first_refutation and any(answers[n].status == "refuted" for n in nodes if n in answers):
+                return
+
+    # -- proofs ---------------------------------------------------------------------------------------
+
+    def normal_forms(self, nodes: Sequence[Node], answers: Answers) -> None:
+        """Numerators modulo the relations of the kernels; modular evaluation tells when to stop trying."""
+        self.tried.append("normal form")
+        positive = [r.nodes[0] for r in self.region.requirements if r.kind == "positive"]
+        try:
+            tower = Tower(
+                self.tape,
+                nodes,
+                positive=[n for n in positive if not self.tape.is_complex(n)],
+                intervals=intervals_of(self.tape, self.region),
+                budget=self.budget,
+            )
+            hopeless = self._modular_nonzero(tower, nodes)
+            candidates = [node for node in nodes if node not in hopeless]
+            zero, _, _ = reduce_to_zero(tower, candidates, self.budget)
+        except (Unsupported, TooCostly, ZeroDivisionError) as reason:
+            self.tried.append(f"no tower: {reason}")
+            return
+        certificate = of_tower(tower, self.region, "the numerator is 0 modulo the relations of its kernels")
+        for node in zero:
+            self.prove(node, answers, "normal form", certificate)
+
+    def _modular_nonzero(self, tower: Tower, nodes: Sequence[Node]) -> set[Node]:
+        """Nodes that certainly don't reduce to 0, by a cheap evaluation over a prime field."""
+        self.evidence: dict[Node, float] = getattr(self, "evidence", {})
+        try:
+            zero, log_error = modular.vanishing(tower, nodes, self.rng)
+        except (modular.NoPoint, ValueError, ZeroDivisionError):
+            return set()
+        for node, vanished in zero.items():
+            if vanished:
+                self.evidence[node] = log_error
+        return {node for node, vanished in zero.items() if not vanished}
+
+    def by_other_arguments(self, node: Node, answers: Answers) -> None:
+        """Constants, surfaces, and cell by cell."""
+        tape = self.tape
+        try:
+            if self.region.surface:
+                self.tried.append("reduction on the surface")
+                certificate = vanishes_on_surface(tape, node, self.region, self.budget)
+                if certificate is not None:
+                    self.prove(node, answers, "reduction on the surface", certificate)
+                return
+            if not tape.support(node):
+                self.tried.append("exact constants")
+                if number_is_zero(tape, node, self.budget):
+                    argument = {"argument": "an algebraic number smaller than every nonzero conjugate of it could be"}
+                    self.prove(node, answers, "exact constant", Certificate(lambda: argument))
+                return
+            self.tried.append("cell by cell")
+            found = vanishes_by_cells(tape, node, self.region, self.rng, self.budget)
+            if found is not None:
+                argument, cells = found
+                data = {"argument": argument, "cells": cells, "domain": [r.text for r in self.region.requirements]}
+                self.prove(node, answers, argument, Certificate(lambda: data))
+        except (Unsupported, TooCostly, ZeroDivisionError, OutOfDomain, ArithmeticError) as reason:
+            self.tried.append(f"stopped: {reason}")
+
+    def prove(self, node: Node, answers: Answers, method: str, certificate: Certificate) -> None:
+        """Record a proof, after looking that no ball contradicts it."""
+        for sample in self.points:
+            if node in sample.balls and excludes_zero(sample.balls[node]):
+                raise Contradiction(f"{method} against a ball that excludes 0: please report this claim")
+        conditions = tuple(requirement.text for requirement in self.region.requirements)
+        if not self.points:
+            answers[node] = Answer("supported", method, "an identity, but no point of the domain could be certified")
+            return
+        answers[node] = Answer("proved", method, conditions=conditions, certificate=certificate)
+
+    def leave(self, node: Node, answers: Answers) -> None:
+        """What remains: supported by modular evaluation or by balls that all contain 0, else undecided."""
+        tried = ", ".join(dict.fromkeys(self.tried))
+        log_error = getattr(self, "evidence", {}).get(node)
+        if log_error is not None and self.points:
+            note = f"zero over a random prime field, error below 2^{log_error:.0f}; tried: {tried}"
+            answers[node] = Answer("supported", "modular evaluation", note, log2_error=log_error)
+            return
+        balls = [sample.balls[node] for sample in self.points if node in sample.balls]
+        if balls and self.deep_zero(node):
+            note = f"within 10^-200 of 0 at {len(self.points)} points; tried: {tried}"
+            answers[node] = Answer("supported", "balls at 1024 bits", note)
+            return
+        answers[node] = Answer("undecided", "", f"tried: {tried}")
+
+    def deep_zero(self, node: Node) -> bool:
+        """Balls of 1024 bits at every known point lie within 1e-200 of 0."""
+        try:
+            for sample in self.points:
+                ball = evaluate_again(self.tape, [node], sample, 1024)[node]
+                if not float(ball.abs_upper()) < 1e-200:
+                    return False
+        except (Unsupported, OutOfDomain, ZeroDivisionError, OverflowError):
+            return False
+        return True

@@ -1,0 +1,117 @@
+"""The normal form: a residual's numerator modulo the relations of its kernels.
+
+A numerator that reduces to 0 is a proof, on the whole region and on every branch that the written
+formulas take there. A numerator that doesn't is no refutation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from canon.budget import Budget
+from canon.decide.fraction_field import Element, FractionField
+from canon.decide.grouped_sums import Grouped, GroupedSums
+from canon.decide.ring import TooCostly
+from canon.decide.tape import Node
+from canon.decide.tower import Tower, combine
+
+# Two ways of adding fractions and three sizes; neither way dominates, so each size tries both.
+SIZES = (2e6, 4e7, 4e8)
+
+
+def reduce_to_zero(tower: Tower, nodes: Sequence[Node], budget: Budget) -> tuple[set[Node], dict[Node, Element], FractionField]:
+    """The nodes that reduce to 0, and the nonzero normal forms of those that certainly don't reduce.
+
+    Nodes in neither were too costly. Also returns the field in which the normal forms live.
+    """
+    zero: set[Node] = set()
+    nonzero: dict[Node, Element] = {}
+    field, _ = tower.compact(SIZES[0], budget)
+    left = list(nodes)
+    for size in SIZES if tower.field.factors or _divides(tower) else SIZES[1:]:
+        for grouped in (False, True):
+            left = [node for node in left if node not in zero and node not in nonzero]
+            if not left:
+                return zero, nonzero, field
+            budget.check()
+            if grouped:
+                zero |= _by_groups(tower, left, size, budget)
+            else:
+                found, rest, field = _by_fractions(tower, left, size, budget)
+                zero |= found
+                nonzero.update(rest)
+    return zero, nonzero, field
+
+
+def _divides(tower: Tower) -> bool:
+    ops = tower.tape.ops
+    return any(e < 0 for i in tower.need if ops[i][0] == "*" for _, e in ops[i][1])
+
+
+def _by_fractions(
+    tower: Tower, nodes: Sequence[Node], size: float, budget: Budget
+) -> tuple[set[Node], dict[Node, Element], FractionField]:
+    field, kernels = tower.compact(size, budget)
+    values: dict[Node, Element | None] = dict(kernels)
+    zero: set[Node] = set()
+    nonzero: dict[Node, Element] = {}
+    ops, last = tower.tape.ops, _last_uses(tower, nodes)
+    for i in tower.tape.reach(nodes):
+        if i not in values:
+            values[i] = _attempt(lambda i=i: combine(field, ops[i], values)) if _ready(tower, i, values) else None
+        for j in last.get(i, ()):
+            if j not in kernels:
+                values.pop(j, None)
+    for node in nodes:
+        value = values[node]
+        if value is None:
+            continue
+        remainder = _attempt(lambda value=value: (field.normal(value[0]), value[1]))
+        if remainder is not None and not remainder[0]:
+            zero.add(node)
+        elif remainder is not None:
+            nonzero[node] = remainder
+    return zero, nonzero, field
+
+
+def _by_groups(tower: Tower, nodes: Sequence[Node], size: float, budget: Budget) -> set[Node]:
+    field, kernels = tower.compact(size, budget)
+    sums = GroupedSums(field)
+    values: dict[Node, Grouped | None] = {i: sums.lift(x) for i, x in kernels.items()}
+    zero: set[Node] = set()
+    ops, last = tower.tape.ops, _last_uses(tower, nodes)
+    for i in tower.tape.reach(nodes):
+        if i not in values:
+            values[i] = _attempt(lambda i=i: sums.node(ops[i], values)) if _ready(tower, i, values) else None
+        for j in last.get(i, ()):
+            if j not in kernels:
+                values.pop(j, None)
+    for node in nodes:
+        value = values[node]
+        if value is not None and _attempt(lambda value=value: sums.is_zero(value)):
+            zero.add(node)
+    return zero
+
+
+def _ready(tower: Tower, node: Node, values: dict) -> bool:
+    return all(values[a] is not None for a in tower.tape.arguments(node))
+
+
+def _attempt(step):
+    try:
+        return step()
+    except (TooCostly, ZeroDivisionError):
+        return None
+
+
+def _last_uses(tower: Tower, nodes: Sequence[Node]) -> dict[Node, list[Node]]:
+    """For each node, those whose last use it is (their values are let go after it)."""
+    kept, last = set(nodes), {}
+    for i in tower.tape.reach(nodes):
+        for j in tower.tape.arguments(i):
+            last[j] = i
+    out: dict[Node, list[Node]] = {}
+    for j, i in last.items():
+        if j not in kept:
+            out.setdefault(i, []).append(j)
+    return out

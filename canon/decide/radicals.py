@@ -1,0 +1,248 @@
+"""Powers with rational exponents, absolute values and fields of p-th roots as generators of the tower."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from sympy import factorint
+
+from canon.decide.fraction_field import Element
+from canon.decide.ring import Polynomial, TooCostly
+from canon.decide.signs import DOWN, UP, add_fact, classify, sign_of, split
+from canon.decide.tape import Unsupported
+
+if TYPE_CHECKING:
+    from canon.decide.tower import Generator, Tower
+
+
+def power(tower: Tower, x: Element, exponent: Fraction) -> Element:
+    """x ** exponent, principal value, for x that is positive on the region (or complex, off its cut)."""
+    field = tower.field
+    if exponent.denominator == 1:
+        return field.power(x, exponent.numerator)
+    if tower.is_complex(x):
+        return _complex_power(tower, x, exponent)
+    sign, constant, known, unknown = classify(tower, x)
+    parts = [field.constant(1)]
+    parts += [factor_power(tower, f, exponent * e) for f, e in known]
+    parts += [factor_power(tower, tower.ring.constant(p), exponent * e) for p, e in _primes(constant)]
+    if unknown:
+        parts.append(group_power(tower, sign, unknown, exponent))
+    elif sign < 0:
+        raise Unsupported("a root of something negative")
+    return field.product(parts)
+
+
+def factor_power(tower: Tower, f: Polynomial, exponent: Fraction) -> Element:
+    """f ** exponent for a polynomial (or prime) that is positive on the region."""
+    field = tower.field
+    if exponent.denominator == 1:
+        return field.power((f, {}), exponent.numerator)
+    made = tower.bare(f)
+    if made is not None and made.kind == "root" and made.data[0] == "chain":
+        _, radicand, prime, height = made.data
+        return factor_power(tower, radicand, exponent / prime**height)
+    if made is not None and made.kind == "exp":
+        from canon.decide.exponentials import exponential
+
+        return exponential(tower, [field.product([field.constant(exponent), made.data])])[0]
+    parts, rest = [field.constant(1)], exponent
+    for prime, height in factorint(exponent.denominator).items():
+        order = prime**height
+        share = exponent.numerator * pow(exponent.denominator // order, -1, order) % order
+        rest -= Fraction(share, order)
+        base = _alias(tower, f) if order == 2 else None
+        if base is None:
+            base = tower.element(root_generator(tower, f, prime, height))
+        parts.append(field.power(base, share))
+    parts.append(field.power((f, {}), int(rest)))
+    return field.product(parts)
+
+
+def root_generator(tower: Tower, f: Polynomial, prime: int, height: int) -> Generator:
+    """The generator f ** (1 / prime**height), on top of the roots below it."""
+    for entry in tower.memory.setdefault("roots", []):
+        if entry[1:3] == (prime, height) and entry[0] == f:
+            return entry[3]
+    if height == 1:
+        lower = f
+    else:
+        lower = tower.ring.generators[root_generator(tower, f, prime, height - 1).index]
+    constant = tower.is_constant((f, {}))
+    made = tower.generator("root", "pos", ("chain", f, prime, height), relation=(prime, lower), constant=constant)
+    tower.memory["roots"].append((f, prime, height, made))
+    if not f.is_constant() and tower.ring.leading(f) == 1:
+        kept = [entry for entry in tower.field.root_of if not entry[0] == f]
+        tower.field.root_of = [*kept, (f, made.index, prime**height)]
+    return made
+
+
+def _alias(tower: Tower, f: Polynomial) -> Element | None:
+    """√f as |s| / √g where f·g = s² by the relations for a radical √g that is there already."""
+    if f.is_constant():
+        return None
+    ring, field = tower.ring, tower.field
+    roots = [e for e in tower.memory.get("roots", []) if e[1:3] == (2, 1) and not e[0].is_constant()]
+    if any(entry[0] == f for entry in roots):
+        return None
+    for known, element in tower.memory.setdefault("aliases", []):
+        if known == f:
+            return element
+    for radicand, _, _, made in roots:
+        try:
+            product = field.normal(ring.times(f, radicand))
+        except TooCostly:
+            continue
+        if not product or len(product) > 200:
+            continue
+        content, pieces = ring.factor(product)
+        if content <= 0 or any(e % 2 for _, e in pieces):
+            continue
+        numerator, denominator = math.isqrt(content.numerator), math.isqrt(content.denominator)
+        if numerator**2 != content.numerator or denominator**2 != content.denominator:
+            continue
+        side = [field.constant(Fraction(numerator, denominator))] + [field.power((h, {}), e // 2) for h, e in pieces]
+        element = field.product([absolute(tower, field.product(side)), field.inverse(tower.element(made))])
+        tower.memory["aliases"].append((f, element))
+        return element
+    return None
+
+
+def group_power(tower: Tower, sign: int, factors: list[tuple[Polynomial, int]], exponent: Fraction) -> Element:
+    """(sign · Π f ** e) ** exponent where only the product as a whole is known to be positive."""
+    ring, field = tower.ring, tower.field
+    common = math.gcd(*(e for _, e in factors))
+    if common > 1:
+        if common % 2 == 0 and sign < 0:
+            raise Unsupported("a root of minus a square")
+        factors = [(f, e // common) for f, e in factors]
+        exponent = exponent * common
+    if common % 2 == 0:
+        magnitude = absolute(tower, field.product([field.power((f, {}), e) for f, e in factors]))
+        return positive_power(tower, magnitude, exponent)
+    numerator, denominator = ring.constant(sign), ring.one
+    for f, e in factors:
+        if e > 0:
+            numerator = field.normal(ring.times(numerator, ring.power(f, e)))
+        else:
+            denominator = field.normal(ring.times(denominator, ring.power(f, -e)))
+    if denominator.is_constant():
+        if len(factors) == 1 and factors[0][1] == 1:
+            add_fact(tower, numerator, "pos")
+        return factor_power(tower, numerator, exponent)
+    return _whole_power(tower, numerator, denominator, exponent, "real")
+
+
+def positive_power(tower: Tower, x: Element, exponent: Fraction) -> Element:
+    """x ** exponent factor by factor, for x that is a product of positive factors."""
+    if exponent.denominator == 1:
+        return tower.field.power(x, exponent.numerator)
+    constant, pieces = split(tower, x)
+    parts = [factor_power(tower, f, exponent * e) for f, e in pieces]
+    parts += [factor_power(tower, tower.ring.constant(p), exponent * e) for p, e in _primes(abs(constant))]
+    return tower.field.product([tower.field.constant(1), *parts])
+
+
+def _complex_power(tower: Tower, x: Element, exponent: Fraction) -> Element:
+    """The principal root of a complex element as one generator: nothing is split, no branch assumed."""
+    ring, field = tower.ring, tower.field
+    denominator = ring.one
+    for k, e in x[1].items():
+        denominator = field.normal(ring.times(denominator, field.factor_power(k, e)))
+    return _whole_power(tower, x[0], denominator, exponent, "cplx")
+
+
+def _whole_power(tower: Tower, numerator: Polynomial, denominator: Polynomial, exponent: Fraction, sign: str) -> Element:
+    """(N/D) ** (a/m) by g = D·(N/D)**(1/m), for which g**m = N·D**(m−1)."""
+    ring, field = tower.ring, tower.field
+    if exponent.denominator == 1:
+        return field.power(field.product([(numerator, {}), field.inverse((denominator, {}))]), exponent.numerator)
+    m = exponent.denominator
+    for known, under, degree, made in tower.memory.setdefault("whole roots", []):
+        if degree == m and known == numerator and under == denominator:
+            break
+    else:
+        lower = field.normal(ring.times(numerator, ring.power(denominator, m - 1)))
+        made = tower.generator("root", sign, ("whole", numerator, denominator, m), relation=(m, lower))
+        tower.memory["whole roots"].append((numerator, denominator, m, made))
+    root = tower.element(made)
+    if not denominator.is_constant():
+        root = field.product([root, field.inverse((denominator, {}))])
+    return field.power(root, exponent.numerator)
+
+
+def absolute(tower: Tower, x: Element) -> Element:
+    """|x| for a real element, factor by factor: a generator A with A² = f² where the sign of f is unknown."""
+    field = tower.field
+    constant, pieces = split(tower, x)
+    parts = [field.constant(abs(constant))]
+    for f, e in pieces:
+        sign = sign_of(tower, f)
+        if sign in UP:
+            parts.append(field.power((f, {}), e))
+        elif sign in DOWN:
+            parts.append(field.power((-f, {}), e))
+        else:
+            parts.append(field.power(tower.element(_absolute_generator(tower, f)), e))
+    return field.product(parts)
+
+
+def _absolute_generator(tower: Tower, f: Polynomial) -> Generator:
+    for known, made in tower.memory.setdefault("absolutes", []):
+        if known == f:
+            return made
+    square = tower.field.normal(tower.ring.times(f, f))
+    made = tower.generator("abs", "nonneg", f, relation=(2, square), constant=tower.is_constant((f, {})))
+    tower.memory["absolutes"].append((f, made))
+    return made
+
+
+def _primes(value: Fraction) -> list[tuple[int, int]]:
+    if value.numerator.bit_length() > 200 or value.denominator.bit_length() > 200:
+        raise Unsupported("a root of a number too long to factor")
+    return list(factorint(value.numerator).items()) + [(p, -e) for p, e in factorint(value.denominator).items()]
+
+
+def tidy(tower: Tower, x: Element, limit: int = 300) -> Element:
+    """Cancel denominator factors that divide the numerator modulo the relations, so that equal arguments look equal.
+
+    With C the product of the conjugates of a factor f and N = f·C, n·C = r·N gives n = r·f wherever C isn't 0.
+    N must be a nonzero polynomial in symbols alone, so that C is nonzero on a dense part of the region.
+    """
+    numerator, denominator = x
+    ring, field = tower.ring, tower.field
+    if not denominator or not numerator or len(numerator) > limit:
+        return x
+    out: dict[int, int] = {}
+    for k, e in denominator.items():
+        conjugate = _conjugate_product(tower, field.factors[k], limit)
+        while conjugate is not None and e:
+            product, norm = conjugate
+            quotient = ring.quotient(field.normal(ring.times(numerator, product)), norm)
+            if quotient is None:
+                break
+            numerator, e = quotient, e - 1
+        if e:
+            out[k] = e
+    return numerator, out
+
+
+def _conjugate_product(tower: Tower, f: Polynomial, limit: int) -> tuple[Polynomial, Polynomial] | None:
+    """(C, N = f·C) with N in symbols alone, by conjugation in quadratic generators; None where that fails."""
+    ring, field = tower.ring, tower.field
+    product, norm = ring.one, f
+    for generator, degree, lower, _ in reversed(field.relations):
+        if ring.degrees(norm)[generator] <= 0:
+            continue
+        if degree != 2 or ring.degrees(lower)[generator] > 0:
+            return None
+        conjugate = ring.polynomial({m: -c if m[generator] % 2 else c for m, c in ring.terms(norm).items()})
+        product = field.normal(ring.times(product, conjugate))
+        norm = field.normal(ring.times(norm, conjugate))
+        if not norm or len(product) > limit or len(norm) > limit:
+            return None
+    if any(g.kind != "symbol" for g in tower.used(norm)):
+        return None
+    return product, norm

@@ -1,0 +1,96 @@
+"""Polynomials over Q in the generators of the tower (FLINT), with the cost of every product known beforehand.
+
+Generator 0 is the lowest; the order is lexicographic with the last generator highest, as the
+division by the tower's triangular relations needs it.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import Any
+
+import flint
+
+from canon.budget import Budget
+
+Polynomial = Any  # flint.fmpq_mpoly; the package has no type stubs
+Monomial = tuple[int, ...]
+
+
+class TooCostly(Exception):
+    """A product was refused because its cost exceeds what this attempt may spend."""
+
+
+class Ring:
+    """Q[g0, …, g(n−1)], lexicographic, with an account of term products spent."""
+
+    def __init__(self, size: int, limit: float, budget: Budget) -> None:
+        self.size = size
+        names = tuple(f"g{k}" for k in reversed(range(size)))
+        self.context = flint.fmpq_mpoly_ctx.get(names, flint.Ordering.lex)
+        self.generators: list[Polynomial] = list(reversed(self.context.gens()))
+        self.zero: Polynomial = self.context.constant(0)
+        self.one: Polynomial = self.context.constant(1)
+        self.limit, self.budget = limit, budget
+        self.spent = 0.0
+
+    def constant(self, value: Fraction | int) -> Polynomial:
+        """A rational number as a polynomial."""
+        value = Fraction(value)
+        return self.context.constant(flint.fmpq(value.numerator, value.denominator))
+
+    def scaled(self, p: Polynomial, value: Fraction) -> Polynomial:
+        """value · p."""
+        return p * flint.fmpq(value.numerator, value.denominator)
+
+    def charge(self, cost: float) -> None:
+        """Book a cost in term products; raises TooCostly beyond the limit, BudgetExceeded beyond the time."""
+        self.spent += cost
+        if self.spent > self.limit:
+            raise TooCostly(f"{self.spent:.1e} term products")
+        if cost > 2e4:
+            self.budget.check()
+
+    def times(self, a: Polynomial, b: Polynomial) -> Polynomial:
+        """a · b."""
+        cost = len(a) * len(b)
+        if cost > 2e8:
+            raise TooCostly(f"a product of {len(a)} by {len(b)} terms")
+        self.charge(cost)
+        return a * b
+
+    def power(self, a: Polynomial, exponent: int) -> Polynomial:
+        """a ** exponent."""
+        if len(a) > 1:
+            self.charge(2.0 * math.comb(len(a) + exponent - 1, exponent))
+        return a**exponent
+
+    def degrees(self, p: Polynomial) -> tuple[int, ...]:
+        """The degree in each generator, lowest generator first."""
+        return p.degrees()[::-1]
+
+    def terms(self, p: Polynomial) -> dict[Monomial, Fraction]:
+        """The coefficients by exponents, lowest generator first."""
+        return {tuple(map(int, m))[::-1]: Fraction(int(c.p), int(c.q)) for m, c in p.to_dict().items()}
+
+    def polynomial(self, terms: dict[Monomial, Fraction]) -> Polynomial:
+        """The polynomial of these coefficients."""
+        return self.context.from_dict({m[::-1]: flint.fmpq(c.numerator, c.denominator) for m, c in terms.items()})
+
+    def factor(self, p: Polynomial) -> tuple[Fraction, list[tuple[Polynomial, int]]]:
+        """Content and irreducible factors over Q."""
+        self.charge(20.0 * len(p))
+        content, factors = p.factor()
+        return Fraction(int(content.p), int(content.q)), [(f, int(e)) for f, e in factors]
+
+    def quotient(self, a: Polynomial, b: Polynomial) -> Polynomial | None:
+        """a / b where the division is exact, else None."""
+        self.charge(len(a))
+        q, r = divmod(a, b)
+        return None if r else q
+
+    def leading(self, p: Polynomial) -> Fraction:
+        """The leading coefficient."""
+        c = p.leading_coefficient()
+        return Fraction(int(c.p), int(c.q))

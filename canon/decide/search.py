@@ -1,0 +1,224 @@
+"""Points of the region: proposed at random, repaired where they miss a condition, certified by balls.
+
+Every point that leaves this file is certified: each condition of the region holds there by a ball
+that excludes the contrary, the conditions on names that the residual doesn't contain included.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import sympy as sp
+from flint import acb, arb
+
+from canon.budget import Budget
+from canon.decide.arbitrary import ChosenFunction, choose_functions, rational
+from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
+from canon.decide.region import Region, Requirement, admits, bounds, holds
+from canon.decide.tape import Node, Tape, Unsupported
+
+Coordinate = Fraction | tuple[Fraction, Fraction]
+NICE = [Fraction(n, d) for d in (1, 2, 3, 4, 5) for n in range(1, 12) if math.gcd(n, d) == 1]
+
+
+@dataclass(frozen=True)
+class Sample:
+    """A certified point of the region.
+
+    `point` holds the exact coordinates; `solved` the enclosures of coordinates that a surface equation fixes.
+    """
+
+    point: Mapping[Node, Coordinate]
+    solved: Mapping[Node, Ball]
+    functions: Mapping[str, ChosenFunction]
+    balls: Mapping[Node, Ball] = field(compare=False)
+
+
+def ball_point(point: Mapping[Node, Coordinate], solved: Mapping[Node, Ball]) -> dict[Node, Ball]:
+    """The coordinates as balls at the working precision."""
+    out: dict[Node, Ball] = {}
+    for node, value in point.items():
+        out[node] = acb(*(rational(part) for part in value)) if isinstance(value, tuple) else arb(rational(value))
+    out.update(solved)
+    return out
+
+
+def samples(
+    tape: Tape,
+    targets: Sequence[Node],
+    region: Region,
+    rng: random.Random,
+    *,
+    count: int,
+    bits: int = 64,
+    tries: int = 60,
+    budget: Budget,
+    nice: bool = False,
+) -> Iterator[Sample]:
+    """Up to `count` certified points of the region at which the targets are defined too."""
+    finder = Finder(tape, targets, region, rng)
+    found = 0
+    for attempt in range(tries * max(1, count)):
+        budget.check()
+        sample = finder.attempt(bits, nice=nice and attempt < 4, effort=attempt)
+        if sample is not None:
+            found += 1
+            yield sample
+            if found >= count:
+                return
+
+
+def evaluate_again(tape: Tape, nodes: Sequence[Node], sample: Sample, bits: int) -> dict[Node, Ball]:
+    """Balls for further nodes at an exact sample, in another precision."""
+    with precision(bits):
+        return evaluate(tape, tape.reach(nodes), ball_point(sample.point, sample.solved), sample.functions)
+
+
+class Finder:
+    """The search for points of one region at which the targets are defined."""
+
+    def __init__(self, tape: Tape, targets: Sequence[Node], region: Region, rng: random.Random) -> None:
+        self.tape, self.region, self.rng = tape, region, rng
+        self.conditions = tape.reach(region.nodes())
+        self.everything = tape.reach([*region.nodes(), *targets])
+        inside = set(self.everything) | set(region.symbols)
+        self.symbols = sorted(node for node in inside if tape.ops[node][0] == "s")
+        self.bounds = bounds(tape, region)
+        self.orders = {r: tape.reach(r.nodes) for r in region.requirements}
+
+    def attempt(self, bits: int, *, nice: bool, effort: int) -> Sample | None:
+        """One proposal, repaired if need be; None where it could not be certified."""
+        functions = choose_functions(self.tape, self.everything, self.rng)
+        point = {node: self.propose(node, nice, effort) for node in self.symbols}
+        if self.region.surface:
+            from canon.decide.surface import onto_surface
+
+            placed = onto_surface(self, point, functions, bits)
+            if placed is None:
+                return None
+            exact, solved = placed
+            return self.certify(exact, solved, functions, bits)
+        sample = self.certify(point, {}, functions, bits)
+        if sample is not None or not self.region.requirements:
+            return sample
+        repaired = self.repair(point, functions)
+        return None if repaired is None else self.certify(repaired, {}, functions, bits)
+
+    def certify(
+        self,
+        point: Mapping[Node, Coordinate],
+        solved: Mapping[Node, Ball],
+        functions: Mapping[str, ChosenFunction],
+        bits: int,
+    ) -> Sample | None:
+        """The sample, if every requirement and every target is certified there."""
+        with precision(bits):
+            place = ball_point(point, solved)
+            try:
+                if not all(admits(self.tape.symbol_at(node), ball) for node, ball in place.items()):
+                    return None
+                balls = evaluate(self.tape, self.everything, place, functions)
+            except (OutOfDomain, ZeroDivisionError, OverflowError):
+                return None
+            if not all(holds(requirement, balls) for requirement in self.region.requirements):
+                return None
+        return Sample(dict(point), dict(solved), functions, balls)
+
+    # -- proposals ------------------------------------------------------------------------------
+
+    def propose(self, node: Node, nice: bool, effort: int) -> Coordinate:
+        """A random value that satisfies the symbol's assumptions and its own bounds."""
+        symbol, rng = self.tape.symbol_at(node), self.rng
+        if symbol.is_integer:
+            return self._integer(symbol)
+        low, high = self.bounds.get(node, (-math.inf, math.inf))
+        if symbol.is_nonnegative:
+            low = max(low, 0.0)
+        if symbol.is_nonpositive:
+            high = min(high, 0.0)
+        size = rng.choice(NICE) if nice else Fraction(rng.randrange(1, 400), rng.randrange(97, 211))
+        if effort % 3 == 2:
+            size *= Fraction(rng.choice((1, 2, 3, 5, 8, 40)), rng.choice((1, 2, 4, 7, 16, 300)))
+        if not symbol.is_real:
+            other = rng.choice(NICE) if nice else Fraction(rng.randrange(-400, 400), rng.randrange(97, 211))
+            return (size if rng.getrandbits(1) else -size, other)
+        if low > -math.inf and high < math.inf:
+            return _between(low, high, rng)
+        if low > -math.inf:
+            return Fraction(low).limit_denominator(64) + size
+        if high < math.inf:
+            return Fraction(high).limit_denominator(64) - size
+        return size if rng.getrandbits(1) else -size
+
+    def _integer(self, symbol: sp.Symbol) -> Fraction:
+        value = Fraction(self.rng.randrange(1, 9))
+        if symbol.is_even:
+            value *= 2
+        if symbol.is_odd:
+            value = 2 * value - 1
+        if symbol.is_nonnegative:
+            return value
+        return -value if symbol.is_nonpositive or self.rng.getrandbits(1) else value
+
+    # -- repair ---------------------------------------------------------------------------------
+
+    def violation(self, point: Mapping[Node, Coordinate], functions: Mapping[str, ChosenFunction]) -> tuple[float, list[Requirement]]:
+        """How far the point is from the region, and the requirements that it misses."""
+        missed: list[Requirement] = []
+        total = 0.0
+        with precision(64):
+            place = ball_point(point, {})
+            balls: dict[Node, Ball] = {}
+            for requirement in self.region.requirements:
+                try:
+                    evaluate(self.tape, self.orders[requirement], place, functions, balls)
+                except (OutOfDomain, ZeroDivisionError, OverflowError):
+                    missed.append(requirement)
+                    total += 3.0
+                    continue
+                if not holds(requirement, balls):
+                    missed.append(requirement)
+                    first = balls[requirement.nodes[0]]
+                    size = float(first.mid()) if isinstance(first, arb) else 1.0
+                    total += 1.0 + math.atan(abs(size))
+        return total, missed
+
+    def repair(self, point: Mapping[Node, Coordinate], functions: Mapping[str, ChosenFunction]) -> dict[Node, Coordinate] | None:
+        """A random descent towards the region, changing the symbols of the requirements that are missed."""
+        best = dict(point)
+        score, missed = self.violation(best, functions)
+        for step in range(120):
+            if not missed:
+                return best
+            names = sorted(set().union(*(self.tape.support(n) for r in missed for n in r.nodes)))
+            if not names:
+                return None
+            node = self.rng.choice(names)
+            trial = dict(best)
+            trial[node] = self._moved(node, best[node], step)
+            new_score, new_missed = self.violation(trial, functions)
+            if new_score <= score:
+                best, score, missed = trial, new_score, new_missed
+        return best if not missed else None
+
+    def _moved(self, node: Node, value: Coordinate, step: int) -> Coordinate:
+        symbol = self.tape.symbol_at(node)
+        if symbol.is_integer or isinstance(value, tuple) or step % 3 == 0:
+            return self.propose(node, False, 2)
+        factor = Fraction(self.rng.choice((1, 2, 3, 5, 10, 30)), self.rng.choice((1, 2, 3, 4, 10, 30)))
+        moved = value * factor
+        free = not (symbol.is_nonnegative or symbol.is_nonpositive)
+        return -moved if free and self.rng.random() < 0.3 else moved
+
+
+def _between(low: float, high: float, rng: random.Random) -> Fraction:
+    if not low < high:
+        return Fraction(low).limit_denominator(1000)
+    t = rng.uniform(0.08, 0.92)
+    value = low + t * (high - low)
+    width = high - low
+    return Fraction(value).limit_denominator(max(10, math.ceil(8 / width)))

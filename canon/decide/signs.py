@@ -1,0 +1,113 @@
+"""Signs of polynomials in the generators, from assumptions, from the region and from what is written.
+
+On the region every radicand and every argument of a logarithm is positive, because the claim speaks of
+nothing else; that is where most facts come from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from canon.decide.fraction_field import Element
+from canon.decide.generator_values import constant_sign
+from canon.decide.ring import Polynomial
+
+if TYPE_CHECKING:
+    from canon.decide.tower import Tower
+
+OPPOSITE = {"pos": "neg", "neg": "pos", "nonneg": "nonpos", "nonpos": "nonneg"}
+UP = ("pos", "nonneg")
+DOWN = ("neg", "nonpos")
+
+
+def sign_of(tower: Tower, p: Polynomial) -> str | None:
+    """ "pos", "neg", "nonneg" or "nonpos" where known on the whole region, else None."""
+    for known, sign in tower.facts:
+        if known == p:
+            return sign
+    total, strict = 0, False
+    for monomial, coefficient in tower.ring.terms(p).items():
+        term, certain = (1 if coefficient > 0 else -1), True
+        for k, e in enumerate(monomial):
+            if not e:
+                continue
+            sign = tower.generators[k].sign
+            if sign == "cplx":
+                return None
+            if sign == "pos":
+                continue
+            if sign == "neg":
+                term = -term if e % 2 else term
+                continue
+            certain = False
+            if e % 2 == 0 or sign == "nonneg":
+                continue
+            if sign == "nonpos":
+                term = -term
+                continue
+            return constant_sign(tower, p)
+        if total and term != total:
+            return constant_sign(tower, p)
+        total = term
+        strict = strict or certain
+    if not total:
+        return None
+    return ("pos" if strict else "nonneg") if total > 0 else ("neg" if strict else "nonpos")
+
+
+def add_fact(tower: Tower, p: Polynomial, sign: str) -> None:
+    """Remember the sign of p (and of −p); a bare generator keeps it as its own sign."""
+    if any(known == p for known, _ in tower.facts):
+        return
+    tower.facts.append((p, sign))
+    tower.facts.append((-p, OPPOSITE[sign]))
+    for q, s in ((p, sign), (-p, OPPOSITE[sign])):
+        made = tower.bare(q)
+        if made is not None and made.sign in ("real", "nonneg", "nonpos"):
+            made.sign = s
+
+
+def split(tower: Tower, x: Element) -> tuple[Fraction, list[tuple[Polynomial, int]]]:
+    """x as constant · Π factor ** exponent with factors irreducible over Q."""
+    field = tower.field
+    content, pieces = field.split_denominator(x[0])
+    powers = dict(pieces)
+    for k, e in x[1].items():
+        powers[k] = powers.get(k, 0) - e
+    return content, [(field.factors[k], e) for k, e in powers.items() if e]
+
+
+Classified = tuple[int, Fraction, list[tuple[Polynomial, int]], list[tuple[Polynomial, int]]]
+
+
+def classify(tower: Tower, x: Element) -> Classified:
+    """(sign, |constant|, positive factors, factors of unknown sign) of a real element."""
+    content, pieces = split(tower, x)
+    sign, known, unknown = (1 if content > 0 else -1), [], []
+    for f, e in pieces:
+        s = sign_of(tower, f)
+        if s in UP:
+            known.append((f, e))
+        elif s in DOWN:
+            known.append((-f, e))
+            sign = -sign if e % 2 else sign
+        else:
+            unknown.append((f, e))
+    return sign, abs(content), known, unknown
+
+
+def learn_positive(tower: Tower, elements: Sequence[Element]) -> None:
+    """Draw what follows from these elements being positive: the sign of a lone factor of unknown sign."""
+    for _ in range(3):
+        before = len(tower.facts)
+        for x in elements:
+            if not x[0] or tower.is_complex(x):
+                continue
+            sign, _, _, unknown = classify(tower, x)
+            odd = [f for f, e in unknown if e % 2]
+            if len(odd) == 1:
+                add_fact(tower, odd[0] if sign > 0 else -odd[0], "pos")
+        if len(tower.facts) == before:
+            return

@@ -1,0 +1,80 @@
+"""Coordinates in which both the old and the new variables are explicit, so that no map is ever inverted.
+
+For a map given forward these are (q, p); for one given backward (Q, P); for one that a generating function
+defines the mixed variables u, of which q, p, Q and P all are explicit functions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from canon.decide.derivative import derivative, substitute
+from canon.decide.tape import Node, Tape
+
+if TYPE_CHECKING:
+    from canon.mechanics import PhaseSpace, Transformation
+
+
+@dataclass(frozen=True)
+class Chart:
+    """Old and new variables as nodes over common coordinates.
+
+    **Arguments:** `direction` of the map ("none" where there is no map); `coordinates`, symbol nodes, positions
+    first; `old` = (q, p) and `new` = (Q, P) as functions of these; `images`, the nodes that stand for the variables
+    that are not coordinates themselves.
+    """
+
+    tape: Tape
+    direction: str
+    coordinates: tuple[Node, ...]
+    old: tuple[Node, ...]
+    new: tuple[Node, ...]
+    images: Mapping[Node, Node]
+    time: Node
+
+    def pull(self, node: Node) -> Node:
+        """A function of old and new variables, as a function of the coordinates."""
+        return substitute(self.tape, node, self.images) if self.images else node
+
+    def jacobian(self, functions: Sequence[Node]) -> list[list[Node]]:
+        """Their derivatives by the coordinates, one row for each function."""
+        return [[derivative(self.tape, f, u) for u in self.coordinates] for f in functions]
+
+    def by_time(self, functions: Sequence[Node]) -> list[Node]:
+        """Their derivatives by time at fixed coordinates."""
+        return [derivative(self.tape, f, self.time) for f in functions]
+
+
+def chart_of(tape: Tape, space: PhaseSpace, transformation: Transformation | None) -> Chart:
+    """The chart of a transformation (of none at all: the old variables)."""
+    old = tuple(tape.symbol(s) for s in space.old)
+    new = tuple(tape.symbol(s) for s in space.new)
+    time = tape.symbol(space.t)
+    if transformation is None:
+        return Chart(tape, "none", old, old, (), {}, time)
+    if transformation.direction == "implicit":
+        return _mixed_chart(tape, transformation, old, new, time)
+    formulas = tuple(tape.load(formula.expr) for formula in transformation.formulas)
+    if transformation.direction == "forward":
+        return Chart(tape, "forward", old, old, formulas, dict(zip(new, formulas, strict=True)), time)
+    return Chart(tape, "backward", new, formulas, new, dict(zip(old, formulas, strict=True)), time)
+
+
+def _mixed_chart(
+    tape: Tape, transformation: Transformation, old: tuple[Node, ...], new: tuple[Node, ...], time: Node
+) -> Chart:
+    generating = transformation.generating_function
+    assert generating is not None
+    F = tape.load(generating.F.expr)
+    u = tuple(tape.symbol(s) for s in generating.mixed)
+    names = tuple(tape.symbol(s) for s in (*generating.old_conjugates, *generating.new_conjugates))
+    old_signs, new_signs = generating.signs()
+    images = {
+        name: tape.scaled(derivative(tape, F, x), sign)
+        for name, x, sign in zip(names, u, (*old_signs, *new_signs), strict=True)
+    }
+    return Chart(
+        tape, "implicit", u, tuple(images.get(v, v) for v in old), tuple(images.get(v, v) for v in new), images, time
+    )

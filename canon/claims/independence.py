@@ -1,0 +1,195 @@
+"""Functional independence: a minor of the Jacobian that doesn't vanish identically on any component of the domain.
+
+One point of full rank proves independence on its own component only. But if a minor f is made of rational functions,
+sin, cos and exp, it is meromorphic on the connected Cᴺ, so that vanishing on any open set would be vanishing
+everywhere. Square roots and absolute values of such expressions are let in as follows: if for each choice of signs
+of the radicals the minor so changed is not identically zero, then neither is the product of all of them, which is
+free of radicals up to sign and divisible by f; so f vanishes on no open set, whatever its branches there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations, islice, product
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from canon.claims.bracket import keys_domain, tensor_of
+from canon.claims.determinant import determinant
+from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.claims.scale import never_zero
+from canon.decide.derivative import derivative, substitute
+from canon.decide.tape import Node, Tape, Unsupported
+from canon.domain import Condition
+from canon.errors import InputError
+
+if TYPE_CHECKING:
+    from canon.claims.chart import Chart
+    from canon.claims.question import Question
+    from canon.decide.region import Region
+
+MOST_MINORS = 400
+MOST_RADICALS = 3
+MEROMORPHIC = ("sin", "cos", "exp")
+THEOREM = "a meromorphic function on a connected domain that vanishes on an open set vanishes everywhere"
+PLACES = ((1, 2, 3, 5, 7, 11), (2, 1, 5, 3, 1, 4), (3, 7, 1, 2, 6, 5), (1, 3, 2, 7, 3, 8))
+
+
+def independent(question: Question) -> Outcome:
+    """`independent`: the functions are functionally independent almost everywhere."""
+    functions = question.formulas("functions")
+    tape = question.tape
+    region = keys_domain(question, *functions)
+    if question.key("tensor") is not None or question.key("structure") is not None:
+        variables = question.nodes(tensor_of(question)[1])
+    else:
+        variables = question.nodes(question.space.old)
+    nodes = [question.load(f) for f in functions]
+    if len(nodes) > len(variables):
+        nonempty = question.decide([Residual("0", tape.zero)], region)
+        if nonempty.status != "proved":
+            return nonempty
+        return exact("refuted", f"{len(nodes)} functions of {len(variables)} variables are dependent")
+    rows = [[derivative(tape, f, x) for x in variables] for f in nodes]
+    return full_rank(question, rows, variables, region, everywhere=True)
+
+
+def full_rank(
+    question: Question,
+    rows: Sequence[Sequence[Node]],
+    variables: Sequence[Node],
+    region: Region,
+    *,
+    everywhere: bool,
+    chart: Chart | None = None,
+) -> Outcome:
+    """Do the rows have full rank almost everywhere (`everywhere`), or at least at some point?"""
+    tape, chart = question.tape, chart or question.chart
+    size, width = len(rows), len(rows[0])
+    minors = (
+        (columns, determinant(tape, [[row[c] for c in columns] for row in rows]))
+        for columns in combinations(range(width), size)
+    )
+    vanishing: list[Outcome] = []
+    open_questions: list[str] = []
+    fallback: Outcome | None = None
+    for columns, minor in islice(minors, MOST_MINORS):
+        name = ", ".join(str(tape.symbol_at(variables[c])) for c in columns)
+        if tape.value(minor) == 0:
+            continue
+        pulled = chart.pull(minor)
+        answer = question.not_identically_zero(pulled, region)
+        if answer.status == "refuted":
+            vanishing.append(Outcome("proved", arguments=({"minor": name, "is": "0", "method": answer.method},)))
+            continue
+        if answer.status != "proved":
+            open_questions.append(f"is the minor {name} identically zero?")
+            continue
+        ranked = _ranked(question, minor, name, answer, region, variables if everywhere else None)
+        if ranked.status == "proved" or question.method == "numeric":
+            return ranked
+        fallback = fallback or ranked
+    if fallback is not None:
+        return fallback
+    if open_questions or next(minors, None) is not None:
+        return Outcome("undecided", note="; ".join(open_questions[:3]) or "too many minors")
+    nonempty = question.decide([Residual("all minors", tape.zero)], region)
+    if nonempty.status != "proved":
+        return nonempty
+    return combined([exact("refuted", "all maximal minors of the Jacobian vanish identically"), *vanishing])
+
+
+def _ranked(
+    question: Question, minor: Node, name: str, answer: object, region: Region, everywhere: Sequence[Node] | None
+) -> Outcome:
+    """What a minor that doesn't vanish at one point says (`everywhere`: of the whole domain, in these variables)."""
+    tape = question.tape
+    witness = getattr(answer, "witness", None)
+    point = witness.as_table() if witness is not None else {}
+    detail = {"minor": f"det d(functions)/d({name})", "nonzero_at": point}
+    step = {"minor": name, "value": question.show(minor), "is not 0 at": point}
+    if question.method == "numeric":
+        return Outcome("supported", method="witness", detail=detail, arguments=(step,))
+    if region.surface and everywhere is not None:
+        note = "full rank at one point of the surface; nothing is shown of its other components"
+        return Outcome("supported", method="witness", detail=detail, note=note)
+    parameters = {tape.symbol(s) for s in question.space.parameters} - set(everywhere or ())
+    fixed = frozenset(tape.support(minor) & parameters)
+    conditions = question.domain().conditions
+    proved = Outcome(
+        "proved", method="minor, analytic continuation", detail=detail, arguments=({**step, "theorem": THEOREM},)
+    )
+    if not_zero_for_any_parameters(tape, minor, fixed, conditions):
+        return proved
+    if everywhere is None and (not fixed or _harmless(tape, minor, fixed, conditions)):
+        return proved
+    gaps = ["on other components of the domain"] if everywhere is not None else []
+    gaps += ["at special values of parameters"] if fixed else []
+    note = f"full rank at one point; not shown {' or '.join(gaps)}"
+    return Outcome("supported", method="witness", detail=detail, note=note)
+
+
+def _harmless(tape: Tape, minor: Node, fixed: frozenset[Node], conditions: Sequence[Condition]) -> bool:
+    """A minor that contains nothing but parameters and is never zero."""
+    return tape.support(minor) <= fixed and never_zero(tape.to_sympy(minor), conditions)
+
+
+def not_zero_for_any_parameters(
+    tape: Tape, node: Node, parameters: frozenset[Node], conditions: Sequence[Condition]
+) -> bool:
+    """For all values of the parameters, the node is not identically zero on any open set of its other variables."""
+    if tape.functions_of([node]):
+        return False
+    try:
+        branches = list(_branches(tape, node, parameters))
+    except Unsupported:
+        return False
+    variables = sorted(tape.support(node) - parameters)
+    return any(all(_never_zero_at(tape, b, variables, place, conditions) for b in branches) for place in PLACES)
+
+
+def _never_zero_at(
+    tape: Tape, node: Node, variables: Sequence[Node], place: Sequence[int], conditions: Sequence[Condition]
+) -> bool:
+    """The value at a point, as a function of the parameters, has no zero."""
+    values = {x: tape.number(Fraction(place[k % len(place)], 1 + k // len(place))) for k, x in enumerate(variables)}
+    try:
+        there = tape.to_sympy(substitute(tape, node, values))
+    except InputError:
+        return False
+    return not there.has(sp.zoo, sp.nan, sp.oo) and never_zero(there, conditions)
+
+
+def _branches(tape: Tape, node: Node, parameters: frozenset[Node]) -> Iterator[Node]:
+    """The node for each choice of the signs of its radicals and absolute values; **raises** Unsupported for others."""
+    families: dict[tuple[str, Node], list[Node]] = {}
+    for i in tape.reach([node]):
+        op = tape.ops[i]
+        if tape.support(i) <= parameters:
+            continue
+        if op[0] == "r":
+            if op[3] != 2:
+                raise Unsupported("a root other than a square root")
+            families.setdefault(("r", op[1]), []).append(i)
+        elif op[0] == "f" and op[1] == "abs":
+            families.setdefault(("abs", op[2][0]), []).append(i)
+        elif op[0] == "f" and op[1] not in MEROMORPHIC:
+            raise Unsupported(f"{op[1]} has branches or poles that are not argued about")
+        elif op[0] == "u":
+            raise Unsupported("an arbitrary function")
+    if len(families) > MOST_RADICALS:
+        raise Unsupported("many radicals")
+    inside = {i for group in families.values() for i in group}
+    for kind, base in families:
+        if any(j in inside for j in tape.reach([base])):
+            raise Unsupported(f"nested radicals ({kind})")
+    for signs in product((1, -1), repeat=len(families)):
+        flipped = {
+            i: tape.negative(i) for group, sign in zip(families.values(), signs, strict=True) if sign < 0 for i in group
+        }
+        yield substitute(tape, node, flipped) if flipped else node
+
+
+KINDS = {"independent": independent}

@@ -1,0 +1,107 @@
+"""What a kind of claim found: a status with its grounds, and how several of them combine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from canon.verdict import Evidence, Status
+
+if TYPE_CHECKING:
+    from canon.decide.ladder import Answer
+
+
+@dataclass(frozen=True)
+class Residual:
+    """A quantity that must vanish for the claim to hold.
+
+    **Arguments:** `label`, its name for people ("{Q, P}"); `node`, its place on the tape; `actual`, the node of the
+    quantity itself (a bracket, of which `node` is the difference from what was claimed).
+    """
+
+    label: str
+    node: int
+    actual: int | None = None
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A residual with the decider's answer about it."""
+
+    residual: Residual
+    answer: Answer
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """A verdict in the making.
+
+    **Arguments:** `status`; `method`, the arguments used; `findings`, one for each residual that was decided;
+    `witness`, a table name = value; `numeric`, the samples taken; `detail`, what the kind found; `arguments`, the
+    certificate's steps as data; `note`, for people: what was tried, or which theorem was used.
+    """
+
+    status: Status
+    method: str = ""
+    findings: tuple[Finding, ...] = ()
+    witness: Mapping[str, Any] | None = None
+    numeric: Evidence | None = None
+    detail: Mapping[str, Any] = field(default_factory=dict)
+    arguments: tuple[Mapping[str, Any], ...] = ()
+    note: str = ""
+
+    @property
+    def failed(self) -> Finding | None:
+        """The finding that refutes, if there is one."""
+        return next((finding for finding in self.findings if finding.answer.status == "refuted"), None)
+
+    def with_detail(self, **items: Any) -> Outcome:
+        """The same outcome, with further details (None is left out)."""
+        return replace(self, detail={**self.detail, **{k: v for k, v in items.items() if v is not None}})
+
+    def with_status(self, status: Status, note: str = "") -> Outcome:
+        """The same outcome with another status, and a note added that says why."""
+        return replace(self, status=status, note="; ".join(part for part in (self.note, note) if part))
+
+
+def exact(status: Status, theorem: str, **detail: Any) -> Outcome:
+    """An outcome that follows from a theorem or from exact algebra, without a point."""
+    return Outcome(status, method="theorem", arguments=({"theorem": theorem},), detail=detail)
+
+
+def combined(outcomes: Iterable[Outcome]) -> Outcome:
+    """The conjunction: refuted if one is, proved if all are, supported if each is at least that, else undecided."""
+    parts = list(outcomes)
+    refuted = next((part for part in parts if part.status == "refuted"), None)
+    if refuted is not None:
+        status: Status = "refuted"
+    elif all(part.status == "proved" for part in parts):
+        status = "proved"
+    elif all(part.status in ("proved", "supported") for part in parts):
+        status = "supported"
+    else:
+        status = "undecided"
+    detail: dict[str, Any] = {}
+    for part in parts:
+        detail.update(part.detail)
+    methods = [name for part in ([refuted] if refuted else parts) for name in part.method.split(", ") if name]
+    return Outcome(
+        status,
+        method=", ".join(dict.fromkeys(methods)),
+        findings=tuple(finding for part in parts for finding in part.findings),
+        witness=refuted.witness if refuted else None,
+        numeric=merged(part.numeric for part in parts),
+        detail=detail,
+        arguments=tuple(argument for part in parts for argument in part.arguments),
+        note="; ".join(dict.fromkeys(part.note for part in parts if part.note)),
+    )
+
+
+def merged(evidence: Iterable[Evidence | None]) -> Evidence | None:
+    """One account of several samplings: the fewest points, the residual worst against its own bound."""
+    found = [item for item in evidence if item is not None]
+    if not found:
+        return None
+    worst = max(found, key=lambda item: item.max_residual / item.bound if item.bound else item.max_residual)
+    return Evidence(min(item.points for item in found), worst.max_residual, worst.bound, worst.bits)

@@ -1,0 +1,157 @@
+"""Potentials of closed forms, by guessing and checking: one is reported only once the decider has proved it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from canon.claims.outcome import Residual
+from canon.claims.show import neat
+from canon.decide.derivative import derivative
+from canon.decide.tape import Node
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+    from canon.decide.region import Region
+
+LONGEST = 150
+SECONDS = 1.0
+
+
+def verified_potential(
+    question: Question, slopes: Sequence[Node], variables: Sequence[Node], region: Region
+) -> sp.Expr | None:
+    """A function with these derivatives, proved to have them; None where none was found."""
+    tape = question.tape
+    budget = question.budget.share(0.3).at_most(SECONDS)
+    pulled = question.chart.pull
+    symbols = [tape.symbol_at(x) for x in variables]
+    expressions = [tape.to_sympy(slope) for slope in slopes]
+    found = _integrated(expressions, symbols, budget.spent)
+    if found is None or budget.spent():
+        return None
+    node = tape.load(found)
+    residuals = (
+        Residual(f"dF/d{x}", pulled(tape.minus(derivative(tape, node, tape.symbol(x)), slope)))
+        for x, slope in zip(symbols, slopes, strict=True)
+    )
+    outcome = question.decide(residuals, region, budget=budget)
+    return neat(found) if outcome.status == "proved" else None
+
+
+def cartan_potential(question: Question, H: Node, K: Node, region: Region) -> str | None:
+    """F with dF = p dq − H dt − (P dQ − K dt), in the chart's coordinates and time."""
+    tape, chart = question.tape, question.chart
+    half = len(chart.old) // 2
+    variables = (*chart.coordinates, chart.time)
+    slopes = []
+    for u in variables:
+        terms = []
+        for i in range(half):
+            terms.append((tape.times(chart.old[i + half], derivative(tape, chart.old[i], u)), 1))
+            terms.append((tape.times(chart.new[i + half], derivative(tape, chart.new[i], u)), -1))
+        if u == chart.time:
+            terms += [(chart.pull(H), -1), (chart.pull(K), 1)]
+        slopes.append(tape.add(terms))
+    found = verified_potential(question, slopes, variables, region)
+    return None if found is None else str(found)
+
+
+def _integrated(slopes: Sequence[sp.Expr], symbols: Sequence[sp.Symbol], late: object) -> sp.Expr | None:
+    found: sp.Expr = sp.S.Zero
+    for slope, x in zip(slopes, symbols, strict=True):
+        if sp.count_ops(slope) > 4 * LONGEST or (callable(late) and late()):
+            return None
+        rest = neat(sp.expand(slope - sp.diff(found, x)))
+        part = antiderivative(rest, x)
+        if part is None:
+            return None
+        found = found + part
+    return found
+
+
+def antiderivative(expression: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
+    """A function whose derivative by x is the expression, term by term; None where no guess fits."""
+    total: sp.Expr = sp.S.Zero
+    if sp.count_ops(expression) > LONGEST:
+        return None
+    whole = _guessed(expression, x)
+    if whole is not None:
+        return whole
+    for term in sp.Add.make_args(sp.expand(expression)):
+        part = _guessed(term, x)
+        if part is None:
+            return None
+        total = total + part
+    return total
+
+
+def _guessed(term: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
+    if not term.has(x):
+        return term * x
+    if sp.expand(term).is_polynomial(x):
+        return sp.integrate(sp.expand(term), x)
+    for candidate in _candidates(term, x):
+        slope = sp.diff(candidate, x)
+        if slope == 0:
+            continue
+        ratio = sp.cancel(term / slope) if not term.has(sp.sin, sp.cos) else sp.trigsimp(sp.cancel(term / slope))
+        if not ratio.has(x):
+            return ratio * candidate
+    return _by_parts(term, x)
+
+
+def _candidates(term: sp.Expr, x: sp.Symbol) -> Iterator[sp.Expr]:
+    """Guesses at an antiderivative up to a constant factor, from the parts of the term."""
+    for factor in sp.Mul.make_args(term):
+        if not factor.has(x):
+            continue
+        if isinstance(factor, sp.Derivative) and x in factor.variables:
+            left = list(factor.variables)
+            left.remove(x)
+            inner: Any = factor.expr
+            yield sp.Derivative(inner, *left) if left else inner
+        base, exponent = factor.as_base_exp()
+        if not exponent.has(x) and exponent != 1:
+            yield sp.log(base) if exponent == -1 else base ** (exponent + 1)
+            if exponent == -2:
+                yield from (sp.cot(a.args[0]) for a in base.atoms(sp.sin))
+                yield from (sp.tan(a.args[0]) for a in base.atoms(sp.cos))
+        yield factor
+        yield factor**2
+    for call in sorted(term.atoms(sp.Function), key=str):
+        if call.has(x) and not isinstance(call, AppliedUndef):
+            argument = call.args[0]
+            yield from (
+                sp.sin(argument),
+                sp.cos(argument),
+                sp.exp(argument),
+                sp.log(sp.sin(argument)),
+                sp.log(sp.cos(argument)),
+            )
+            yield argument - sp.sin(argument) * sp.cos(argument)
+            yield argument + sp.sin(argument) * sp.cos(argument)
+
+
+def _by_parts(term: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
+    """∫ xᵏ g'(x) with g a sine, cosine or exponential of something linear in x."""
+    power, rest = sp.S.One, sp.S.One
+    for factor in sp.Mul.make_args(term):
+        base, exponent = factor.as_base_exp()
+        if base == x and exponent.is_Integer and exponent > 0:
+            power = power * factor
+        else:
+            rest = rest * factor
+    if power == 1:
+        return None
+    inner = _guessed(rest, x) if not rest.has(x) or rest.has(sp.sin, sp.cos, sp.exp) else None
+    if inner is None:
+        return None
+    left = sp.expand(sp.diff(power, x) * inner)
+    remaining = [_guessed(part, x) for part in sp.Add.make_args(left)]
+    if any(part is None for part in remaining):
+        return None
+    return power * inner - sp.Add(*(part for part in remaining if part is not None))

@@ -1,0 +1,283 @@
+"""A claim being decided: its tape, its chart, its region, and the one door to the deciders."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import islice
+from typing import TYPE_CHECKING, Any, Literal, cast
+
+import sympy as sp
+
+from canon.budget import Budget
+from canon.claims.chart import Chart, chart_of
+from canon.claims.outcome import Finding, Outcome, Residual, combined
+from canon.decide import ladder
+from canon.decide.derivative import substitute
+from canon.decide.region import Region, Requirement
+from canon.decide.tape import Node, Tape
+from canon.domain import Domain
+from canon.errors import InputError
+from canon.expression import Formula
+from canon.verdict import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from canon.claim import Claim
+    from canon.mechanics import PhaseSpace, Subject, Transformation
+
+Method = Literal["symbolic", "numeric", "all"]
+Side = Literal["old", "new", "both"]
+
+SAMPLE_POINTS = 1000
+SUPPORT_POINTS = 100
+FIRST_BATCH = 6
+
+
+@dataclass(frozen=True)
+class Question:
+    """A claim with what is needed to decide it. Nothing is built before a kind asks for it."""
+
+    claim: Claim
+    budget: Budget
+    seed: int = 0
+    method: Method = "symbolic"
+    tape: Tape = field(default_factory=Tape)
+
+    # -- what the claim is about --------------------------------------------------------------
+
+    @property
+    def subject(self) -> Subject:
+        """What the claims of one file share."""
+        return self.claim.subject
+
+    @property
+    def space(self) -> PhaseSpace:
+        """The phase space."""
+        return self.subject.space
+
+    @cached_property
+    def map(self) -> Transformation:
+        """The transformation; **raises** `InputError` where there is none."""
+        found = self.subject.map
+        if found is None:
+            raise InputError(f"a claim of kind {self.claim.kind!r} needs a transformation or a generating function")
+        return found
+
+    def square_map(self) -> Transformation:
+        """The transformation, if it has as many new pairs as old ones; **raises** `InputError` otherwise."""
+        found = self.map
+        if len(self.space.Q) != self.space.n:
+            raise InputError(
+                f"a claim of kind {self.claim.kind!r} needs as many new pairs as old ones: "
+                f"there are {len(self.space.Q)} and {self.space.n}"
+            )
+        return found
+
+    @cached_property
+    def chart(self) -> Chart:
+        """Coordinates in which old and new variables are explicit."""
+        return chart_of(self.tape, self.space, self.subject.map)
+
+    def hamiltonian(self) -> Formula:
+        """H; **raises** `InputError` where the file has none."""
+        if self.subject.hamiltonian is None:
+            raise InputError(f"a claim of kind {self.claim.kind!r} needs a Hamiltonian")
+        return self.subject.hamiltonian
+
+    # -- keys ---------------------------------------------------------------------------------
+
+    def key(self, name: str, default: Any = None) -> Any:
+        """The value of a key of the claim."""
+        return self.claim.keys.get(name, default)
+
+    def formula(self, name: str, side: Side = "old") -> Formula:
+        """A key that holds a formula of the old or new variables; **raises** `InputError` where it is missing."""
+        value = self.key(name)
+        if value is None:
+            raise InputError(f"a claim of kind {self.claim.kind!r} needs the key {name!r}")
+        return self.checked(value, name, side)
+
+    def formulas(self, name: str, count: int | None = None, side: Side = "old") -> tuple[Formula, ...]:
+        """A key that holds a list of formulas, `count` of them."""
+        values = self.key(name)
+        if values is None:
+            raise InputError(f"a claim of kind {self.claim.kind!r} needs the key {name!r}")
+        values = (values,) if isinstance(values, Formula) else tuple(values)
+        if count is not None and len(values) != count:
+            raise InputError(f"{count} expressions are expected, not {len(values)}", f"key {name!r}")
+        return tuple(self.checked(value, name, side) for value in values)
+
+    def checked(self, formula: Formula, name: str, side: Side) -> Formula:
+        """The formula, if it uses no variable of the other side."""
+        if side == "both":
+            return formula
+        wrong = self.space.new if side == "old" else self.space.old
+        for symbol in sorted(formula.expr.free_symbols & set(wrong), key=str):
+            other = "new" if side == "old" else "old"
+            raise InputError(
+                f"{symbol} is one of the {other} variables: this formula is one in the {side} ones", f"key {name!r}"
+            )
+        return formula
+
+    # -- nodes and regions --------------------------------------------------------------------
+
+    def load(self, formula: Formula | sp.Expr | int) -> Node:
+        """The node of a formula, in its own variables."""
+        return self.tape.load(formula.expr if isinstance(formula, Formula) else formula)
+
+    def nodes(self, symbols: Iterable[sp.Symbol]) -> list[Node]:
+        """The symbols' nodes."""
+        return [self.tape.symbol(symbol) for symbol in symbols]
+
+    def sections(self) -> Iterator[Formula]:
+        """The formulas that every claim of the file carries along in its domain."""
+        subject = self.subject
+        if subject.hamiltonian is not None:
+            yield subject.hamiltonian
+        if subject.transformation is not None:
+            yield from subject.transformation.formulas
+        elif subject.generating_function is not None:
+            yield subject.generating_function.F
+
+    def domain(self, *formulas: Formula) -> Domain:
+        """The claim's domain in the variables in which it is written: old, new, or mixed."""
+        region = self.subject.domain
+        for formula in (*self.sections(), *formulas):
+            region = region & Domain(conditions=formula.conditions)
+        return region
+
+    def region(
+        self,
+        *formulas: Formula,
+        images: Mapping[Node, Node] | None = None,
+        domain: Domain | None = None,
+        chart: Chart | None = None,
+        assumed: bool = True,
+    ) -> Region:
+        """The claim's domain on the tape, pulled back to the chart.
+
+        **Arguments:** `formulas`, the claim's own keys; `images`, replaced after the chart's own; `domain`, in place of
+        `self.domain(*formulas)`; `chart`, in place of the subject's; `assumed`, whether an image must satisfy what is
+        assumed of the variable that it stands for.
+        """
+        tape, chart, images = self.tape, chart or self.chart, images or {}
+        names = [tape.symbol_at(u) for u in chart.coordinates if u not in images]
+        written = Region.of(tape, self.domain(*formulas) if domain is None else domain, names)
+        if not chart.images and not images:
+            return written
+
+        def moved(node: Node) -> Node:
+            pulled = chart.pull(node)
+            return substitute(tape, pulled, images) if images else pulled
+
+        requirements = []
+        for r in written.requirements:
+            nodes = tuple(moved(node) for node in r.nodes)
+            requirements.append(r if nodes == r.nodes else Requirement(r.kind, nodes, f"{r.text} (pulled back)"))
+        if assumed:
+            for variable in (*chart.images, *images):
+                requirements.extend(_assumption(tape, tape.symbol_at(variable), moved(variable)))
+        return Region(tuple(requirements), tuple(moved(node) for node in written.surface), written.symbols)
+
+    # -- deciding -----------------------------------------------------------------------------
+
+    def decide(self, residuals: Iterable[Residual], region: Region, *, budget: Budget | None = None) -> Outcome:
+        """Do all residuals vanish on the region? They are built in batches; a refutation builds no more."""
+        stream = iter(residuals)
+        time_left = budget or self.budget
+        outcomes: list[Outcome] = []
+        size = FIRST_BATCH
+        while batch := list(islice(stream, size)):
+            outcomes.append(self._decide_batch(batch, region, time_left))
+            if outcomes[-1].status == "refuted":
+                break
+            size *= 4
+        if not outcomes:
+            outcomes.append(self._decide_batch([Residual("0", self.tape.zero)], region, time_left))
+        return combined(outcomes)
+
+    def _decide_batch(self, batch: Sequence[Residual], region: Region, budget: Budget) -> Outcome:
+        if self.method == "numeric":
+            return self.sampled(batch, region, SAMPLE_POINTS, budget)
+        nodes = [residual.node for residual in batch]
+        answers = ladder.vanish(self.tape, nodes, region, budget=budget, seed=self.seed)
+        findings = [Finding(residual, answer) for residual, answer in zip(batch, answers, strict=False)]
+        outcome = combined(self._outcome_of(finding) for finding in findings)
+        if self.method == "all" and outcome.status != "refuted":
+            return self._beside(outcome, self.sampled(batch, region, SAMPLE_POINTS, budget))
+        if outcome.status in ("supported", "undecided") and not budget.spent():
+            unproved = [f.residual for f in findings if f.answer.status != "proved"]
+            return self._beside(outcome, self.sampled(unproved, region, SUPPORT_POINTS, budget))
+        return outcome
+
+    def _outcome_of(self, finding: Finding) -> Outcome:
+        answer, residual = finding.answer, finding.residual
+        arguments: tuple[dict[str, Any], ...] = ()
+        if answer.status == "proved":
+            step = {"vanishes": residual.label, "method": answer.method, "conditions": list(answer.conditions)}
+            arguments = ({**step, "certificate": answer.certificate},)
+        detail: dict[str, Any] = {}
+        if answer.status == "refuted":
+            detail["fails"] = residual.label
+            if answer.witness is not None:
+                detail["residual"] = answer.witness.value
+        note = answer.note if answer.status in ("supported", "undecided") else ""
+        return Outcome(
+            cast(Status, answer.status),
+            method=answer.method,
+            findings=(finding,),
+            witness=answer.witness.as_table() if answer.status == "refuted" and answer.witness else None,
+            detail=detail,
+            arguments=arguments,
+            note=note,
+        )
+
+    def sampled(self, batch: Sequence[Residual], region: Region, points: int, budget: Budget | None = None) -> Outcome:
+        """Numerical evidence: refuted where a ball excludes 0, else supported."""
+        nodes = [residual.node for residual in batch]
+        evidence, answer = ladder.sample(
+            self.tape, nodes, region, points=points, seed=self.seed, budget=budget or self.budget
+        )
+        if answer is not None and answer.status == "refuted":
+            index = getattr(answer, "index", None)
+            residual = batch[index if index is not None else 0]
+            return self._outcome_of(Finding(residual, answer))
+        if evidence is None or not evidence.points:
+            return Outcome("undecided", note="no sample points could be evaluated")
+        return Outcome("supported", method="sampling", numeric=evidence)
+
+    def _beside(self, outcome: Outcome, sampled: Outcome) -> Outcome:
+        """An exact outcome with numerical evidence beside it; the two must not contradict each other."""
+        if sampled.status == "refuted":
+            if outcome.status == "proved":
+                raise AssertionError(
+                    f"a proof of {outcome.findings[0].residual.label} coexists with a witness against it"
+                )
+            return sampled
+        if sampled.status != "supported":
+            return outcome
+        status = "supported" if outcome.status == "undecided" else outcome.status
+        return replace(outcome, status=status, numeric=sampled.numeric)
+
+    def not_identically_zero(self, node: Node, region: Region, *, budget: Budget | None = None) -> Any:
+        """Is there a point of the region where the node doesn't vanish? The ladder's answer."""
+        return ladder.nonvanishing(self.tape, node, region, budget=budget or self.budget, seed=self.seed)
+
+    def show(self, node: Node) -> str:
+        """A node as a formula for people, shortened where that is cheap."""
+        from canon.claims.show import shown
+
+        return shown(self.tape, node)
+
+
+def _assumption(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:
+    """What is assumed of a variable must hold of its image: the domain of a map ends where it doesn't."""
+    if symbol.is_nonnegative:
+        yield Requirement("positive", (image,), f"{symbol} > 0 (pulled back)")
+    elif symbol.is_nonpositive:
+        yield Requirement("positive", (tape.negative(image),), f"{symbol} < 0 (pulled back)")
+    elif symbol.is_zero is False:
+        yield Requirement("nonzero", (image,), f"{symbol} != 0 (pulled back)")

@@ -1,0 +1,173 @@
+"""What teaches: of a map that isn't canonical, the constant scale with which it would be, the brackets that fail, the
+values of parameters at which they hold, and a simple repair. Everything offered has been proved first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from canon.claims.outcome import Outcome, Residual
+from canon.claims.scale import Brackets, constant_scale
+from canon.decide.tape import Node
+from canon.errors import BudgetExceeded, CanonError
+
+if TYPE_CHECKING:
+    from canon.claims.chart import Chart
+    from canon.claims.question import Question
+    from canon.decide.region import Region
+
+SECONDS = 1.5
+MOST_BRACKETS = 6
+MOST_CANDIDATES = 40
+
+
+def lesson(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:
+    """The details of a refutation of M J Mᵀ = scale · J."""
+    found: dict[str, Any] = {"brackets": failing(question, brackets, outcome)}
+    short = replace(question, budget=question.budget.share(0.4).at_most(SECONDS), method="symbolic")
+    for step in (_constant, _repaired, _parameters):
+        if short.budget.spent():
+            break
+        try:
+            news = step(short, Brackets(short), scale, region, outcome)
+        except (CanonError, BudgetExceeded):
+            continue
+        found.update(news)
+        if "scale" in news:
+            break
+    return found
+
+
+def failing(question: Question, brackets: Brackets, outcome: Outcome) -> dict[str, str]:
+    """The brackets that were refuted, with their values."""
+    refuted = [finding for finding in outcome.findings if finding.answer.status == "refuted"]
+    shown = {f.residual.label: question.show(f.residual.actual or f.residual.node) for f in refuted[:MOST_BRACKETS]}
+    if len(refuted) > MOST_BRACKETS:
+        shown["…"] = f"and {len(refuted) - MOST_BRACKETS} more"
+    return shown
+
+
+def _constant(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:
+    """The constant with which the map is canonical, if there is one."""
+    m = brackets.pairs
+    diagonal = {brackets.label(i, i + m) for i in range(m)}
+    failed = {f.residual.label for f in outcome.findings if f.answer.status == "refuted"}
+    if not failed <= diagonal:
+        return {}
+    constant = constant_scale(question, region)
+    if constant.status != "proved" or constant.node is None:
+        return {}
+    tape = question.tape
+    shown = question.show(constant.node)
+    if constant.node == tape.one:
+        return {"scale": shown, "repair": "it is canonical with scale 1"}
+    target = "p" if brackets.inverted else "P"
+    ratio = tape.mul([(constant.node, -1), (scale, 1)] if brackets.inverted else [(constant.node, 1), (scale, -1)])
+    return {
+        "scale": shown,
+        "repair": f"it is canonical with scale {shown}; or divide each {target} by {question.show(ratio)}",
+    }
+
+
+@dataclass(frozen=True)
+class Repair:
+    """A changed map with the words for the change."""
+
+    words: str
+    functions: tuple[Node, ...]
+
+
+def _repaired(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:
+    """The first simple change that makes the map canonical with the scale claimed, proved to do so."""
+    tape = question.tape
+    expected = tape.power(scale, -1) if brackets.inverted else scale
+    for count, candidate in enumerate(_candidates(question, brackets, expected, outcome)):
+        if count >= MOST_CANDIDATES or question.budget.spent():
+            break
+        changed = Brackets(question, _with_functions(brackets.chart, candidate.functions))
+        try:
+            verdict = question.decide(changed.residuals(scale), region)
+        except CanonError:
+            continue
+        if verdict.status == "proved":
+            return {"repair": candidate.words}
+    return {}
+
+
+def _with_functions(chart: Chart, functions: tuple[Node, ...]) -> Chart:
+    if chart.direction == "backward":
+        return replace(chart, old=functions)
+    return replace(chart, new=functions)
+
+
+def _candidates(question: Question, brackets: Brackets, expected: Node, outcome: Outcome) -> Iterator[Repair]:
+    """Changes to try, the simplest first."""
+    tape, names, m = question.tape, brackets.names, brackets.pairs
+    functions = brackets.functions
+    failed = {f.residual.label for f in outcome.findings if f.answer.status == "refuted"}
+
+    def changed(index: int, node: Node) -> tuple[Node, ...]:
+        return (*functions[:index], node, *functions[index + 1 :])
+
+    for i in range(m):
+        if brackets.label(i, i + m) in failed:
+            yield Repair(f"the sign of {names[i + m]}", changed(i + m, tape.negative(functions[i + m])))
+    for i in range(m):
+        if brackets.label(i, i + m) not in failed:
+            continue
+        value = brackets.bracket(i, i + m)
+        if tape.value(value) == 0:
+            continue
+        factor = tape.mul([(value, 1), (expected, -1)])
+        shown = question.show(factor)
+        for k in (i + m, i):
+            yield Repair(f"divide {names[k]} by {shown}", changed(k, tape.mul([(functions[k], 1), (factor, -1)])))
+    for i in range(2 * m):
+        op = tape.ops[functions[i]]
+        if op[0] != "+" or len(op[2]) > 6:
+            continue
+        for node, coefficient in op[2]:
+            flipped = tape.add([(functions[i], 1), (node, -2 * coefficient)])
+            term = question.show(tape.scaled(node, coefficient))
+            yield Repair(f"the sign of the term {term} in {names[i]}", changed(i, flipped))
+    for i in range(m):
+        for j in range(i + 1, m):
+            for shift in (0, m):
+                swapped = list(functions)
+                swapped[i + shift], swapped[j + shift] = functions[j + shift], functions[i + shift]
+                yield Repair(f"exchange {names[i + shift]} and {names[j + shift]}", tuple(swapped))
+
+
+def _parameters(
+    question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome
+) -> dict[str, Any]:
+    """Values of parameters at which the map is canonical."""
+    from canon.claims.parameters import solutions
+    from canon.claims.transformation import chart_at, checked_solution
+    from canon.domain import conditions_of
+    from canon.expression import Formula
+
+    failed = [f.residual for f in outcome.findings if f.answer.status == "refuted"]
+    tape = question.tape
+    expressions = [tape.to_sympy(residual.node) for residual in failed if len(tape.reach([residual.node])) < 400]
+    names = [s for s in question.space.parameters if any(s in e.free_symbols for e in expressions)]
+    good = []
+    for table in solutions(expressions, names, question.budget):
+        values = {name: Formula(value, tuple(conditions_of(value)), str(value)) for name, value in table.items()}
+        try:
+            checked_solution(question, values, "")
+            images = {tape.symbol(name): tape.load(value.expr) for name, value in values.items()}
+            there = question.region(*values.values(), images=images)
+            changed = Brackets(question, chart_at(question, values))
+            if question.decide(_moved(question, changed, scale, images), there).status == "proved":
+                good.append({str(name): str(value.expr) for name, value in values.items()})
+        except CanonError:
+            continue
+    return {"holds_when": good} if good else {}
+
+
+def _moved(question: Question, brackets: Brackets, scale: Node, images: dict[Node, Node]) -> Iterator[Residual]:
+    from canon.decide.derivative import substitute
+
+    return brackets.residuals(substitute(question.tape, scale, images))

@@ -1,0 +1,242 @@
+"""The scale (valence) of a transformation: M J M^T = scale · J with a constant that is nowhere zero."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.decide.derivative import poisson_bracket, substitute
+from canon.decide.tape import Node
+from canon.domain import Condition
+from canon.errors import InputError
+from canon.expression import Formula
+from canon.sign import known_sign
+
+if TYPE_CHECKING:
+    from canon.claims.chart import Chart
+    from canon.claims.question import Question
+    from canon.decide.region import Region
+
+
+def never_zero(expression: sp.Expr, conditions: Iterable[Condition] = ()) -> bool:
+    """True when the expression certainly has no zero where the conditions hold; False when that doesn't show.
+
+    It looks at the factors: each must have a sign that the assumptions on names show, or be a factor of something
+    that the conditions keep from zero.
+    """
+    if expression.is_number:
+        return expression.is_zero is False
+    kept: set[sp.Expr] = set()
+    for condition in conditions:
+        if condition.kind in ("positive", "nonzero", "slit"):
+            kept |= set(_bases(condition.terms[0]))
+    return all(_base_never_zero(base, kept) for base in _bases(expression))
+
+
+def _base_never_zero(base: sp.Expr, kept: set[sp.Expr]) -> bool:
+    if base.is_number:
+        return base.is_zero is False
+    return base in kept or -base in kept or known_sign(base) in ("positive", "negative", "nonzero")
+
+
+def _bases(expression: sp.Expr) -> Iterator[sp.Expr]:
+    """The factors without their exponents."""
+    if sp.count_ops(expression) < 200 and not expression.has(AppliedUndef):
+        try:
+            expression = sp.factor(expression)
+        except (sp.PolynomialError, NotImplementedError):
+            expression = sp.factor_terms(expression)
+    for factor in sp.Mul.make_args(expression):
+        base = factor
+        while isinstance(base, sp.Pow):
+            base = base.base
+        if isinstance(base, sp.Mul):
+            yield from _bases(base)
+        else:
+            yield base
+
+
+def scale_of(question: Question) -> Formula | None:
+    """The claim's `scale`, None where it is left out.
+
+    **Raises:** `InputError` if it depends on variables, or isn't seen to be nowhere zero.
+    """
+    scale = question.key("scale")
+    if scale is None:
+        return None
+    where = "key 'scale'"
+    variables = {*question.space.old, *question.space.new, question.space.t}
+    for symbol in sorted(scale.expr.free_symbols & variables, key=str):
+        raise InputError(f"the scale is an expression in parameters alone, but it contains {symbol}", where)
+    if scale.expr.has(AppliedUndef):
+        raise InputError("the scale is an expression in parameters alone, without arbitrary functions", where)
+    if scale.expr.is_zero:
+        raise InputError("the scale is zero", where)
+    if not never_zero(scale.expr, question.domain(scale).conditions):
+        raise InputError(
+            f"the scale {scale.text or scale.expr} must be nowhere zero: declare a sign of its parameters, "
+            "or restrict the domain",
+            where,
+        )
+    return scale
+
+
+@dataclass(frozen=True)
+class Brackets:
+    """The fundamental brackets of a chart, each built when it is asked for.
+
+    Of a forward map those of Q, P in the old variables; of a backward map those of q, p in the new ones, which are
+    J / scale where the map is canonical with that scale.
+    """
+
+    question: Question
+    given: Chart | None = None
+
+    @property
+    def chart(self) -> Chart:
+        """The chart given, or that of the claim's own map."""
+        return self.given or self.question.chart
+
+    @property
+    def inverted(self) -> bool:
+        """True for a backward map."""
+        return self.chart.direction == "backward"
+
+    @property
+    def names(self) -> tuple[sp.Symbol, ...]:
+        """The variables whose brackets these are, positions first."""
+        space = self.question.space
+        return space.old if self.inverted else space.new
+
+    @property
+    def functions(self) -> tuple[Node, ...]:
+        """Their formulas in the chart's coordinates."""
+        return self.chart.old if self.inverted else self.chart.new
+
+    @property
+    def pairs(self) -> int:
+        """The number of conjugate pairs among them."""
+        return len(self.names) // 2
+
+    def bracket(self, i: int, j: int) -> Node:
+        """The bracket of the i-th and the j-th."""
+        chart = self.chart
+        half = len(chart.coordinates) // 2
+        f, g = self.functions[i], self.functions[j]
+        return poisson_bracket(chart.tape, f, g, chart.coordinates[:half], chart.coordinates[half:])
+
+    def label(self, i: int, j: int) -> str:
+        """A name such as `{Q, P}`."""
+        return f"{{{self.names[i]}, {self.names[j]}}}"
+
+    def order(self) -> list[tuple[int, int]]:
+        """All pairs of indices, conjugate pairs first: they fail most often and show the scale."""
+        m = self.pairs
+        diagonal = [(i, i + m) for i in range(m)]
+        rest = [(i, j) for i in range(2 * m) for j in range(i + 1, 2 * m) if j != i + m]
+        return diagonal + rest
+
+    def residuals(self, scale: Node) -> Iterator[Residual]:
+        """M J M^T − scale·J, entry by entry (of a backward map, for its inverse)."""
+        tape, m = self.question.tape, self.pairs
+        expected = tape.power(scale, -1) if self.inverted else scale
+        for i, j in self.order():
+            actual = self.bracket(i, j)
+            node = tape.minus(actual, expected) if j == i + m else actual
+            yield Residual(self.label(i, j), node, actual)
+
+
+@dataclass(frozen=True)
+class ConstantScale:
+    """The constant with which a map is canonical, if it is: `node` is None where it was not found."""
+
+    outcome: Outcome
+    node: Node | None
+
+    @property
+    def status(self) -> str:
+        """The status of "canonical with some constant scale"."""
+        return self.outcome.status
+
+
+def constant_scale(question: Question, region: Region) -> ConstantScale:
+    """Decides whether the map is canonical with some constant scale, and finds it.
+
+    The value of the first bracket at one point of the domain (parameters left free) is the only candidate;
+    that all brackets agree with it everywhere is then decided exactly.
+    """
+    tape = question.tape
+    if question.chart.direction == "implicit":
+        from canon.claims.generating_function import hessian_outcome
+
+        return ConstantScale(hessian_outcome(question, region), tape.one)
+    brackets = Brackets(question)
+    first = brackets.bracket(0, brackets.pairs)
+    candidate, outcome = _candidate(question, region, brackets, first)
+    if candidate is None:
+        return ConstantScale(outcome, None)
+    scale = tape.power(candidate, -1) if brackets.inverted else candidate
+    rest = brackets.residuals(scale)
+    next(rest)
+    outcome = combined([outcome, question.decide(rest, region)])
+    outcome = outcome.with_detail(scale=question.show(scale))
+    if outcome.status == "proved" and not never_zero(tape.to_sympy(scale), question.domain().conditions):
+        return ConstantScale(outcome.with_status("supported", "the scale is not seen to be nowhere zero"), scale)
+    return ConstantScale(outcome, scale)
+
+
+def _candidate(question: Question, region: Region, brackets: Brackets, first: Node) -> tuple[Node | None, Outcome]:
+    """The constant that the first bracket is, with the outcome that says so; None where it is no constant."""
+    tape = question.tape
+    label = brackets.label(0, brackets.pairs)
+    value = tape.value(first)
+    if value == 0:
+        trivial = question.decide([Residual(label, tape.zero)], region)
+        if trivial.status != "proved":
+            return None, trivial
+        return None, exact("refuted", "a scale is not zero", fails=label, brackets={label: "0"})
+    variables = {*question.chart.coordinates, question.chart.time}
+    if value is not None or (not tape.support(first) & variables and not tape.functions_of([first])):
+        return first, question.decide([Residual(f"{label} is constant", tape.zero)], region)
+    unit = question.decide([Residual(f"{label} = 1", tape.minus(first, tape.one))], region)
+    if unit.status != "refuted" or unit.failed is None or unit.failed.answer.witness is None:
+        return (tape.one, unit) if unit.status in ("proved", "supported") else (None, unit)
+    point = unit.failed.answer.witness.coordinates
+    outcome = unit
+    for constant in _values_at(question, first, point, variables):
+        same = question.decide([Residual(f"{label} is constant", tape.minus(first, constant))], region)
+        if same.status == "proved":
+            if tape.value(constant) == 0:
+                return None, exact("refuted", "a scale is not zero", fails=label, brackets={label: "0"})
+            return constant, same
+        outcome = same
+    return None, outcome.with_detail(fails=f"{label} is not constant") if outcome.status == "refuted" else outcome
+
+
+def _values_at(question: Question, node: Node, point: Mapping[str, Any], variables: set[Node]) -> Iterator[Node]:
+    """The node's value at a point, parameters left free: guessed as a simple number first, then as it is."""
+    tape = question.tape
+    values: dict[Node, Node] = {}
+    for place in variables:
+        value = point.get(str(tape.symbol_at(place)))
+        if isinstance(value, Mapping):
+            unit = tape.constant("I")
+            values[place] = tape.add([(tape.one, Fraction(value["re"])), (unit, Fraction(value["im"]))])
+        elif value is not None:
+            values[place] = tape.number(Fraction(value))
+    if not (tape.support(node) & variables) <= set(values) or tape.functions_of([node]):
+        return
+    exactly = substitute(tape, node, values)
+    expression = tape.to_sympy(exactly)
+    if not expression.free_symbols and not tape.is_complex(exactly):
+        near = Fraction(str(sp.N(expression, 30))).limit_denominator(10_000)
+        if abs(sp.N(expression - sp.Rational(near.numerator, near.denominator), 30)) < 1e-20:
+            yield tape.number(near)
+            return
+    yield exactly

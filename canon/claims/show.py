@@ -1,0 +1,38 @@
+"""Formulas for people: no verdict rests on what happens here."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from canon.decide.tape import Node, Tape
+
+SHORT = 120
+
+
+def neat(expression: sp.Expr) -> sp.Expr:
+    """A shorter form of a small expression; a large one is left as it is."""
+    if sp.count_ops(expression) > SHORT or expression.has(sp.Derivative, sp.Subs):
+        return expression
+    forms: list[Any] = [expression]
+    try:
+        forms.append(sp.factor_terms(sp.cancel(expression)))
+        if expression.has(sp.sin, sp.cos):
+            forms.append(sp.trigsimp(forms[-1]))
+        if forms[-1].is_polynomial(*forms[-1].free_symbols):
+            forms.append(sp.factor(forms[-1]))
+    except (sp.PolynomialError, NotImplementedError, TypeError, AttributeError):
+        pass
+    return min(forms, key=sp.count_ops)
+
+
+def shown(tape: Tape, node: Node) -> str:
+    """A node as text."""
+    value = tape.value(node)
+    if value is not None:
+        return str(value)
+    if len(tape.reach([node])) > 4 * SHORT:
+        return "a formula too long to show"
+    text = str(neat(tape.to_sympy(node)))
+    return text if len(text) <= 400 else text[:397] + "..."

@@ -1,0 +1,153 @@
+"""Canonical maps: the fundamental brackets, with a scale, to an order, at values of parameters, on a surface.
+
+M J M^T = scale · J with M = ∂(Q,P)/∂(q,p) is decided bracket by bracket; no Jacobian matrix is built.
+A map given backward is canonical with a scale exactly when the brackets of q, p in the new variables are J / scale.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from canon.claims.chart import Chart
+from canon.claims.outcome import Outcome, combined, exact
+from canon.claims.scale import Brackets, scale_of
+from canon.claims.truncated import truncated
+from canon.decide.tape import Node
+from canon.errors import InputError
+from canon.mechanics.formulas import replaced
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+    from canon.expression import Formula
+
+
+def canonical(question: Question) -> Outcome:
+    """`canonical`: M J Mᵀ = scale · J everywhere in the domain (with `order`: up to higher powers)."""
+    scale = scale_of(question)
+    direction = question.map.direction
+    order = question.key("order")
+    if order is not None:
+        return truncated(question, scale, order)
+    if direction == "implicit":
+        from canon.claims.generating_function import canonical_of_generating_function
+
+        return canonical_of_generating_function(question, scale)
+    extra = (scale,) if scale else ()
+    region = question.region(*extra)
+    node = question.load(scale) if scale else question.tape.one
+    brackets = Brackets(question)
+    outcome = question.decide(brackets.residuals(node), region)
+    if outcome.status == "proved":
+        return outcome.with_detail(scale=question.show(node))
+    if outcome.status == "refuted":
+        return taught(question, brackets, node, region, outcome)
+    return outcome
+
+
+def fundamental_brackets(question: Question) -> Outcome:
+    """`fundamental_brackets`: {Q_i,Q_j} = {P_i,P_j} = 0 and {Q_i,P_j} = δ_ij, bracket by bracket."""
+    if question.map.direction == "implicit":
+        from canon.claims.generating_function import canonical_of_generating_function
+
+        return canonical_of_generating_function(question, None)
+    region = question.region()
+    brackets = Brackets(question)
+    outcome = question.decide(brackets.residuals(question.tape.one), region)
+    if outcome.status == "refuted":
+        return taught(question, brackets, question.tape.one, region, outcome)
+    return outcome.with_detail(brackets={f.residual.label: f.answer.status for f in outcome.findings} or None)
+
+
+def taught(question: Question, brackets: Brackets, scale: Node, region: Any, outcome: Outcome) -> Outcome:
+    """A refutation with what there is to learn from it."""
+    if question.method == "numeric":
+        return outcome
+    from canon.claims.repair import lesson
+
+    return outcome.with_detail(**lesson(question, brackets, scale, region, outcome))
+
+
+def canonical_when(question: Question) -> Outcome:
+    """`canonical_when`: canonical at each of the solutions, and not at generic values of the parameters named."""
+    solutions = question.key("solutions")
+    if not solutions:
+        raise InputError("at least one solution is needed", "key 'solutions'")
+    if question.map.direction == "implicit":
+        raise InputError("`canonical_when` is about an explicit transformation")
+    tape, space = question.tape, question.space
+    brackets = Brackets(question)
+    parts: list[Outcome] = []
+    for number, table in enumerate(solutions, 1):
+        values = checked_solution(question, table, f"key 'solutions', table {number}")
+        images = {tape.symbol(name): question.load(value) for name, value in values.items()}
+        region = question.region(*values.values(), images=images)
+        outcome = question.decide(Brackets(question, chart_at(question, values)).residuals(tape.one), region)
+        if outcome.status == "refuted":
+            shown = {str(name): str(value.expr) for name, value in values.items()}
+            return replace(outcome, witness=outcome.witness and {**shown, **outcome.witness}).with_detail(at=shown)
+        parts.append(outcome)
+    names = {symbol for table in solutions for symbol in table}
+    generic = question.decide(brackets.residuals(tape.one), question.region())
+    named = ", ".join(sorted(map(str, names)))
+    if generic.status == "proved":
+        return exact("refuted", f"the map is canonical at all values of {named}", canonical="at all values")
+    if generic.status != "refuted":
+        return combined([*parts, Outcome("undecided", note=f"not shown to fail at generic values of {named}")])
+    assert generic.failed is not None
+    if not set(space.parameters) >= names:
+        raise InputError("solutions are values of parameters", "key 'solutions'")
+    fails = Outcome(
+        "proved",
+        method=generic.method,
+        arguments=({"fails generically": generic.failed.residual.label, "at": dict(generic.witness or {})},),
+        detail={"generic_failure": generic.failed.residual.label},
+    )
+    return combined([*parts, fails])
+
+
+def checked_solution(question: Question, table: Any, where: str) -> dict[Any, Formula]:
+    """A solution's values; **raises** `InputError` where a name is no parameter or its assumptions are violated."""
+    values = dict(table)
+    if not values:
+        raise InputError("an empty table", where)
+    variables = {*question.space.old, *question.space.new, question.space.t}
+    for name, value in values.items():
+        if name not in question.space.parameters:
+            raise InputError(f"{name} is not a parameter", where)
+        for symbol in sorted(value.expr.free_symbols & variables, key=str):
+            raise InputError(f"the value of {name} contains the variable {symbol}", where)
+        for symbol in sorted(value.expr.free_symbols & set(values), key=str):
+            raise InputError(f"the value of {name} contains {symbol}, which the same table fixes", where)
+        for word in ("real", "positive", "negative", "nonnegative", "nonpositive", "nonzero", "integer"):
+            if getattr(name, f"is_{word}") and getattr(value.expr, f"is_{word}") is False:
+                raise InputError(f"{name} is {word}, so {name} = {value.expr} is not allowed", where)
+        if name.is_integer and not value.expr.is_integer:
+            raise InputError(f"{name} is an integer, and {value.expr} is not seen to be one", where)
+        if name.is_real and not value.expr.is_real:
+            raise InputError(f"{name} is real, and {value.expr} is not seen to be", where)
+    return values
+
+
+def chart_at(question: Question, values: dict[Any, Formula]) -> Chart:
+    """The chart of the map with parameters replaced; **raises** `InputError` where that leaves it undefined."""
+    mapping = {name: value.expr for name, value in values.items()}
+    nodes = []
+    for formula in question.map.formulas:
+        expression = replaced(formula.expr, mapping)
+        if expression.has(sp.zoo, sp.nan, sp.oo):
+            raise InputError(f"{formula.text or formula.expr} is undefined there", "key 'solutions'")
+        nodes.append(question.load(expression))
+    chart = question.chart
+    images = dict(zip(chart.images, nodes, strict=True))
+    forward = chart.direction == "forward"
+    return replace(chart, images=images, **({"new": tuple(nodes)} if forward else {"old": tuple(nodes)}))
+
+
+KINDS = {
+    "canonical": canonical,
+    "canonical_when": canonical_when,
+    "fundamental_brackets": fundamental_brackets,
+}

@@ -1,0 +1,97 @@
+"""From a claim to its verdict."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from typing import Any
+
+from canon.budget import Budget
+from canon.claim import Claim
+from canon.claims.kinds import kind_named
+from canon.claims.outcome import Outcome
+from canon.claims.question import Method, Question
+from canon.decide.certificate import Certificate
+from canon.decide.tape import Unsupported
+from canon.errors import BudgetExceeded, InputError
+from canon.verdict import Verdict
+
+METHODS = ("symbolic", "numeric", "all")
+
+
+def verify(claim: Claim, *, budget: float = 10.0, seed: int = 0, method: Method = "symbolic") -> Verdict:
+    """The verdict on a claim.
+
+    **Arguments:** `claim`; `budget` in seconds (the claim's own wins); `seed` of the points that are tried; `method`:
+    "symbolic" decides exactly, "numeric" samples the residuals with rigorous balls (at most `supported`, or
+    `refuted`), "all" does both.
+
+    **Returns:** a `Verdict`: `proved` and `refuted` rest on exact arguments or certified witnesses, never on floats.
+
+    **Raises:** `InputError` where the claim is ill-posed.
+    """
+    if method not in METHODS:
+        raise InputError(f"a method is one of {', '.join(METHODS)}, not {method!r}")
+    decide = kind_named(claim.kind)
+    start = time.monotonic()
+    question = Question(claim, Budget(claim.budget if claim.budget is not None else budget), seed, method)
+    try:
+        outcome = decide(question)
+    except BudgetExceeded as reason:
+        outcome = Outcome("undecided", note=str(reason))
+    except Unsupported as reason:
+        outcome = Outcome("undecided", note=f"outside of what the deciders know: {reason}")
+    except RecursionError:
+        outcome = Outcome("undecided", note="an expression nested too deeply")
+    if method == "numeric" and outcome.status == "proved":
+        outcome = outcome.with_status("supported", "sampled only")
+    return _verdict(question, outcome, time.monotonic() - start)
+
+
+def _verdict(question: Question, outcome: Outcome, seconds: float) -> Verdict:
+    claim = question.claim
+    detail: dict[str, Any] = dict(outcome.detail)
+    if outcome.note:
+        detail["note"] = outcome.note
+    return Verdict(
+        status=outcome.status,
+        kind=claim.kind,
+        title=claim.title,
+        method=outcome.method,
+        seconds=seconds,
+        witness=outcome.witness if outcome.status == "refuted" else None,
+        numeric=outcome.numeric,
+        certificate=_certificate(question, outcome) if outcome.status in ("proved", "refuted") else None,
+        detail=detail,
+    )
+
+
+def _certificate(question: Question, outcome: Outcome) -> Certificate:
+    """The argument as data, made when it is looked at: claim, domain, and each step with its grounds."""
+    return Certificate(lambda: _steps(question, outcome))
+
+
+def _steps(question: Question, outcome: Outcome) -> dict[str, Any]:
+    claim = question.claim
+    domain = question.domain()
+    return {
+        "kind": claim.kind,
+        "title": claim.title,
+        "verdict": outcome.status,
+        "keys": {name: _plain(value) for name, value in claim.keys.items()},
+        "domain": [str(condition) for condition in domain.conditions] + [f"{e} = 0" for e in domain.surface],
+        "witness": dict(outcome.witness) if outcome.witness is not None else None,
+        "arguments": [
+            {name: dict(value) if isinstance(value, Mapping) else value for name, value in argument.items()}
+            for argument in outcome.arguments
+        ],
+    }
+
+
+def _plain(value: Any) -> Any:
+    """A key's value as text, lists and tables of text."""
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if hasattr(value, "items"):
+        return {str(name): _plain(item) for name, item in value.items()}
+    return str(getattr(value, "expr", value))

@@ -15,7 +15,7 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import Connection
-from typing import Any
+from typing import Any, Literal
 
 from canon.claim import Claim
 from canon.errors import InputError
@@ -43,7 +43,7 @@ class Settings:
 
     budget: float = 10.0
     seed: int = 0
-    method: str = "symbolic"
+    method: Literal["symbolic", "numeric", "all"] = "symbolic"
     memory: int | None = None
 
     def seconds(self, entry: Entry) -> float:
@@ -134,8 +134,7 @@ def _read_again(entry: Entry) -> Claim:
     """Return the claim of an entry that came without it."""
     from canon.claims.reader import read_file
 
-    claims, _ = read_file(entry.path)
-    return next(claim for index, claim in claims if index == entry.index)
+    return next(claim for claim in read_file(entry.path).claims if claim.index == entry.index)
 
 
 def _isolate(memory: int | None) -> None:

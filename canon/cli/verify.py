@@ -58,6 +58,8 @@ def execute(arguments: argparse.Namespace) -> int:
     answers = [results[position] for position in sorted(results)]
     claims = [answer["claim"] for answer in answers if "claim" in answer]
     errors += [answer["error"] for answer in answers if "error" in answer]
+    order = {name: rank for rank, name in enumerate(dict.fromkeys([entry.file for entry in entries]))}
+    errors.sort(key=lambda error: order.get(error["file"], -1))
     record = run_record(claims, errors)
     left = len(entries) - len(results) if interrupted else 0
     _print(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)

@@ -18,21 +18,18 @@ def explained(claims: list[Record]) -> list[Record]:
 
 
 def explanation(claim: Record) -> Iterator[str]:
-    """Yield the lines that explain a verdict: a heading, what was found, where, and the numerical evidence."""
+    """Yield the lines that explain a verdict: a heading, what fails and where, what else was found, the evidence."""
     title = name(claim)
     kind = claim["kind"].replace("_", " ")
     what = title if title == kind else f"{kind}, {title}"
     yield f"{visible(claim['file'])} #{claim['index'] + 1} ({what}) is {claim['verdict']}{_how(claim)}"
+    if claim["verdict"] == "refuted":
+        yield f"  {_failure(claim)}"
     for key, datum in claim["detail"].items():
-        if datum is None or datum in ("", [], {}):
+        if key in {"fails", "residual"} or datum is None or datum in ("", [], {}):
             continue
         text = value(datum)
         yield f"  {text}" if key == "note" else f"  {visible(key.replace('_', ' '))}: {text}"
-    if claim["witness"]:
-        places = ", ".join(f"{visible(key)} = {value(datum)}" for key, datum in claim["witness"].items())
-        yield f"  at {places}"
-    elif claim["verdict"] == "refuted":
-        yield "  by an exact argument, wherever the formulas are defined"
     if claim["numeric"]:
         numeric = claim["numeric"]
         yield (
@@ -42,6 +39,29 @@ def explanation(claim: Record) -> Iterator[str]:
     if claim["verdict"] == "undecided":
         hint = "; a larger --budget may help" if "budget" in str(claim["detail"]) else ""
         yield f"  undecided after {duration(claim['seconds'])}{hint}"
+
+
+def _failure(claim: Record) -> str:
+    """Return what fails, by how much, and where."""
+    fails, residual = claim["detail"].get("fails"), claim["detail"].get("residual")
+    parts = ["it fails" if not fails else f"{value(fails)} fails"]
+    if residual:
+        parts.append(f"by {_rounded(residual)}")
+    if claim["witness"]:
+        places = ", ".join(f"{visible(key)} = {value(datum)}" for key, datum in claim["witness"].items())
+        parts.append(f"at {places}")
+    else:
+        parts.append("by an exact argument, wherever the formulas are defined")
+    return " ".join(parts)
+
+
+def _rounded(residual: object) -> str:
+    """Return a decimal without the zeros at its end."""
+    text = value(residual)
+    digits, mark, exponent = text.partition("e")
+    if "." in digits and digits.lstrip("-").replace(".", "").isdigit():
+        digits = digits.rstrip("0").rstrip(".")
+    return digits + mark + exponent
 
 
 def error_line(error: Record) -> str:

@@ -39,7 +39,13 @@ REFUTED = claim(
     expected=False,
     method="ball",
     witness={"q": "3/2", "z": {"re": "1/2", "im": "1"}},
-    detail={"bracket": "{Q,P}", "value": "2", "repair": None, "conditions": ["a = 1", "b = 0"]},
+    detail={
+        "fails": "{Q, P}",
+        "residual": "1.00000000000",
+        "brackets": {"{Q, P}": "2"},
+        "repair": None,
+        "sign": [1, 2],
+    },
 )
 
 
@@ -83,16 +89,15 @@ def test_values_in_words() -> None:
 def test_a_refutation_teaches() -> None:
     assert list(explanation(REFUTED)) == [
         "maps.toml #2 (canonical, Q = q, P = 2 p) is refuted (ball)",
-        "  bracket: {Q,P}",
-        "  value: 2",
-        "  conditions: a = 1; b = 0",
-        "  at q = 3/2, z = 1/2 + 1 i",
+        "  {Q, P} fails by 1 at q = 3/2, z = 1/2 + 1 i",
+        "  brackets: {Q, P} = 2",
+        "  sign: 1; 2",
     ]
 
 
 def test_a_refutation_without_a_point_says_so() -> None:
-    lines = list(explanation(REFUTED | {"witness": None}))
-    assert lines[-1] == "  by an exact argument, wherever the formulas are defined"
+    lines = list(explanation(REFUTED | {"witness": None, "detail": {}}))
+    assert lines[1:] == ["  it fails by an exact argument, wherever the formulas are defined"]
 
 
 def test_evidence_and_indecision_in_words() -> None:

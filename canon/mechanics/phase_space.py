@@ -6,10 +6,12 @@ from difflib import get_close_matches
 from typing import Any, TypeAlias
 
 import sympy as sp
-from sympy.core.relational import GreaterThan, LessThan, Relational, StrictGreaterThan, StrictLessThan
 
-from canon.domain import Condition, Domain, conditions_of
+from canon.domain import Domain
 from canon.errors import InputError
+from canon.expression import Formula, read, read_relation
+from canon.mechanics.relations import region_of
+from canon.vocabulary import Vocabulary
 
 Names: TypeAlias = str | sp.Symbol | Iterable[str | sp.Symbol]
 
@@ -198,19 +200,34 @@ class PhaseSpace:
         """The arbitrary smooth function with this name; **raises** `InputError` when it is not declared."""
         if name not in self.functions:
             raise InputError(f"{name!r} is not declared as a function")
-        return sp.Function(name, real=True)
+        return sp.Function(name)
 
-    def where(self, *relations: sp.Basic) -> "PhaseSpace":
+    def formula(self, text: str) -> Formula:
+        """The formula that a text states, read as in a claim file; **raises** `InputError` where it cannot be."""
+        return read(text, self._names())
+
+    def _names(self) -> Vocabulary:
+        return Vocabulary(
+            symbols=self.vocabulary,
+            functions=frozenset(self.functions),
+            pairs=tuple(zip(self.q, self.p, strict=True)),
+            new=frozenset(symbol.name for symbol in self.new),
+        )
+
+    def where(self, *relations: sp.Basic | str) -> "PhaseSpace":
         """The same space, with claims restricted to the region where the relations hold.
 
-        **Arguments:** inequalities (`>=` is read as `>`: claims speak of the open part), `Ne`, conjunctions of these,
-        and `Eq` for a surface.
+        **Arguments:** inequalities (`>=` is read as `>`: claims speak of the open part), as text or from sympy; of
+        these also `Ne`, conjunctions, and `Eq` for a surface.
 
         **Raises:** `InputError` for a relation that cannot hold, or that is none.
         """
         region = self.domain
         for relation in relations:
-            region = region & _region_of(relation)
+            if isinstance(relation, str):
+                region = region & read_relation(relation, self._names())
+            else:
+                region = region & region_of(relation)
         return self.with_domain(region)
 
     def with_domain(self, domain: Domain) -> "PhaseSpace":
@@ -252,27 +269,3 @@ def _copy(space: PhaseSpace, **changes: object) -> PhaseSpace:
     for name in PhaseSpace.__dataclass_fields__:
         object.__setattr__(copy, name, changes.get(name, getattr(space, name)))
     return copy
-
-
-def _region_of(relation: Any) -> Domain:
-    if relation == sp.true:
-        return Domain()
-    if relation == sp.false:
-        raise InputError("a relation of the domain can never hold")
-    if isinstance(relation, sp.And):
-        region = Domain()
-        for part in relation.args:
-            region = region & _region_of(part)
-        return region
-    if not isinstance(relation, Relational):
-        raise InputError(f"an inequality or equation is expected, not {relation!r}", "domain")
-    ordered: Any = relation
-    if isinstance(relation, GreaterThan | LessThan | StrictGreaterThan | StrictLessThan):
-        difference = ordered.gts - ordered.lts
-    else:
-        difference = ordered.lhs - ordered.rhs
-    defined = tuple(conditions_of(ordered.lhs)) + tuple(conditions_of(ordered.rhs))
-    if isinstance(relation, sp.Eq):
-        return Domain(conditions=defined, surface=(difference,))
-    kind = "nonzero" if isinstance(relation, sp.Ne) else "positive"
-    return Domain(conditions=(*defined, Condition(kind, (difference,), str(relation))))

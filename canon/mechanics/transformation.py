@@ -176,6 +176,24 @@ class Transformation:
 
         return compose(first, self)
 
+    def transformed(self, H: Expression, scale: Expression = 1) -> sp.Expr:
+        """K in the new variables, up to a function of time: H with the old ones eliminated, and what time adds.
+
+        **Raises:** `InputError` when explicit formulas or an integral are not found.
+        """
+        from canon.mechanics.time_dependence import transformed_hamiltonian
+
+        return transformed_hamiltonian(self, H, scale)
+
+    def generating_function_of(self, type: int | Sequence[int]) -> "GeneratingFunction":  # noqa: A002
+        """A generating function of this type of a canonical map, by integration, up to a function of time.
+
+        **Raises:** `InputError` when none is found. That it is one is a claim: `has_generating_function`.
+        """
+        from canon.mechanics.legendre_conversion import recovered
+
+        return recovered(self, type).generating_function
+
     def subject(self, hamiltonian: Expression | None = None) -> Subject:
         """What claims about this transformation are about."""
         return Subject(

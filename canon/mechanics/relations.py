@@ -1,0 +1,37 @@
+"""Relations of sympy as regions: what they say of the points where a claim is made."""
+
+from typing import Any
+
+import sympy as sp
+from sympy.core.relational import GreaterThan, LessThan, Relational, StrictGreaterThan, StrictLessThan
+
+from canon.domain import Condition, Domain, conditions_of
+from canon.errors import InputError
+
+
+def region_of(relation: Any) -> Domain:
+    """Where an inequality, `Ne`, a conjunction of these, or an equation (a surface) holds.
+
+    **Raises:** `InputError` for a relation that can never hold, or that is none.
+    """
+    if relation == sp.true:
+        return Domain()
+    if relation == sp.false:
+        raise InputError("a relation of the domain can never hold")
+    if isinstance(relation, sp.And):
+        region = Domain()
+        for part in relation.args:
+            region = region & region_of(part)
+        return region
+    if not isinstance(relation, Relational):
+        raise InputError(f"an inequality or equation is expected, not {relation!r}", "domain")
+    ordered: Any = relation
+    if isinstance(relation, GreaterThan | LessThan | StrictGreaterThan | StrictLessThan):
+        difference = ordered.gts - ordered.lts
+    else:
+        difference = ordered.lhs - ordered.rhs
+    defined = tuple(conditions_of(ordered.lhs)) + tuple(conditions_of(ordered.rhs))
+    if isinstance(relation, sp.Eq):
+        return Domain(conditions=defined, surface=(difference,))
+    kind = "nonzero" if isinstance(relation, sp.Ne) else "positive"
+    return Domain(conditions=(*defined, Condition(kind, (difference,), str(relation))))

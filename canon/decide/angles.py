@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from flint import arb, fmpq_poly, fmpz_poly
+from flint import arb, arb_poly, fmpz_poly
 
 from canon.decide.enclosure import precision
 from canon.decide.fraction_field import Element
@@ -250,7 +250,7 @@ def _cosine_polynomial(n: int) -> tuple[int, list[Fraction]]:
     _, factors = (here + 1).factor()
     with precision(256):
         point = (arb.pi() / n).cos()
-        vanishing = [f for f, _ in factors if fmpq_poly(f)(point).contains(0)]
+        vanishing = [f for f, _ in factors if arb_poly(f)(point).contains(0)]
     if len(vanishing) != 1:
         raise Unsupported("the cosine of a fraction of pi could not be isolated")
     f = vanishing[0]

@@ -1,6 +1,6 @@
 """Random evaluation of the tower over a prime field: strong evidence, never a verdict of its own.
 
-At a random point of the variety of the relations over GF(p), p a random prime of 127 bits or more, a
+At a random point of the variety of the relations over GF(p), p a random prime of 159 bits or more, a
 residual that isn't 0 in the tower vanishes with probability at most D·4^k/p (Schwartz–Zippel with k
 radicals taken through norms), to which the chance that p divides the content is added.
 """
@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from sympy import isprime
+from flint import fmpz
 
 from canon.decide.tape import Node
 from canon.decide.tower import Tower
@@ -26,7 +26,7 @@ class NoPoint(Exception):
     """No point of the variety was found over the prime fields tried."""
 
 
-def vanishing(tower: Tower, nodes: Sequence[Node], rng: random.Random, bits: int = 127) -> tuple[dict[Node, bool], float]:
+def vanishing(tower: Tower, nodes: Sequence[Node], rng: random.Random, bits: int = 159) -> tuple[dict[Node, bool], float]:
     """Which nodes vanish at a random point over GF(p), and log₂ of the error bound of a "yes".
 
     Raises NoPoint where the relations have no point that this file can find.
@@ -37,7 +37,7 @@ def vanishing(tower: Tower, nodes: Sequence[Node], rng: random.Random, bits: int
         if log_error <= -100 or bits > 4000:
             values = evaluator.values(nodes)
             return {node: values[node] == 0 for node in nodes}, log_error
-        bits = int(bits - log_error - 98)
+        bits += int(log_error + 100) + 16
 
 
 class Evaluator:
@@ -52,7 +52,7 @@ class Evaluator:
         self.factors = [self._terms(f) for f in tower.field.factors]
         self.lower = {g.index: self._terms(g.lower) for g in tower.generators if g.degree}
         self.squares = any(g.kind == "I" for g in tower.generators)
-        self.odd = {g.degree for g in tower.generators if g.degree > 2}
+        self.odd = {g.degree >> ((g.degree & -g.degree).bit_length() - 1) for g in tower.generators if g.degree > 2}
         self.radicals = sum(1 for g in tower.generators if g.degree and g.kind not in ("sin", "I"))
         self.p = self._prime()
 
@@ -64,10 +64,9 @@ class Evaluator:
     def _prime(self) -> int:
         """A random prime for which roots of odd order are unique, and −1 a square where I is used."""
         for _ in range(100_000):
-            p = self.rng.getrandbits(self.bits) | (1 << (self.bits - 1)) | 1
-            if (p % 8 == 5) if self.squares else (p % 4 == 3):
-                if all(p % q != 1 for q in self.odd) and isprime(p):
-                    return p
+            p = (self.rng.getrandbits(self.bits) | (1 << (self.bits - 1))) & ~7 | (5 if self.squares else 7)
+            if all(math.gcd(q, p - 1) == 1 for q in self.odd) and fmpz(p).is_probable_prime():
+                return p
         raise NoPoint("no prime of the kind that the roots need")
 
     def _polynomial(self, terms: Terms, point: Sequence[int]) -> int:

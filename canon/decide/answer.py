@@ -51,7 +51,8 @@ class Answer:
     """What is known of one node: does it vanish on the region?
 
     `status` is "proved", "refuted", "supported" or "undecided"; `conditions` are the side conditions that the
-    argument used; `log2_error` bounds the probability that a `supported` by modular evaluation is wrong.
+    argument used; `log2_error` bounds the probability that a `supported` by modular evaluation is wrong; `index` is
+    the position of the node that a sampling refuted.
     """
 
     status: str
@@ -61,6 +62,7 @@ class Answer:
     conditions: tuple[str, ...] = ()
     certificate: Mapping[str, Any] = field(default_factory=dict)
     log2_error: float | None = None
+    index: int | None = None
 
 
 Answers = dict[Node, Answer]

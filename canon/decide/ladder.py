@@ -21,12 +21,15 @@ from canon.decide.normal_form import reduce_to_zero
 from canon.decide.on_surface import vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
+from canon.decide.sampling import sample
 from canon.decide.search import Sample, evaluate_again, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
 from canon.errors import InputError
 
 DEEPER = (256, 1024, 4096)
+
+__all__ = ["Contradiction", "nonvanishing", "sample", "vanish"]
 
 
 class Contradiction(AssertionError):

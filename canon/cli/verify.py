@@ -46,10 +46,11 @@ def execute(arguments: argparse.Namespace) -> int:
     results: dict[int, Record] = {}
     entries: list[Entry] = []
     errors: list[Record] = []
+    order: dict[str, int] = {}
     terminal = not arguments.json and sys.stdout.isatty()
     interrupted = False
     try:
-        _read(arguments.files, entries, errors)
+        _read(arguments.files, entries, errors, order)
         _run(arguments, entries, results, terminal=terminal)
     except KeyboardInterrupt:
         interrupted = True
@@ -58,7 +59,6 @@ def execute(arguments: argparse.Namespace) -> int:
     answers = [results[position] for position in sorted(results)]
     claims = [answer["claim"] for answer in answers if "claim" in answer]
     errors += [answer["error"] for answer in answers if "error" in answer]
-    order = {name: rank for rank, name in enumerate(dict.fromkeys([entry.file for entry in entries]))}
     errors.sort(key=lambda error: order.get(error["file"], -1))
     record = run_record(claims, errors)
     left = len(entries) - len(results) if interrupted else 0
@@ -66,8 +66,11 @@ def execute(arguments: argparse.Namespace) -> int:
     return INTERRUPTED if interrupted else exit_status(claims, errors)
 
 
-def _read(names: list[str], entries: list[Entry], errors: list[Record]) -> None:
-    """Read the files into `entries` and `errors` (filled as reading goes on, so that an interruption loses nothing)."""
+def _read(names: list[str], entries: list[Entry], errors: list[Record], order: dict[str, int]) -> None:
+    """Read the files into `entries` and `errors`, and number them in `order`.
+
+    All three are filled as reading goes on, so that an interruption loses nothing.
+    """
     from canon.claims.reader import read_file
     from canon.claims.worker import Entry
     from canon.report.record import error_record
@@ -75,6 +78,7 @@ def _read(names: list[str], entries: list[Entry], errors: list[Record]) -> None:
     files, missing = claim_files(names) if names else (_catalogue(), [])
     errors += [error_record(absent.name, "", absent.message) for absent in missing]
     for file in files:
+        order.setdefault(file.name, len(order))
         try:
             claims, problems = read_file(file.path)
         except Exception as error:  # a flaw of the reader must not keep the other files from being checked

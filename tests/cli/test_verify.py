@@ -1,0 +1,164 @@
+"""`canon verify` from files to exit status: what is printed, by example, and what JSON holds."""
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from canon.cli.main import main
+
+MAP = """\
+[phase_space]
+q = ["q"]
+p = ["p"]
+Q = ["Q"]
+P = ["P"]
+
+[symbols]
+a = "real"
+
+[hamiltonian]
+H = "p**2/2 + q**4"
+
+[transformation]
+Q = ["2*q"]
+P = ["p"]
+"""
+CLAIM = {
+    "canonical": '[[claim]]\nkind = "canonical"\n',
+    "scaled": '[[claim]]\nkind = "canonical"\ntitle = "with valence 2"\nscale = "2"\n',
+    "false": '[[claim]]\nkind = "canonical"\nexpect = "fails"\n',
+    "bracket": '[[claim]]\nkind = "bracket"\nf = "q**2"\ng = "p"\nequals = "2*q"\n',
+    "typo": '[[claim]]\nkind = "bracket"\nf = "qq"\ng = "p"\nequals = "0"\n',
+    "new variable": '[[claim]]\nkind = "bracket"\nf = "Q"\ng = "p"\nequals = "2"\n',
+    "kind": '[[claim]]\nkind = "canonicl"\n',
+}
+
+
+@pytest.fixture
+def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Any:
+    """Writes a claim file, with the claims of these names, in the current folder."""
+    monkeypatch.chdir(tmp_path)
+
+    def write(name: str, *claims: str) -> str:
+        Path(name).write_text(MAP + "\n".join(CLAIM[claim] for claim in claims), encoding="utf-8")
+        return name
+
+    return write
+
+
+def printed(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, list[str]]:
+    """The exit status and the lines on standard output, times masked; nothing may be on standard error."""
+    status = main(["verify", "--jobs", "1", *arguments])
+    out, err = capsys.readouterr()
+    assert err == ""
+    return status, [re.sub(r" +[\d.]+ m?s\b", " T", line) for line in out.splitlines()]
+
+
+def record(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, dict[str, Any]]:
+    """The exit status and the object that `--json` prints."""
+    status = main(["verify", "--json", *arguments])
+    out, err = capsys.readouterr()
+    assert err == ""
+    return status, json.loads(out)
+
+
+def test_all_as_expected(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    status, lines = printed(capsys, file("map.toml", "scaled", "bracket"))
+    assert status == 0
+    assert lines[0].startswith("✓ proved                map.toml #1  with valence 2 T  ")
+    assert lines[1].startswith("✓ proved                map.toml #2  bracket T  ")
+    assert lines[-1] == "2 claims in 1 file: 2 proved in T"
+
+
+def test_a_refutation_names_the_bracket_its_value_the_place_and_a_repair(
+    file: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    status, lines = printed(capsys, file("map.toml", "canonical"))
+    assert status == 1
+    text = "\n".join(lines)
+    assert "map.toml #1 (canonical) is refuted" in text
+    assert re.search(r"\{Q, P\} fails by 1 at .*q = ", text)
+    assert "brackets: {Q, P} = 2" in text
+    assert "repair: " in text
+    assert lines[-1] == "1 claim in 1 file: 1 refuted in T"
+
+
+def test_an_expected_refutation_is_fine(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    status, lines = printed(capsys, file("map.toml", "false"))
+    assert status == 0
+    assert lines[0].startswith("✗ refuted, as expected  map.toml #1  canonical T  ")
+    assert lines[-1] == "1 claim in 1 file: 1 refuted (as expected) in T"
+
+
+def test_errors_do_not_keep_other_claims_from_being_checked(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    name = file("map.toml", "typo", "bracket", "new variable", "kind")
+    Path("broken.toml").write_text("a = [1,\n b = 3", encoding="utf-8")
+    Path("noise.toml").write_bytes(b"\xff\xfe\x00")
+    status, found = record(capsys, name, "broken.toml", "noise.toml", "absent.toml")
+    assert status == 3
+    assert found["summary"] == {"proved": 1, "refuted": 0, "supported": 0, "undecided": 0, "errors": 6}
+    assert [(error["file"], error["where"]) for error in found["errors"]] == [
+        ("absent.toml", ""),
+        ("map.toml", "claim 1, key 'f'"),
+        ("map.toml", "claim 3, key 'f'"),
+        ("map.toml", "claim 4, key 'kind'"),
+        ("broken.toml", ""),
+        ("noise.toml", ""),
+    ]
+    messages = {(error["file"], error["where"]): error["message"] for error in found["errors"]}
+    assert "line 2" in messages["broken.toml", ""]
+    assert "'qq'" in messages["map.toml", "claim 1, key 'f'"]
+    assert "did you mean 'canonical'" in messages["map.toml", "claim 4, key 'kind'"]
+    assert "no such file" in messages["absent.toml", ""]
+
+
+def test_a_folder_means_every_claim_file_below_it(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("claims/inner").mkdir(parents=True)
+    Path("claims/empty").mkdir()
+    file("claims/b.toml", "bracket")
+    file("claims/a.toml", "bracket")
+    file("claims/inner/c.toml", "bracket")
+    Path("claims/notes.txt").write_text("no claims", encoding="utf-8")
+    status, found = record(capsys, "claims")
+    assert status == 0
+    assert [claim["file"] for claim in found["claims"]] == ["claims/a.toml", "claims/b.toml", "claims/inner/c.toml"]
+    status, found = record(capsys, "claims/empty")
+    assert status == 3
+    assert found["errors"] == [
+        {"file": "claims/empty", "where": "", "message": "no claim file (*.toml) in this folder or below it"}
+    ]
+
+
+def test_the_shape_of_the_json_record(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    status, found = record(capsys, file("map.toml", "canonical", "scaled"))
+    assert status == 1
+    assert list(found) == ["format", "claims", "errors", "summary"]
+    assert found["format"] == 1
+    refuted, proved = found["claims"]
+    names = "file, index, kind, title, verdict, expected, method, seconds, numeric, witness, certificate, detail"
+    assert ", ".join(refuted) == ", ".join(proved) == names
+    assert (refuted["verdict"], refuted["expected"], refuted["index"]) == ("refuted", False, 0)
+    assert set(refuted["witness"]) >= {"q", "p"}
+    assert all(re.fullmatch(r"-?\d+(/\d+|\.\d+)?", text) for text in refuted["witness"].values())
+    assert refuted["detail"]["scale"] == "2"
+    assert (proved["verdict"], proved["title"], proved["witness"]) == ("proved", "with valence 2", None)
+
+
+def test_the_numeric_method_never_proves(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    status, found = record(capsys, file("map.toml", "scaled", "false"), "--method", "numeric")
+    assert status == 0
+    supported, refuted = found["claims"]
+    assert (supported["verdict"], refuted["verdict"]) == ("supported", "refuted")
+    assert supported["numeric"]["points"] > 0
+    assert supported["numeric"]["max_residual"] <= supported["numeric"]["bound"]
+
+
+def test_the_same_seed_gives_the_same_answer(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    def answer(seed: str) -> list[dict[str, Any]]:
+        found = record(capsys, file("map.toml", "canonical", "bracket"), "--seed", seed)[1]
+        return [claim | {"seconds": 0} for claim in found["claims"]]
+
+    assert answer("3") == answer("3")

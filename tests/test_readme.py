@@ -1,0 +1,52 @@
+"""The README does what it says: its claim file, its Python example, and its set-up commands."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+TIME = re.compile(r"\s+[\d.]+ m?s\b")
+
+
+def blocks(language: str) -> list[str]:
+    """The code blocks of a language."""
+    return re.findall(rf"^```{language}\n(.*?)^```", README, flags=re.MULTILINE | re.DOTALL)
+
+
+def timeless(text: str) -> list[str]:
+    """The lines of a text, without the times in it, and without a formula that may be written in many ways."""
+    return [TIME.sub(" …", line).rstrip() for line in text.splitlines() if "mixed hessian" not in line]
+
+
+def run(*command: str, cwd: Path) -> str:
+    return subprocess.run(command, cwd=cwd, capture_output=True, encoding="utf-8", check=True).stdout
+
+
+def test_the_claim_file_is_answered_as_shown(tmp_path: Path) -> None:
+    (claims,) = blocks("toml")
+    (tmp_path / "oscillator.toml").write_text(claims, encoding="utf-8")
+    out = run(sys.executable, "-m", "canon", "verify", "oscillator.toml", cwd=tmp_path)
+    shown = timeless(blocks("text")[0])
+    assert timeless(out)[: len(shown)] == shown
+    assert "4 claims in 1 file: 3 proved, 1 refuted (as expected)" in out
+
+
+def test_the_python_example_prints_what_is_shown(tmp_path: Path) -> None:
+    (program,) = blocks("python")
+    assert timeless(run(sys.executable, "-c", program, cwd=tmp_path)) == timeless(blocks("text")[1])
+
+
+def test_there_are_two_set_up_commands() -> None:
+    install, test = (block.strip() for block in blocks("sh"))
+    assert install == "python3 -m venv .venv && .venv/bin/pip install . && .venv/bin/canon verify"
+    assert test.startswith("python3 -m venv .venv && .venv/bin/pip install -e '.[test]' && ")
+    assert "pytest" in test
+
+
+def test_ci_runs_the_readmes_test_command() -> None:
+    script = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    (pattern,) = re.findall(r"grep -E '(.*?)' README.md", script)
+    found = [line for line in README.splitlines() if re.search(pattern, line)]
+    assert found == [blocks("sh")[1].strip()]

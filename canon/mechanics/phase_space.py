@@ -119,6 +119,8 @@ class PhaseSpace:
                 return name
             if not name.isidentifier():
                 raise InputError(f"{name!r} is not a name", "phase_space")
+            if "function" in words.get(name, ()):
+                raise InputError(f"{name!r} is a variable, so it cannot be a function", "symbols")
             return given[name] if name in given else symbol_with(name, words.get(name, ()))
 
         old, momenta = (tuple(symbol(name) for name in _listed(names)) for names in (q, p))
@@ -135,8 +137,6 @@ class PhaseSpace:
         for name in taken:
             if taken.count(name) > 1:
                 raise InputError(f"{name!r} is declared twice", "phase_space")
-            if "function" in words.get(name, ()):
-                raise InputError(f"{name!r} is a variable, so it cannot be a function", "symbols")
         rest = [name for name in words if name not in taken]
         called = tuple(name for name in rest if "function" in words[name])
         for name in called:

@@ -1,0 +1,48 @@
+import pytest
+import sympy as sp
+
+from canon import Hamiltonian, InputError, Lagrangian, PhaseSpace
+from canon.mechanics.hamiltonian import field_residuals, hamiltonian_of_field
+from canon.mechanics.lagrangian import lagrangian_of
+
+SPACE = PhaseSpace("r theta", "p_r p_theta", positive="r m", real="v w k")
+(r, theta), (p_r, p_theta) = SPACE.q, SPACE.p
+m, v, w, k = SPACE.symbols("m v w k")
+KEPLER = Lagrangian(SPACE, m * (v**2 + r**2 * w**2) / 2 + k / r, (v, w))
+H = p_r**2 / (2 * m) + p_theta**2 / (2 * m * r**2) - k / r
+
+
+def test_legendre_there_and_back(vanishes):
+    assert KEPLER.momenta() == (m * v, m * r**2 * w)
+    assert KEPLER.hessian() == sp.diag(m, m * r**2)
+    assert vanishes(KEPLER.hamiltonian().H.expr - H)
+    assert vanishes(KEPLER.legendre_residual(H))
+    assert vanishes(lagrangian_of(Hamiltonian(SPACE, H), (v, w)).L.expr - KEPLER.L.expr)
+
+
+def test_the_relativistic_particle(vanishes):
+    space = PhaseSpace("x", "p", positive="m c", real="v")
+    mass, c, u, p = space.symbols("m c v p")
+    free = Lagrangian(space, -mass * c**2 * sp.sqrt(1 - u**2 / c**2), u)
+    assert vanishes(free.hamiltonian().H.expr - c * sp.sqrt(p**2 + mass**2 * c**2))
+
+
+def test_a_singular_lagrangian_has_no_hamiltonian():
+    with pytest.raises(InputError, match="not solved"):
+        Lagrangian(SPACE, v * r - theta**2 + w, (v, w)).hamiltonian()
+
+
+def test_hamiltons_equations():
+    qdot, pdot = Hamiltonian(SPACE, H).equations()
+    assert qdot == (p_r / m, p_theta / (m * r**2))
+    assert pdot == (p_theta**2 / (m * r**3) - k / r**2, 0)
+    assert Hamiltonian(SPACE, H).rate(p_theta) == 0
+
+
+def test_a_field_and_its_hamiltonian(vanishes):
+    qdot, pdot = Hamiltonian(SPACE, H).equations()
+    assert vanishes(field_residuals(SPACE, qdot, pdot))
+    found = hamiltonian_of_field(SPACE, qdot, pdot)
+    assert found is not None
+    assert vanishes(found.residuals)
+    assert not vanishes(field_residuals(SPACE, qdot, (pdot[0] - p_r, 0)))

@@ -1,0 +1,36 @@
+import sympy as sp
+
+from canon import PhaseSpace, bracket_matrix, jacobi_sum, lagrange_bracket, lagrange_matrix, poisson_bracket
+
+SPACE = PhaseSpace("x y z", "px py pz")
+X, Y, Z = SPACE.q
+PX, PY, PZ = SPACE.p
+
+
+def test_the_bracket_of_q_and_p_is_one():
+    assert poisson_bracket(X, PX, SPACE) == 1
+    assert poisson_bracket(PX, X, SPACE) == -1
+    assert poisson_bracket(X, PY, SPACE) == 0
+
+
+def test_angular_momentum_closes(vanishes):
+    L = (Y * PZ - Z * PY, Z * PX - X * PZ, X * PY - Y * PX)
+    assert vanishes(poisson_bracket(L[0], L[1], SPACE) - L[2])
+    matrix = bracket_matrix(L, SPACE, ["L_x", "L_y", "L_z"])
+    assert vanishes(matrix.entry("L_y", "L_z") - L[0])
+    assert matrix.matrix == -matrix.matrix.T
+    assert "L_x" in matrix._repr_latex_()
+
+
+def test_jacobi(vanishes):
+    assert vanishes(jacobi_sum(X**2 * PY, Y * sp.sin(PX), PZ * X + PY**3, SPACE))
+
+
+def test_lagrange_brackets_invert_poisson_brackets(vanishes):
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    (Q,), (P,) = space.Q, space.P
+    q, p = P * sp.exp(Q), Q + P**3
+    poisson = poisson_bracket(*(f.xreplace({Q: space.q[0], P: space.p[0]}) for f in (q, p)), space)
+    lagrange = lagrange_bracket(Q, P, [q], [p])
+    assert vanishes(lagrange - poisson.xreplace({space.q[0]: Q, space.p[0]: P}))
+    assert lagrange_matrix([Q, P], [q], [p]).matrix[0, 1] == lagrange

@@ -1,0 +1,129 @@
+import pytest
+import sympy as sp
+
+from canon import InputError, PhaseSpace, Transformation, compose, extended_by_time, identity_transformation
+from canon.mechanics.time_dependence import hamiltonian_shift, new_hamiltonian_residuals
+
+SPACE = PhaseSpace("q", "p", new=("phi", "I"), positive="m omega I")
+q, p, phi, I, m, omega = SPACE.symbols("q p phi I m omega")
+BACK = Transformation(SPACE, q=sp.sqrt(2 * I / (m * omega)) * sp.sin(phi), p=sp.sqrt(2 * I * m * omega) * sp.cos(phi))
+H = p**2 / (2 * m) + m * omega**2 * q**2 / 2
+
+
+def test_directions():
+    assert BACK.direction == "backward"
+    assert BACK.arguments == (phi, I)
+    assert BACK.targets == (q, p)
+    assert BACK.inverse().direction == "forward"
+    assert BACK.inverse().inverse() == BACK
+
+
+def test_the_symplectic_residual_vanishes_for_the_oscillator(vanishes):
+    assert vanishes(BACK.symplectic_residual())
+    assert vanishes(BACK.poisson_brackets().residual(SPACE.J))
+    assert vanishes(BACK.lagrange_brackets().residual(SPACE.J))
+
+
+def test_valence_is_that_of_the_forward_map(vanishes):
+    doubled = PhaseSpace("q", "p", new=("Q", "P"))
+    Q, P = doubled.new
+    assert vanishes(Transformation(doubled, Q=2 * doubled.q[0], P=3 * doubled.p[0]).symplectic_residual(6))
+    assert vanishes(Transformation(doubled, q=Q / 2, p=P / 3).symplectic_residual(6))
+
+
+def test_forward_formulas_are_solved_for(vanishes):
+    forward = BACK.forward()
+    angle, action = forward.expressions
+    assert action == m * omega * q**2 / 2 + p**2 / (2 * m * omega)
+    assert vanishes(sp.tan(angle) - m * omega * q / p)
+    assert vanishes(forward.symplectic_residual())
+
+
+def test_the_new_hamiltonian_of_the_oscillator():
+    assert BACK.transformed(H) == omega * I
+
+
+def test_composition_is_associative_and_has_the_identity(vanishes):
+    space = PhaseSpace("q", "p", new=("Q", "P"), positive="a")
+    x, y = space.old
+    a = space.symbols("a")
+    kick = Transformation(space, Q=x, P=y + a * x**3)
+    drift = Transformation(space, Q=x + a * y, P=y)
+    turn = Transformation(space, Q=y, P=-x)
+    left = turn.after(drift).after(kick)
+    right = turn.after(drift.after(kick))
+    assert left.expressions == (y + a * x**3, -x - a * (y + a * x**3))
+    assert vanishes(u - v for u, v in zip(left.expressions, right.expressions, strict=True))
+    same = identity_transformation(space)
+    assert kick.after(same).expressions == kick.expressions
+    assert same.after(kick).expressions == kick.expressions
+    assert vanishes(left.symplectic_residual())
+
+
+def test_backward_maps_compose_too(vanishes):
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    Q, P = space.new
+    one = Transformation(space, q=Q, p=P - Q**2)
+    two = Transformation(space, q=Q - P, p=P)
+    both = compose(one, two)
+    assert both.expressions == (Q - P, P - (Q - P) ** 2)
+    forward = two.forward().after(one.forward())
+    assert vanishes(u - v for u, v in zip(forward.expressions, both.forward().expressions, strict=True))
+
+
+def test_domains_come_along_in_composition():
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    x, y = space.old
+    logarithm = Transformation(space, Q=sp.log(x), P=x * y)
+    shift = Transformation(space, Q=x + 1, P=y)
+    conditions = logarithm.after(shift).Q[0].conditions
+    assert [condition.terms for condition in conditions] == [(x + 1,)]
+
+
+def test_a_rotating_frame_adds_to_the_hamiltonian(vanishes):
+    space = PhaseSpace("x y", "px py", new=("X Y", "PX PY"), real="Omega")
+    (x, y), (px, py), t, Omega = space.q, space.p, space.t, space.symbols("Omega")
+    c, s = sp.cos(Omega * t), sp.sin(Omega * t)
+    turning = Transformation(space, Q=(c * x + s * y, -s * x + c * y), P=(c * px + s * py, -s * px + c * py))
+    X, Y, PX, PY = space.new
+    free = (px**2 + py**2) / 2
+    K = (PX**2 + PY**2) / 2 - Omega * (X * PY - Y * PX)
+    assert vanishes(turning.transformed(free) - K)
+    assert vanishes(new_hamiltonian_residuals(turning, free, K))
+    assert not vanishes(new_hamiltonian_residuals(turning, free, K + X**2))
+    shift = hamiltonian_shift(turning)
+    assert shift is not None
+    extended = extended_by_time(turning, shift.function)
+    assert vanishes(extended.symplectic_residual())
+    assert not vanishes(extended_by_time(turning, -shift.function).symplectic_residual())
+
+
+@pytest.mark.parametrize(
+    ("build", "message"),
+    [
+        (lambda: Transformation(SPACE, Q=q, P=(p, p)), "2 formulas for 1 variables"),
+        (lambda: Transformation(SPACE, Q=q), "given by Q and P"),
+        (lambda: Transformation(SPACE), "given by Q and P"),
+        (lambda: Transformation(SPACE, Q=q, P=p, q=phi, p=I), "given by Q and P"),
+        (lambda: Transformation(SPACE, Q=phi, P=p), "phi cannot occur here"),
+        (lambda: Transformation(SPACE, q=q, p=I), "q cannot occur here"),
+        (lambda: Transformation(SPACE, Q=0.5 * q, P=2 * p), "floating-point"),
+        (lambda: Transformation(SPACE, Q="q", P="p"), "an expression is expected"),
+    ],
+)
+def test_what_is_ill_posed_is_an_input_error(build, message):
+    with pytest.raises(InputError, match=message):
+        build()
+
+
+def test_fewer_new_pairs_than_old_ones():
+    space = PhaseSpace("x y", "px py", new=("Q", "P"))
+    (x, y), (px, py) = space.q, space.p
+    down = Transformation(space, Q=x + y, P=(px + py) / 2)
+    assert down.symplectic_residual() == sp.zeros(2, 2)
+    with pytest.raises(InputError):
+        down.inverse()
+
+
+def test_it_shows_itself_in_latex():
+    assert BACK._repr_latex_().startswith("$\\begin{aligned} q &=")

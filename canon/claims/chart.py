@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from canon.claims.determinant import determinant
 from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node, Tape
 
@@ -23,7 +24,8 @@ class Chart:
 
     **Arguments:** `direction` of the map ("none" where there is no map); `coordinates`, symbol nodes, positions
     first; `old` = (q, p) and `new` = (Q, P) as functions of these; `images`, the nodes that stand for the variables
-    that are not coordinates themselves.
+    that are not coordinates themselves; `hessian`, the determinant of the mixed Hessian of a generating function,
+    which is not 0 where the map that it defines exists.
     """
 
     tape: Tape
@@ -33,6 +35,7 @@ class Chart:
     new: tuple[Node, ...]
     images: Mapping[Node, Node]
     time: Node
+    hessian: Node | None = None
 
     def pull(self, node: Node) -> Node:
         """A function of old and new variables, as a function of the coordinates."""
@@ -75,6 +78,8 @@ def _mixed_chart(
         name: tape.scaled(derivative(tape, F, x), sign)
         for name, x, sign in zip(names, u, (*old_signs, *new_signs), strict=True)
     }
-    return Chart(
-        tape, "implicit", u, tuple(images.get(v, v) for v in old), tuple(images.get(v, v) for v in new), images, time
-    )
+    columns = u[len(u) // 2 :]
+    rows = [derivative(tape, F, a) for a in u[: len(u) // 2]]
+    hessian = determinant(tape, [[derivative(tape, row, b) for b in columns] for row in rows])
+    every = [tuple(images.get(variable, variable) for variable in side) for side in (old, new)]
+    return Chart(tape, "implicit", u, every[0], every[1], images, time, hessian)

@@ -11,10 +11,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from canon.claims.determinant import determinant
 from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.decide.derivative import derivative
-from canon.decide.region import Region, Requirement
+from canon.decide.region import Region
 from canon.decide.tape import Node
 from canon.errors import InputError
 
@@ -26,20 +25,11 @@ if TYPE_CHECKING:
 THEOREM = "the map of a generating function is canonical with scale 1 where the mixed Hessian is not singular"
 
 
-def hessian_determinant(question: Question) -> Node:
-    """det ∂²F/∂a∂b of the file's generating function."""
-    generating = question.map.generating_function
-    assert generating is not None
-    tape = question.tape
-    F = question.load(generating.F)
-    rows = [derivative(tape, F, a) for a in question.nodes(generating.old_arguments)]
-    columns = question.nodes(generating.new_arguments)
-    return determinant(tape, [[derivative(tape, row, b) for b in columns] for row in rows])
-
-
-def hessian_outcome(question: Question, region: Region) -> Outcome:
+def hessian_outcome(question: Question, *formulas: Formula) -> Outcome:
     """The mixed Hessian is not singular everywhere; if it is: refuted by an exact argument."""
-    return hessian_outcome_of(question, hessian_determinant(question), region)
+    node = question.chart.hessian
+    assert node is not None
+    return hessian_outcome_of(question, node, question.region(*formulas, regular=False))
 
 
 def hessian_outcome_of(question: Question, node: Node, region: Region) -> Outcome:
@@ -62,14 +52,12 @@ def hessian_outcome_of(question: Question, node: Node, region: Region) -> Outcom
 def canonical_of_generating_function(question: Question, scale: Formula | None) -> Outcome:
     """`canonical` where a generating function alone is given: its map has scale 1 where it is defined."""
     question.square_map()
-    region = question.region(*((scale,) if scale else ()))
-    outcome = hessian_outcome(question, region)
+    formulas = (scale,) if scale else ()
+    outcome = hessian_outcome(question, *formulas)
     if outcome.status == "refuted" or scale is None:
         return outcome
-    tape = question.tape
-    regular = region.also(Requirement("nonzero", (hessian_determinant(question),), "the mixed Hessian is not singular"))
-    claimed = question.decide([Residual("scale - 1", tape.minus(question.load(scale), tape.one))], regular)
-    return combined([outcome, claimed]).with_detail(scale="1")
+    residual = Residual("scale - 1", question.tape.minus(question.load(scale), question.tape.one))
+    return combined([outcome, question.decide([residual], question.region(*formulas))]).with_detail(scale="1")
 
 
 def generates(question: Question) -> Outcome:

@@ -21,6 +21,7 @@ from canon.claims.determinant import determinant
 from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.scale import never_zero
 from canon.decide.derivative import derivative, substitute
+from canon.decide.region import Requirement
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.domain import Condition
 from canon.errors import InputError
@@ -34,7 +35,13 @@ MOST_MINORS = 400
 MOST_RADICALS = 3
 MEROMORPHIC = ("sin", "cos", "exp")
 THEOREM = "a meromorphic function on a connected domain that vanishes on an open set vanishes everywhere"
-PLACES = ((1, 2, 3, 5, 7, 11), (2, 1, 5, 3, 1, 4), (3, 7, 1, 2, 6, 5), (1, 3, 2, 7, 3, 8))
+PLACES = (
+    tuple(Fraction(n) for n in (1, 2, 3, 5, 7, 11, 4, 9, 13, 6)),
+    tuple(Fraction(n, 2) for n in (3, 1, 8, 3, 5, 7, 2, 11, 9, 4)),
+    tuple(Fraction(n) for n in (3, 4, 0, 2, 1, 5, 6, 12, 0, 1)),
+    tuple(Fraction(n) for n in (0, 0, 3, 4, 1, 0, 2, 5, 12, 13)),
+    (Fraction(0),),
+)
 
 
 def independent(question: Question) -> Outcome:
@@ -92,13 +99,39 @@ def full_rank(
             return ranked
         fallback = fallback or ranked
     if fallback is not None:
-        return fallback
+        return _dependent_somewhere(question, rows, region, chart) or fallback
     if open_questions or next(minors, None) is not None:
         return Outcome("undecided", note="; ".join(open_questions[:3]) or "too many minors")
     nonempty = question.decide([Residual("all minors", tape.zero)], region)
     if nonempty.status != "proved":
         return nonempty
     return combined([exact("refuted", "all maximal minors of the Jacobian vanish identically"), *vanishing])
+
+
+def _dependent_somewhere(
+    question: Question, rows: Sequence[Sequence[Node]], region: Region, chart: Chart
+) -> Outcome | None:
+    """A refutation by an open set, given by the sign of an absolute value's argument, on which all minors vanish."""
+    tape, width = question.tape, len(rows[0])
+    nodes = [chart.pull(entry) for row in rows for entry in row]
+    arguments = {tape.ops[i][2][0] for i in tape.reach(nodes) if tape.ops[i][0] == "f" and tape.ops[i][1] == "abs"}
+    if len(list(combinations(range(width), len(rows)))) > MOST_MINORS or question.method == "numeric":
+        return None
+    for argument in sorted(arguments)[:MOST_RADICALS]:
+        for sign in (1, -1):
+            side = Requirement("positive", (tape.scaled(argument, sign),), "one side of an absolute value")
+            minors = (
+                Residual("a minor", chart.pull(determinant(tape, [[row[c] for c in columns] for row in rows])))
+                for columns in combinations(range(width), len(rows))
+            )
+            try:
+                outcome = question.decide(minors, region.also(side), budget=question.budget.share(0.5))
+            except InputError:
+                continue
+            if outcome.status == "proved":
+                where = f"{question.show(tape.scaled(argument, sign))} > 0"
+                return combined([exact("refuted", "all maximal minors vanish on an open set", dependent_where=where)])
+    return None
 
 
 def _ranked(
@@ -151,10 +184,10 @@ def not_zero_for_any_parameters(
 
 
 def _never_zero_at(
-    tape: Tape, node: Node, variables: Sequence[Node], place: Sequence[int], conditions: Sequence[Condition]
+    tape: Tape, node: Node, variables: Sequence[Node], place: Sequence[Fraction], conditions: Sequence[Condition]
 ) -> bool:
     """The value at a point, as a function of the parameters, has no zero."""
-    values = {x: tape.number(Fraction(place[k % len(place)], 1 + k // len(place))) for k, x in enumerate(variables)}
+    values = {x: tape.number(place[k % len(place)]) for k, x in enumerate(variables)}
     try:
         there = tape.to_sympy(substitute(tape, node, values))
     except InputError:

@@ -11,7 +11,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from canon.claims.determinant import determinant, lagrange_matrix, pfaffian
-from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.scale import constant_scale
 from canon.decide.derivative import derivative, poisson_bracket
 from canon.decide.load import conjugate
@@ -54,6 +54,8 @@ def _of_modulus_one(question: Question, new: Node, old: Node, region: Region) ->
             return outcome.with_detail(determinant=name)
         if outcome.status == "undecided" and question.budget.spent():
             return outcome
+    if tape.value(old) == 0:
+        raise InputError("the map is nowhere invertible")
     ratio = tape.mul([(new, 1), (old, -1)])
     try:
         moduli = [
@@ -61,11 +63,25 @@ def _of_modulus_one(question: Question, new: Node, old: Node, region: Region) ->
             for node in (new, old)
         ]
     except Unsupported as reason:
-        return Outcome("undecided", note=str(reason)).with_detail(determinant=question.show(ratio))
+        found = _holomorphic(question, ratio, region)
+        return (found or Outcome("undecided", note=str(reason))).with_detail(determinant=question.show(ratio))
     residual = Residual("|det M|**2 = 1", tape.minus(*moduli), ratio)
     outcome = question.decide([residual], region)
     sign = "of modulus 1; its sign or phase is not the same everywhere, or not found"
     return outcome.with_detail(determinant=sign if outcome.status == "proved" else question.show(ratio))
+
+
+def _holomorphic(question: Question, ratio: Node, region: Region) -> Outcome | None:
+    """A refutation by the open mapping theorem: the determinant depends on a complex variable."""
+    tape = question.tape
+    for u in sorted(tape.support(ratio)):
+        if tape.symbol_at(u).is_real or region.surface:
+            continue
+        answer = question.not_identically_zero(derivative(tape, ratio, u), region)
+        if answer.status == "proved":
+            theorem = "a holomorphic function of constant modulus is constant"
+            return exact("refuted", theorem, depends_on=str(tape.symbol_at(u)))
+    return None
 
 
 def integral_invariant(question: Question) -> Outcome:
@@ -105,6 +121,9 @@ def cartan_invariant(question: Question) -> Outcome:
     """
     question.square_map()
     H, K = question.hamiltonian(), question.formula("K", "new")
+    singular = _singular(question)
+    if singular is not None:
+        return singular
     region = question.region(K)
     outcome = question.decide(_cartan_residuals(question, question.load(H), question.load(K)), region)
     if outcome.status != "proved" or question.method == "numeric":
@@ -112,6 +131,16 @@ def cartan_invariant(question: Question) -> Outcome:
     from canon.claims.potential import cartan_potential
 
     return outcome.with_detail(potential=cartan_potential(question, question.load(H), question.load(K), region))
+
+
+def _singular(question: Question) -> Outcome | None:
+    """A refutation where the file has nothing but a generating function that defines no map."""
+    if question.chart.direction != "implicit":
+        return None
+    from canon.claims.generating_function import hessian_outcome
+
+    outcome = hessian_outcome(question)
+    return outcome if outcome.status == "refuted" else None
 
 
 def _cartan_residuals(question: Question, H: Node, K: Node) -> Iterator[Residual]:
@@ -136,6 +165,9 @@ def bracket_invariance(question: Question) -> Outcome:
     """`bracket_invariance`: {f, g} is the same function in either set of variables."""
     question.map  # noqa: B018 - there must be one
     f, g = question.formula("f", "new"), question.formula("g", "new")
+    singular = _singular(question)
+    if singular is not None:
+        return singular
     region = question.region(f, g)
     tape, chart, space = question.tape, question.chart, question.space
     F, G = question.load(f), question.load(g)

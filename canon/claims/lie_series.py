@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.independence import MEROMORPHIC
+from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.truncated import HIGHEST_ORDER, region_at_zero, taylor
-from canon.decide.derivative import derivative, poisson_bracket
+from canon.decide.derivative import derivative, poisson_bracket, substitute
+from canon.decide.region import Requirement
 from canon.decide.tape import Node
 from canon.domain import Domain
 from canon.errors import InputError
@@ -42,20 +44,49 @@ def lie_series(question: Question) -> Outcome:
     early = _refuted_coefficient(question, generator, f, equals, parameter, range(1, EARLY))
     if early is not None:
         return early
-    tape = question.tape
-    node, s = question.load(equals), tape.symbol(parameter)
-    rate = _bracket(question, node, question.load(generator))
-    equation = question.chart.pull(tape.minus(derivative(tape, node, s), rate))
-    domain = question.domain(generator, f, equals)
-    whole = question.region(domain=Domain(domain.conditions))
-    flow = question.decide([Residual(f"d/d{parameter} = {{., generator}}", equation)], whole)
+    tape, s = question.tape, question.tape.symbol(parameter)
+    rate = _bracket(question, question.load(equals), question.load(generator))
+    equation = question.chart.pull(tape.minus(derivative(tape, question.load(equals), s), rate))
+    domain = Domain(question.domain(generator, f, equals).conditions)
+    whole = question.region(domain=domain).also(*at_zero.requirements)
+    label = Residual(f"d/d{parameter} = {{., generator}}", equation)
+    flow = question.decide([label], whole)
+    sides = list(_same_sides(question, equation, s)) if flow.status != "proved" else []
+    if sides:
+        flow = question.decide([label], whole.also(*sides))
     if flow.status != "refuted":
         return combined([start, flow])
+    if not at_zero.surface and _meromorphic_in(question, equation, s):
+        theorem = f"meromorphic in {parameter} and not 0 at one value of it, so not 0 as a germ at 0"
+        return exact("refuted", theorem, fails=label.label, nonzero_at=dict(flow.witness or {}))
     late = _refuted_coefficient(question, generator, f, equals, parameter, range(EARLY, LATE))
     if late is not None:
         return late
     note = f"the equation of the flow fails at {dict(flow.witness or {})}, but the series agree up to order {LATE - 1}"
     return Outcome("undecided", method=flow.method, note=note)
+
+
+def _same_sides(question: Question, node: Node, parameter: Node) -> Iterator[Requirement]:
+    """That arguments of absolute values have the sign that they have at parameter = 0: so it is near there."""
+    tape = question.tape
+    for i in tape.reach([node]):
+        op = tape.ops[i]
+        if op[0] == "f" and op[1] == "abs" and parameter in tape.support(op[2][0]):
+            there = substitute(tape, op[2][0], {parameter: tape.zero})
+            product = tape.times(op[2][0], there)
+            known = tape.value(there)
+            node_with_sign = product if known is None else op[2][0] if known > 0 else tape.negative(op[2][0])
+            yield Requirement("positive", (node_with_sign,), f"near {tape.symbol_at(parameter)} = 0")
+
+
+def _meromorphic_in(question: Question, node: Node, parameter: Node) -> bool:
+    """True when whatever depends on the parameter is made of sums, products, sin, cos and exp."""
+    tape = question.tape
+    for i in tape.reach([node]):
+        op = tape.ops[i]
+        if parameter in tape.support(i) and (op[0] in "ru" or (op[0] == "f" and op[1] not in MEROMORPHIC)):
+            return False
+    return True
 
 
 def _parameter(question: Question, *formulas: Formula) -> sp.Symbol:

@@ -54,7 +54,7 @@ def _transforms(question: Question, H: Formula, K: Formula) -> Outcome:
     constant = constant_scale(question, region)
     if constant.status in ("refuted", "undecided") or constant.node is None:
         return constant.outcome.with_detail(canonical=constant.status)
-    return combined([constant.outcome, equations(question, H, K, constant.node, region)])
+    return combined([constant.complete, equations(question, H, K, constant.node, region)])
 
 
 def equations(question: Question, H: Formula, K: Formula, scale: Node, region: Region) -> Outcome:

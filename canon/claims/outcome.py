@@ -94,7 +94,7 @@ def combined(outcomes: Iterable[Outcome]) -> Outcome:
         numeric=merged(part.numeric for part in parts),
         detail=detail,
         arguments=tuple(argument for part in parts for argument in part.arguments),
-        note="; ".join(dict.fromkeys(part.note for part in parts if part.note)),
+        note=refuted.note if refuted else "; ".join(dict.fromkeys(part.note for part in parts if part.note)),
     )
 
 

@@ -94,6 +94,10 @@ def _guessed(term: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
         return term * x
     if sp.expand(term).is_polynomial(x):
         return sp.integrate(sp.expand(term), x)
+    if term.is_rational_function(x) and not term.atoms(sp.Function):
+        found: Any = sp.integrate(term, x) if sp.Poly(sp.fraction(sp.together(term))[1], x).degree() <= 2 else None
+        if found is not None and not found.has(sp.Integral, sp.Piecewise, sp.RootSum, sp.I):
+            return found
     for candidate in _candidates(term, x):
         slope = sp.diff(candidate, x)
         if slope == 0:

@@ -156,12 +156,14 @@ class Question:
         domain: Domain | None = None,
         chart: Chart | None = None,
         assumed: bool = True,
+        regular: bool = True,
     ) -> Region:
         """The claim's domain on the tape, pulled back to the chart.
 
         **Arguments:** `formulas`, the claim's own keys; `images`, replaced after the chart's own; `domain`, in place of
         `self.domain(*formulas)`; `chart`, in place of the subject's; `assumed`, whether an image must satisfy what is
-        assumed of the variable that it stands for.
+        assumed of the variable that it stands for; `regular`, whether points where the mixed Hessian of a generating
+        function is singular are left out, since no map is defined there.
         """
         tape, chart, images = self.tape, chart or self.chart, images or {}
         names = [tape.symbol_at(u) for u in chart.coordinates if u not in images]
@@ -180,6 +182,9 @@ class Question:
         if assumed:
             for variable in (*chart.images, *images):
                 requirements.extend(_assumption(tape, tape.symbol_at(variable), moved(variable)))
+        if regular and chart.hessian is not None:
+            hessian = substitute(tape, chart.hessian, images) if images else chart.hessian
+            requirements.append(Requirement("nonzero", (hessian,), "the mixed Hessian is not singular"))
         return Region(tuple(requirements), tuple(moved(node) for node in written.surface), written.symbols)
 
     # -- deciding -----------------------------------------------------------------------------
@@ -246,6 +251,7 @@ class Question:
             residual = batch[index if index is not None else 0]
             return self._outcome_of(Finding(residual, answer))
         if evidence is None or not evidence.points:
+            ladder.vanish(self.tape, [self.tape.zero], region, budget=budget or self.budget, seed=self.seed)
             return Outcome("undecided", note="no sample points could be evaluated")
         return Outcome("supported", method="sampling", numeric=evidence)
 

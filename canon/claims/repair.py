@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
     from canon.decide.region import Region
 
-SECONDS = 1.5
+SECONDS = 0.6
 MOST_BRACKETS = 6
 MOST_CANDIDATES = 40
 
@@ -42,7 +42,9 @@ def lesson(question: Question, brackets: Brackets, scale: Node, region: Region, 
 def failing(question: Question, brackets: Brackets, outcome: Outcome) -> dict[str, str]:
     """The brackets that were refuted, with their values."""
     refuted = [finding for finding in outcome.findings if finding.answer.status == "refuted"]
-    shown = {f.residual.label: question.show(f.residual.actual or f.residual.node) for f in refuted[:MOST_BRACKETS]}
+    shown = {}
+    for residual in (finding.residual for finding in refuted[:MOST_BRACKETS]):
+        shown[residual.label] = question.show(residual.node if residual.actual is None else residual.actual)
     if len(refuted) > MOST_BRACKETS:
         shown["…"] = f"and {len(refuted) - MOST_BRACKETS} more"
     return shown
@@ -56,7 +58,7 @@ def _constant(question: Question, brackets: Brackets, scale: Node, region: Regio
     if not failed <= diagonal:
         return {}
     constant = constant_scale(question, region)
-    if constant.status != "proved" or constant.node is None:
+    if constant.outcome.status != "proved" or constant.node is None:
         return {}
     tape = question.tape
     shown = question.show(constant.node)

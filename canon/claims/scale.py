@@ -42,7 +42,24 @@ def never_zero(expression: sp.Expr, conditions: Iterable[Condition] = ()) -> boo
 def _base_never_zero(base: sp.Expr, kept: set[sp.Expr]) -> bool:
     if base.is_number:
         return base.is_zero is False
-    return base in kept or -base in kept or known_sign(base) in ("positive", "negative", "nonzero")
+    if base in kept or -base in kept or known_sign(base) in ("positive", "negative", "nonzero"):
+        return True
+    return _no_real_root(base)
+
+
+def _no_real_root(base: sp.Expr) -> bool:
+    """A polynomial in one real name that has no root where the name's assumptions allow one (Sturm's theorem)."""
+    if len(base.free_symbols) != 1:
+        return False
+    (name,) = base.free_symbols
+    if not name.is_real or not base.is_polynomial(name):
+        return False
+    polynomial = sp.Poly(base, name)
+    if not polynomial.domain.is_QQ and not polynomial.domain.is_ZZ:
+        return False
+    low = 0 if name.is_nonnegative else None
+    high = 0 if name.is_nonpositive else None
+    return polynomial.count_roots(low, high) == 0
 
 
 def _bases(expression: sp.Expr) -> Iterator[sp.Expr]:
@@ -154,15 +171,26 @@ class Brackets:
 
 @dataclass(frozen=True)
 class ConstantScale:
-    """The constant with which a map is canonical, if it is: `node` is None where it was not found."""
+    """The constant with which a map is canonical, if it is: `node` is None where it was not found.
+
+    `outcome` says that all brackets agree with that constant, `nonzero` that it is seen to be nowhere zero.
+    """
 
     outcome: Outcome
     node: Node | None
+    nonzero: bool = True
 
     @property
     def status(self) -> str:
         """The status of "canonical with some constant scale"."""
-        return self.outcome.status
+        return self.outcome.status if self.nonzero or self.outcome.status != "proved" else "supported"
+
+    @property
+    def complete(self) -> Outcome:
+        """The outcome of "canonical with some constant scale"."""
+        if self.status == self.outcome.status:
+            return self.outcome
+        return self.outcome.with_status("supported", "the scale is not seen to be nowhere zero")
 
 
 def constant_scale(question: Question, region: Region) -> ConstantScale:
@@ -175,7 +203,7 @@ def constant_scale(question: Question, region: Region) -> ConstantScale:
     if question.chart.direction == "implicit":
         from canon.claims.generating_function import hessian_outcome
 
-        return ConstantScale(hessian_outcome(question, region), tape.one)
+        return ConstantScale(hessian_outcome(question), tape.one)
     brackets = Brackets(question)
     first = brackets.bracket(0, brackets.pairs)
     candidate, outcome = _candidate(question, region, brackets, first)
@@ -186,9 +214,7 @@ def constant_scale(question: Question, region: Region) -> ConstantScale:
     next(rest)
     outcome = combined([outcome, question.decide(rest, region)])
     outcome = outcome.with_detail(scale=question.show(scale))
-    if outcome.status == "proved" and not never_zero(tape.to_sympy(scale), question.domain().conditions):
-        return ConstantScale(outcome.with_status("supported", "the scale is not seen to be nowhere zero"), scale)
-    return ConstantScale(outcome, scale)
+    return ConstantScale(outcome, scale, never_zero(tape.to_sympy(scale), question.domain().conditions))
 
 
 def _candidate(question: Question, region: Region, brackets: Brackets, first: Node) -> tuple[Node | None, Outcome]:
@@ -202,11 +228,13 @@ def _candidate(question: Question, region: Region, brackets: Brackets, first: No
             return None, trivial
         return None, exact("refuted", "a scale is not zero", fails=label, brackets={label: "0"})
     variables = {*question.chart.coordinates, question.chart.time}
-    if value is not None or (not tape.support(first) & variables and not tape.functions_of([first])):
+    if value is not None:
         return first, question.decide([Residual(f"{label} is constant", tape.zero)], region)
     unit = question.decide([Residual(f"{label} = 1", tape.minus(first, tape.one))], region)
     if unit.status != "refuted" or unit.failed is None or unit.failed.answer.witness is None:
         return (tape.one, unit) if unit.status in ("proved", "supported") else (None, unit)
+    if not tape.support(first) & variables and not tape.functions_of([first]):
+        return first, question.decide([Residual(f"{label} is constant", tape.zero)], region)
     point = unit.failed.answer.witness.coordinates
     outcome = unit
     for constant in _values_at(question, first, point, variables):

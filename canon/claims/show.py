@@ -8,7 +8,7 @@ import sympy as sp
 
 from canon.decide.tape import Node, Tape
 
-SHORT = 120
+SHORT = 60
 
 
 def neat(expression: sp.Expr) -> sp.Expr:
@@ -18,13 +18,23 @@ def neat(expression: sp.Expr) -> sp.Expr:
     forms: list[Any] = [expression]
     try:
         forms.append(sp.factor_terms(sp.cancel(expression)))
-        if expression.has(sp.sin, sp.cos):
+        if expression.has(sp.sin, sp.cos) and sp.count_ops(forms[-1]) < SHORT / 2:
             forms.append(sp.trigsimp(forms[-1]))
         if forms[-1].is_polynomial(*forms[-1].free_symbols):
             forms.append(sp.factor(forms[-1]))
     except (sp.PolynomialError, NotImplementedError, TypeError, AttributeError):
         pass
     return min(forms, key=sp.count_ops)
+
+
+def _powers(expression: sp.Expr) -> Any:
+    """exp(a log b) as b**a."""
+
+    def power(call: Any) -> Any:
+        logs = [f for f in sp.Mul.make_args(call.args[0]) if isinstance(f, sp.log)]
+        return logs[0].args[0] ** (call.args[0] / logs[0]) if len(logs) == 1 else call
+
+    return expression.replace(lambda e: isinstance(e, sp.exp), power)
 
 
 def shown(tape: Tape, node: Node) -> str:
@@ -34,5 +44,5 @@ def shown(tape: Tape, node: Node) -> str:
         return str(value)
     if len(tape.reach([node])) > 4 * SHORT:
         return "a formula too long to show"
-    text = str(neat(tape.to_sympy(node)))
+    text = str(neat(_powers(tape.to_sympy(node))))
     return text if len(text) <= 400 else text[:397] + "..."

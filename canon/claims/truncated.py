@@ -61,11 +61,12 @@ def _value(question: Question, outcome: Outcome) -> str | None:
 
 
 def _implicit(question: Question, eps: sp.Symbol, highest: int, scale: Node, region: Region) -> Outcome:
-    from canon.claims.generating_function import hessian_determinant, hessian_outcome_of
+    from canon.claims.generating_function import hessian_outcome_of
 
     tape = question.tape
-    zero = {tape.symbol(eps): tape.zero}
-    regular = hessian_outcome_of(question, substitute(tape, hessian_determinant(question), zero), region)
+    hessian = question.chart.hessian
+    assert hessian is not None
+    regular = hessian_outcome_of(question, substitute(tape, hessian, {tape.symbol(eps): tape.zero}), region)
     rest = taylor(tape, tape.minus(scale, tape.one), tape.symbol(eps))
     residuals = (Residual(f"coefficient of {eps}**{k} of scale - 1", next(rest)) for k in range(highest + 1))
     return combined([regular, question.decide(residuals, region)])
@@ -120,7 +121,7 @@ def region_at_zero(question: Question, parameter: sp.Symbol, *formulas: Formula)
         if _fails_at_zero(condition, parameter):
             raise InputError(f"not analytic at {parameter} = 0, where the claim is made: {condition} fails there")
     tape = question.tape
-    return question.region(images={tape.symbol(parameter): tape.zero}, domain=kept, assumed=False)
+    return question.region(images={tape.symbol(parameter): tape.zero}, domain=kept, assumed=False, regular=False)
 
 
 def _bounds_only(condition: Condition, parameter: sp.Symbol) -> bool:

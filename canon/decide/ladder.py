@@ -17,7 +17,7 @@ from canon.decide.constants import number_is_zero
 from canon.decide.continuity import vanishes_by_cells
 from canon.decide.enclosure import OutOfDomain, excludes_zero
 from canon.decide.intervals import intervals_of
-from canon.decide.normal_form import reduce_to_zero
+from canon.decide.normal_form import FIRST, LARGER, reduce_to_zero
 from canon.decide.on_surface import vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
@@ -184,15 +184,25 @@ class _Ladder:
                 intervals=intervals_of(self.tape, self.region),
                 budget=self.budget,
             )
-            hopeless = self._modular_nonzero(tower, nodes)
-            candidates = [node for node in nodes if node not in hopeless]
-            zero, _, _ = reduce_to_zero(tower, candidates, self.budget)
+            zero, nonzero, _ = reduce_to_zero(tower, nodes, self.budget, FIRST)
+            costly = [node for node in nodes if node not in zero and node not in nonzero]
+            if costly:
+                hopeless = self._modular_nonzero(tower, costly)
+                costly = [node for node in costly if node not in hopeless]
+                zero |= self._at_any_cost(tower, costly)
         except (Unsupported, TooCostly, ZeroDivisionError) as reason:
             self.tried.append(f"no tower: {reason}")
             return
         certificate = of_tower(tower, self.region, "the numerator is 0 modulo the relations of its kernels")
         for node in zero:
             self.prove(node, answers, "normal form", certificate)
+
+    def _at_any_cost(self, tower: Tower, nodes: Sequence[Node]) -> set[Node]:
+        """Larger and larger normal forms, for what probably is 0, with most of the time that is left."""
+        try:
+            return reduce_to_zero(tower, nodes, self.budget.share(0.8), LARGER)[0]
+        except BudgetExceeded:
+            return set()
 
     def _modular_nonzero(self, tower: Tower, nodes: Sequence[Node]) -> set[Node]:
         """Nodes that certainly don't reduce to 0, by a cheap evaluation over a prime field."""

@@ -16,20 +16,23 @@ from canon.decide.tape import Node
 from canon.decide.tower import Tower, combine
 
 # Two ways of adding fractions and three sizes; neither way dominates, so each size tries both.
-SIZES = (2e6, 4e7, 4e8)
+FIRST, LARGER = (2e6,), (4e7, 4e8)
 
 
-def reduce_to_zero(tower: Tower, nodes: Sequence[Node], budget: Budget) -> tuple[set[Node], dict[Node, Element], FractionField]:
+def reduce_to_zero(
+    tower: Tower, nodes: Sequence[Node], budget: Budget, sizes: Sequence[float] = FIRST + LARGER
+) -> tuple[set[Node], dict[Node, Element], FractionField]:
     """The nodes that reduce to 0, and the nonzero normal forms of those that certainly don't reduce.
 
     Nodes in neither were too costly. Also returns the field in which the normal forms live.
     """
     zero: set[Node] = set()
     nonzero: dict[Node, Element] = {}
-    field, _ = tower.compact(SIZES[0], budget)
+    field, _ = tower.compact(sizes[0], budget)
     left = list(nodes)
-    for size in SIZES if tower.field.factors or _divides(tower) else SIZES[1:]:
-        for grouped in (False, True):
+    divides = bool(tower.field.factors) or _divides(tower)
+    for size in sizes:
+        for grouped in (False, True) if divides else (False,):
             left = [node for node in left if node not in zero and node not in nonzero]
             if not left:
                 return zero, nonzero, field

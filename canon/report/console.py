@@ -5,10 +5,10 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import groupby
 from typing import Final
 
-from rich import box
-from rich.console import Console
+from rich.console import Console, RenderableType
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 from rich.text import Text
@@ -32,7 +32,8 @@ def colour(claim: Record) -> str:
 def print_record(record: Record, console: Console, *, seconds: float, interrupted: int = 0) -> None:
     """Print a whole run: the table, explanations, errors, and the summary."""
     if record["claims"]:
-        console.print(_table(record["claims"]))
+        console.print(*_tables(record["claims"], console.width), sep="\n")
+        console.print()
     for claim in explained(record["claims"]):
         first, *rest = explanation(claim)
         console.print(Text(first, style=colour(claim)))
@@ -90,21 +91,30 @@ class _Bar:
             self.progress.stop()
 
 
-def _table(claims: list[Record]) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
-    table.add_column("claim", overflow="fold")
-    table.add_column("verdict", no_wrap=True)
-    table.add_column("method", overflow="fold")
-    table.add_column("time", justify="right", no_wrap=True)
-    before = None
-    for claim in claims:
-        if claim["file"] != before:
-            before = claim["file"]
-            table.add_row(Text(visible(before), style="bold"))
-        table.add_row(
-            Text("  " + name(claim)),
-            Text(verdict(claim), style=colour(claim)),
-            Text(visible(claim["method"])),
-            Text(duration(claim["seconds"]), style="dim"),
-        )
-    return table
+def _tables(claims: list[Record], width: int) -> Iterator[RenderableType]:
+    """Yield the table piece by piece: a heading, and for each file its name and its claims, in columns that agree."""
+    method = min(max(len("method"), *(len(visible(claim["method"])) for claim in claims)), max(16, width // 4))
+    widths = (22, max(16, width - 22 - method - 7 - 8), method, 7)
+    heading = _grid(widths)
+    heading.add_row(*(Text(word, style="dim") for word in ("verdict", "claim", "method", "time")))
+    yield heading
+    for file, group in groupby(claims, key=lambda claim: claim["file"]):
+        yield Text(visible(file), style="bold")
+        table = _grid(widths)
+        for claim in group:
+            table.add_row(
+                Text(verdict(claim), style=colour(claim)),
+                Text(name(claim)),
+                Text(visible(claim["method"])),
+                Text(duration(claim["seconds"]), style="dim"),
+            )
+        yield table
+
+
+def _grid(widths: tuple[int, ...]) -> Table:
+    """Return an empty table without lines, indented, with columns of these widths; the last one is for numbers."""
+    grid = Table(box=None, show_header=False, padding=(0, 0, 0, 2))
+    for width in widths[:-1]:
+        grid.add_column(width=width, overflow="fold")
+    grid.add_column(width=widths[-1], justify="right", no_wrap=True)
+    return grid

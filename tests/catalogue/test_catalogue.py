@@ -1,0 +1,69 @@
+"""The catalogue's files: complete, readable at a glance, and accounted for in the audit of the course."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from canon.catalogue import ROOMS, files
+
+AUDIT = Path(__file__).resolve().parents[2] / "docs" / "audit-ledger.md"
+FILES = files()
+
+
+def test_every_claim_file_of_every_room_is_listed() -> None:
+    rooms = [Path(str(entry)).parent.name for entry in FILES]
+    assert list(dict.fromkeys(rooms)) == list(ROOMS)
+    folder = Path(str(FILES[0])).parents[1]
+    assert len(FILES) == len(list(folder.rglob("*.toml")))
+
+
+@pytest.mark.parametrize("entry", FILES, ids=lambda entry: entry.name)
+def test_names_are_kebab_case_and_every_claim_has_a_title(entry) -> None:
+    assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*\.toml", entry.name)
+    table = tomllib.loads(entry.read_text(encoding="utf-8"))
+    titles = [table["title"], *(claim["title"] for claim in table["claim"])]
+    assert all(titles)
+    assert len(titles) == len(set(titles)) > 1
+
+
+def test_at_least_sixty_transformations_and_thirty_false_claims_beside_the_course() -> None:
+    besides = [
+        tomllib.loads(entry.read_text(encoding="utf-8"))
+        for entry in FILES
+        if Path(str(entry)).parent.name not in ("course", "errata")
+    ]
+    canonical = [
+        table
+        for table in besides
+        if any(c["kind"] == "canonical" and c.get("expect", "holds") == "holds" for c in table["claim"])
+    ]
+    false = [claim for table in besides for claim in table["claim"] if claim.get("expect") == "fails"]
+    assert len(canonical) >= 60
+    assert len(false) >= 30
+
+
+def test_each_printed_error_stands_beside_its_correction() -> None:
+    for entry in FILES:
+        if Path(str(entry)).parent.name == "errata":
+            expectations = {c.get("expect", "holds") for c in tomllib.loads(entry.read_text(encoding="utf-8"))["claim"]}
+            assert expectations == {"holds", "fails"}, entry.name
+
+
+@pytest.mark.skipif(not AUDIT.exists(), reason="the audit isn't part of an installed package")
+def test_the_audit_names_existing_files_and_claims() -> None:
+    known = {
+        f"{Path(str(entry)).parent.name}/{entry.name.removesuffix('.toml')}": len(
+            tomllib.loads(entry.read_text(encoding="utf-8"))["claim"]
+        )
+        for entry in FILES
+    }
+    cited = re.findall(r"((?:course|errata)/[a-z0-9-]+): ([\d, ]+)", AUDIT.read_text(encoding="utf-8"))
+    assert len(cited) > 90
+    for name, numbers in cited:
+        assert max(int(number) for number in numbers.split(",")) <= known[name], name
+    course = {name for name in known if name.split("/")[0] in ("course", "errata")}
+    assert course == {name for name, _ in cited}

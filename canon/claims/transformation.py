@@ -14,6 +14,7 @@ import sympy as sp
 from canon.claims.chart import Chart
 from canon.claims.outcome import Outcome, combined, exact
 from canon.claims.scale import Brackets, scale_of
+from canon.claims.shears import by_shears
 from canon.claims.truncated import truncated
 from canon.decide.tape import Node
 from canon.errors import InputError
@@ -39,7 +40,9 @@ def canonical(question: Question) -> Outcome:
     region = question.region(*extra)
     node = question.load(scale) if scale else question.tape.one
     brackets = Brackets(question)
-    outcome = question.decide(brackets.residuals(node), region)
+    outcome = by_shears(question, node, region) if question.method == "symbolic" else None
+    if outcome is None:
+        outcome = question.decide(brackets.residuals(node), region)
     if outcome.status == "proved":
         return outcome.with_detail(scale=question.show(node))
     if outcome.status == "refuted":

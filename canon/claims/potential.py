@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -12,13 +12,16 @@ from canon.claims.outcome import Residual
 from canon.claims.show import neat
 from canon.decide.derivative import derivative
 from canon.decide.tape import Node
+from canon.mechanics.formulas import replaced
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
     from canon.decide.region import Region
 
-LONGEST = 150
-SECONDS = 1.0
+LONGEST = 100
+SECONDS = 0.5
+
+Late = Callable[[], bool]
 
 
 def verified_potential(
@@ -60,36 +63,44 @@ def cartan_potential(question: Question, H: Node, K: Node, region: Region) -> st
     return None if found is None else str(found)
 
 
-def _integrated(slopes: Sequence[sp.Expr], symbols: Sequence[sp.Symbol], late: object) -> sp.Expr | None:
+def _integrated(slopes: Sequence[sp.Expr], symbols: Sequence[sp.Symbol], late: Late) -> sp.Expr | None:
     found: sp.Expr = sp.S.Zero
     for slope, x in zip(slopes, symbols, strict=True):
-        if sp.count_ops(slope) > 4 * LONGEST or (callable(late) and late()):
+        if sp.count_ops(slope) > 4 * LONGEST or late():
             return None
-        rest = neat(sp.expand(slope - sp.diff(found, x)))
-        part = antiderivative(rest, x)
+        rest = _without(sp.expand(slope - sp.diff(found, x)), symbols[: symbols.index(x)])
+        part = antiderivative(rest, x, late)
         if part is None:
             return None
         found = found + part
     return found
 
 
-def antiderivative(expression: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
-    """A function whose derivative by x is the expression, term by term; None where no guess fits."""
+def _without(rest: sp.Expr, earlier: Sequence[sp.Symbol]) -> sp.Expr:
+    """What is left for the later variables: it can't depend on the earlier ones, so any value of these will do."""
+    if not any(rest.has(past) for past in earlier):
+        return rest
+    there = replaced(rest, dict.fromkeys(earlier, sp.S.Zero))
+    return neat(rest) if there.has(sp.zoo, sp.nan, sp.oo) else there
+
+
+def antiderivative(expression: sp.Expr, x: sp.Symbol, late: Late = lambda: False) -> sp.Expr | None:
+    """A function whose derivative by x is the expression, term by term; None where no guess fits, or it is `late`."""
     total: sp.Expr = sp.S.Zero
     if sp.count_ops(expression) > LONGEST:
         return None
-    whole = _guessed(expression, x)
+    whole = _guessed(expression, x, late)
     if whole is not None:
         return whole
     for term in sp.Add.make_args(sp.expand(expression)):
-        part = _guessed(term, x)
+        part = _guessed(term, x, late)
         if part is None:
             return None
         total = total + part
     return total
 
 
-def _guessed(term: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
+def _guessed(term: sp.Expr, x: sp.Symbol, late: Late) -> sp.Expr | None:
     if not term.has(x):
         return term * x
     if sp.expand(term).is_polynomial(x):
@@ -99,13 +110,15 @@ def _guessed(term: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
         if found is not None and not found.has(sp.Integral, sp.Piecewise, sp.RootSum, sp.I):
             return found
     for candidate in _candidates(term, x):
+        if late():
+            return None
         slope = sp.diff(candidate, x)
         if slope == 0:
             continue
-        ratio = sp.cancel(term / slope) if not term.has(sp.sin, sp.cos) else sp.trigsimp(sp.cancel(term / slope))
+        ratio = sp.cancel(term / slope) if not term.has(sp.sin, sp.cos) else neat(sp.cancel(term / slope))
         if not ratio.has(x):
             return ratio * candidate
-    return _by_parts(term, x)
+    return _by_parts(term, x, late)
 
 
 def _candidates(term: sp.Expr, x: sp.Symbol) -> Iterator[sp.Expr]:
@@ -140,7 +153,7 @@ def _candidates(term: sp.Expr, x: sp.Symbol) -> Iterator[sp.Expr]:
             yield argument + sp.sin(argument) * sp.cos(argument)
 
 
-def _by_parts(term: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
+def _by_parts(term: sp.Expr, x: sp.Symbol, late: Late) -> sp.Expr | None:
     """∫ xᵏ g'(x) with g a sine, cosine or exponential of something linear in x."""
     power, rest = sp.S.One, sp.S.One
     for factor in sp.Mul.make_args(term):
@@ -151,11 +164,11 @@ def _by_parts(term: sp.Expr, x: sp.Symbol) -> sp.Expr | None:
             rest = rest * factor
     if power == 1:
         return None
-    inner = _guessed(rest, x) if not rest.has(x) or rest.has(sp.sin, sp.cos, sp.exp) else None
+    inner = _guessed(rest, x, late) if not rest.has(x) or rest.has(sp.sin, sp.cos, sp.exp) else None
     if inner is None:
         return None
     left = sp.expand(sp.diff(power, x) * inner)
-    remaining = [_guessed(part, x) for part in sp.Add.make_args(left)]
+    remaining = [_guessed(part, x, late) for part in sp.Add.make_args(left)]
     if any(part is None for part in remaining):
         return None
     return power * inner - sp.Add(*(part for part in remaining if part is not None))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.scale import Brackets, constant_scale
+from canon.claims.show import LONG
 from canon.decide.tape import Node
 from canon.errors import BudgetExceeded, CanonError
 
@@ -17,15 +18,15 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
     from canon.decide.region import Region
 
-SECONDS = 0.6
+SECONDS = 0.4
 MOST_BRACKETS = 6
 MOST_CANDIDATES = 40
 
 
 def lesson(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:
     """The details of a refutation of M J Mᵀ = scale · J."""
-    found: dict[str, Any] = {"brackets": failing(question, brackets, outcome)}
     short = replace(question, budget=question.budget.share(0.4).at_most(SECONDS), method="symbolic")
+    found: dict[str, Any] = {"brackets": failing(short, outcome)}
     for step in (_constant, _repaired, _parameters):
         if short.budget.spent():
             break
@@ -34,17 +35,23 @@ def lesson(question: Question, brackets: Brackets, scale: Node, region: Region, 
         except (CanonError, BudgetExceeded):
             continue
         found.update(news)
-        if "scale" in news:
+        if step is _constant and "repair" in news:
             break
     return found
 
 
-def failing(question: Question, brackets: Brackets, outcome: Outcome) -> dict[str, str]:
+def failing(question: Question, outcome: Outcome) -> dict[str, str]:
     """The brackets that were refuted, with their values."""
     refuted = [finding for finding in outcome.findings if finding.answer.status == "refuted"]
     shown = {}
-    for residual in (finding.residual for finding in refuted[:MOST_BRACKETS]):
-        shown[residual.label] = question.show(residual.node if residual.actual is None else residual.actual)
+    for finding in refuted[:MOST_BRACKETS]:
+        residual = finding.residual
+        node = residual.node if residual.actual is None else residual.actual
+        text = LONG if question.budget.spent() else question.show(node)
+        witness = finding.answer.witness
+        shown[residual.label] = (
+            text if text != LONG or witness is None else f"{text}, off by {witness.value} at the witness"
+        )
     if len(refuted) > MOST_BRACKETS:
         shown["…"] = f"and {len(refuted) - MOST_BRACKETS} more"
     return shown
@@ -64,6 +71,8 @@ def _constant(question: Question, brackets: Brackets, scale: Node, region: Regio
     shown = question.show(constant.node)
     if constant.node == tape.one:
         return {"scale": shown, "repair": "it is canonical with scale 1"}
+    if not constant.nonzero:
+        return {"scale": shown}
     target = "p" if brackets.inverted else "P"
     ratio = tape.mul([(constant.node, -1), (scale, 1)] if brackets.inverted else [(constant.node, 1), (scale, -1)])
     return {
@@ -152,7 +161,7 @@ def _parameters(
 
     failed = [f.residual for f in outcome.findings if f.answer.status == "refuted"]
     tape = question.tape
-    expressions = [tape.to_sympy(residual.node) for residual in failed if len(tape.reach([residual.node])) < 400]
+    expressions = [tape.to_sympy(residual.node) for residual in failed if len(tape.reach([residual.node])) < 100]
     names = [s for s in question.space.parameters if any(s in e.free_symbols for e in expressions)]
     good = []
     for table in solutions(expressions, names, question.budget):

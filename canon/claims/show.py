@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import sympy as sp
+from sympy.simplify.fu import TR5, TR6
 
 from canon.decide.tape import Node, Tape
 
-SHORT = 60
+SHORT = 40
+LONG = "a long formula"
 
 
 def neat(expression: sp.Expr) -> sp.Expr:
@@ -18,8 +20,9 @@ def neat(expression: sp.Expr) -> sp.Expr:
     forms: list[Any] = [expression]
     try:
         forms.append(sp.factor_terms(sp.cancel(expression)))
-        if expression.has(sp.sin, sp.cos) and sp.count_ops(forms[-1]) < SHORT / 2:
-            forms.append(sp.trigsimp(forms[-1]))
+        if expression.has(sp.sin, sp.cos):
+            forms += [sp.expand(TR5(sp.expand(forms[-1]))), sp.expand(TR6(sp.expand(forms[-1])))]
+            forms.append(sp.factor_terms(min(forms, key=sp.count_ops)))
         if forms[-1].is_polynomial(*forms[-1].free_symbols):
             forms.append(sp.factor(forms[-1]))
     except (sp.PolynomialError, NotImplementedError, TypeError, AttributeError):
@@ -42,7 +45,7 @@ def shown(tape: Tape, node: Node) -> str:
     value = tape.value(node)
     if value is not None:
         return str(value)
-    if len(tape.reach([node])) > 4 * SHORT:
-        return "a formula too long to show"
+    if len(tape.reach([node])) > 2 * SHORT:
+        return LONG
     text = str(neat(_powers(tape.to_sympy(node))))
-    return text if len(text) <= 400 else text[:397] + "..."
+    return text if len(text) <= 200 else LONG

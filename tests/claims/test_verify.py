@@ -1,0 +1,154 @@
+"""From claim to verdict: methods, budgets, certificates, what is built, and what is taught."""
+
+import json
+
+import pytest
+import sympy as sp
+
+from canon.budget import Budget
+from canon.claim import Claim
+from canon.claims import question as questions
+from canon.claims.keys import KEYS
+from canon.claims.kinds import KINDS
+from canon.claims.outcome import Outcome, combined
+from canon.claims.question import Question
+from canon.claims.scale import never_zero
+from canon.claims.verify import verify
+from canon.decide import derivative as derivatives
+from canon.decide import ladder
+from canon.domain import Condition
+from canon.errors import InputError
+from canon.mechanics import PhaseSpace, Transformation
+
+SPACE = PhaseSpace("q", "p", new=("Q", "P"), positive="m")
+q, p, m = SPACE.symbols("q p m")
+
+
+def exchange(sign: int = -1) -> Transformation:
+    return Transformation(SPACE, Q=(p,), P=(sign * q,))
+
+
+def test_every_kind_of_this_version_is_decided():
+    assert set(KINDS) == set(KEYS)
+
+
+def test_an_unknown_kind_names_the_nearest():
+    with pytest.raises(InputError, match="canonical"):
+        verify(Claim("canonicall", exchange().subject()))
+
+
+def test_methods():
+    true, false = exchange().canonical(), exchange(1).canonical()
+    assert verify(true, method="symbolic").numeric is None
+    numeric = verify(true, method="numeric")
+    assert numeric.status == "supported"
+    assert numeric.numeric is not None
+    both = verify(true, method="all")
+    assert both.status == "proved"
+    assert both.numeric is not None
+    assert both.numeric.points > 0
+    assert {verify(false, method=method).status for method in ("symbolic", "numeric", "all")} == {"refuted"}
+    with pytest.raises(InputError, match="method"):
+        verify(true, method="quick")  # type: ignore[arg-type]
+
+
+def test_a_certificate_is_data_that_json_can_hold():
+    verdict = verify(
+        Transformation(SPACE, Q=(q * sp.cos(m) + p * sp.sin(m),), P=(p * sp.cos(m) - q * sp.sin(m),)).canonical()
+    )
+    assert verdict.certificate is not None
+    data = json.loads(json.dumps(dict(verdict.certificate), default=str))
+    assert data["verdict"] == "proved"
+    assert data["arguments"]
+
+
+def test_no_budget_is_no_verdict():
+    verdict = verify(Transformation(SPACE, Q=(sp.sin(q),), P=(p / sp.cos(q),)).canonical(), budget=0.0)
+    assert verdict.status == "undecided"
+
+
+def test_a_refutation_builds_no_normal_form(monkeypatch):
+    def never(*_: object) -> None:
+        raise AssertionError("a normal form was built")
+
+    monkeypatch.setattr(ladder._Ladder, "normal_forms", never)
+    monkeypatch.setattr("canon.claims.repair.lesson", lambda *_: {})
+    assert verify(exchange(1).canonical()).status == "refuted"
+
+
+def test_a_bracket_takes_only_the_derivatives_that_it_needs(monkeypatch):
+    taken = []
+    real = derivatives.derivative
+
+    def counted(tape, node, variable):
+        taken.append((node, variable))
+        return real(tape, node, variable)
+
+    monkeypatch.setattr(derivatives, "derivative", counted)
+    space = PhaseSpace("x y z", "px py pz")
+    x, px = space.symbols("x px")
+    from canon.expression import Formula
+    from canon.mechanics import Subject
+
+    keys = {"f": Formula(x**2, ()), "g": Formula(px, ()), "equals": Formula(2 * x, ())}
+    assert verify(Claim("bracket", Subject(space), keys)).status == "proved"
+    assert len(taken) == 2
+
+
+def test_a_variable_of_the_other_side_is_refused():
+    claim = exchange().canonical()
+    wrong = Claim("bracket_invariance", claim.subject, {"f": _formula(q), "g": _formula(q)})
+    with pytest.raises(InputError, match="old variables"):
+        verify(wrong)
+
+
+def _formula(expression: sp.Expr):
+    from canon.mechanics.formulas import as_formula
+
+    return as_formula(expression)
+
+
+def test_a_contradiction_is_never_answered_over():
+    question = Question(exchange().canonical(), Budget(5))
+    proved = Outcome("proved", findings=())
+    with pytest.raises((AssertionError, IndexError)):
+        question._beside(proved, Outcome("refuted"))
+
+
+def test_outcomes_combine():
+    words = {
+        ("proved", "proved"): "proved",
+        ("proved", "supported"): "supported",
+        ("supported", "undecided"): "undecided",
+        ("undecided", "refuted"): "refuted",
+    }
+    for pair, expected in words.items():
+        assert combined(Outcome(word) for word in pair).status == expected  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        ("a", False),
+        ("1 + a**2", True),
+        ("c*d", True),
+        ("c - 1", False),
+        ("n", True),
+        ("1 + c", True),
+        ("a*b - 1", True),
+    ],
+)
+def test_what_is_nowhere_zero(expression, expected):
+    names = {"a": sp.Symbol("a", real=True), "b": sp.Symbol("b", real=True), "n": sp.Symbol("n", real=True, zero=False)}
+    names |= {letter: sp.Symbol(letter, positive=True) for letter in "cd"}
+    a, b = names["a"], names["b"]
+    known = {
+        "a": a, "1 + a**2": 1 + a**2, "c*d": names["c"] * names["d"], "c - 1": names["c"] - 1, "n": names["n"],
+        "1 + c": 1 + names["c"], "a*b - 1": a * b - 1,
+    }  # fmt: skip
+    conditions = (Condition("nonzero", (2 * (a * b - 1),)),)
+    assert never_zero(known[expression], conditions) is expected
+
+
+def test_first_batches_are_small():
+    assert questions.FIRST_BATCH <= 10

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 import sympy as sp
 
@@ -67,7 +68,7 @@ def _factors(expressions: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list
         for candidate in (expression, *(sp.diff(expression, x) for x in variables[:3])):
             if candidate == 0:
                 continue
-            numerator = sp.fraction(sp.together(neat(candidate)))[0]
+            numerator: Any = sp.fraction(sp.together(neat(candidate)))[0]
             try:
                 numerator = sp.factor(numerator)
             except (sp.PolynomialError, NotImplementedError):

@@ -124,16 +124,6 @@ def _candidates(question: Question, brackets: Brackets, expected: Node, outcome:
     for i in range(m):
         if brackets.label(i, i + m) in failed:
             yield Repair(f"the sign of {names[i + m]}", changed(i + m, tape.negative(functions[i + m])))
-    for i in range(m):
-        if brackets.label(i, i + m) not in failed:
-            continue
-        value = brackets.bracket(i, i + m)
-        if tape.value(value) == 0:
-            continue
-        factor = tape.mul([(value, 1), (expected, -1)])
-        shown = question.show(factor)
-        for k in (i + m, i):
-            yield Repair(f"divide {names[k]} by {shown}", changed(k, tape.mul([(functions[k], 1), (factor, -1)])))
     for i in range(2 * m):
         op = tape.ops[functions[i]]
         if op[0] != "+" or len(op[2]) > 6:
@@ -148,6 +138,16 @@ def _candidates(question: Question, brackets: Brackets, expected: Node, outcome:
                 swapped = list(functions)
                 swapped[i + shift], swapped[j + shift] = functions[j + shift], functions[i + shift]
                 yield Repair(f"exchange {names[i + shift]} and {names[j + shift]}", tuple(swapped))
+    for i in range(m):
+        if brackets.label(i, i + m) not in failed:
+            continue
+        value = brackets.bracket(i, i + m)
+        if tape.value(value) == 0:
+            continue
+        factor = tape.mul([(value, 1), (expected, -1)])
+        shown = question.show(factor)
+        for k in (i + m, i):
+            yield Repair(f"divide {names[k]} by {shown}", changed(k, tape.mul([(functions[k], 1), (factor, -1)])))
 
 
 def _parameters(

@@ -62,7 +62,7 @@ def _no_real_root(base: sp.Expr) -> bool:
     return polynomial.count_roots(low, high) == 0
 
 
-def _bases(expression: sp.Expr) -> Iterator[sp.Expr]:
+def _bases(expression: Any) -> Iterator[Any]:
     """The factors without their exponents."""
     if sp.count_ops(expression) < 200 and not expression.has(AppliedUndef):
         try:

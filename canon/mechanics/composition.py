@@ -7,6 +7,7 @@ from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, substituted
 from canon.mechanics.phase_space import Names, PhaseSpace
+from canon.mechanics.time_dependence import hamiltonian_shift
 from canon.mechanics.transformation import Transformation
 
 
@@ -63,6 +64,9 @@ def _joined(first: Transformation, second: Transformation) -> PhaseSpace:
     parameters = tuple(dict.fromkeys((*one.parameters, *other.parameters)))
     if clash := names & {symbol.name for symbol in parameters}:
         raise InputError(f"{min(clash)!r} is a variable of one map and a parameter of the other")
+    known = {symbol.name for symbol in parameters}
+    if len(known) < len(parameters):
+        raise InputError("a parameter has other assumptions in the one map than in the other")
     functions = tuple(dict.fromkeys((*one.functions, *other.functions)))
     return PhaseSpace(
         one.q, one.p, new=new, time=one.t, real=parameters, functions=functions, domain=_domain(first, second)
@@ -79,7 +83,7 @@ def _domain(first: Transformation, second: Transformation) -> Domain:
 
 def extended_by_time(
     transformation: Transformation,
-    added: Expression,
+    added: Expression | None = None,
     time: tuple[Names, Names] = ("t_momentum", "T"),
     new_momentum: Names = "T_momentum",
 ) -> Transformation:
@@ -88,13 +92,18 @@ def extended_by_time(
     Q and P as before, T = t, and P_T = p_t - R with R = K - H (`added`) as a function of (q, p, t), so that
     p dq + p_t dt and P dQ + P_T dT differ by an exact form when the map is canonical.
 
-    **Arguments:** a forward transformation; R (see `time_dependence.hamiltonian_shift`); the names of the momentum of
-    time and of the new time; the name of the new time's momentum.
+    **Arguments:** a forward transformation; R, integrated if it is left out; the names of the momentum of time and of
+    the new time; the name of the new time's momentum.
 
-    **Raises:** `InputError` for a map that is not given forward.
+    **Raises:** `InputError` for a map that is not given forward, or when R is not found.
     """
     if transformation.direction != "forward":
         raise InputError("only a map given forward is extended by time; ask for .forward() first")
+    if added is None:
+        found = hamiltonian_shift(transformation)
+        if found is None:
+            raise InputError("what the transformation adds to H could not be integrated; give it")
+        added = found.function
     space, shift = transformation.space, as_formula(added)
     momentum_name, time_name = time
 

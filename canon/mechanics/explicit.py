@@ -3,8 +3,6 @@
 import sympy as sp
 
 from canon.errors import InputError
-from canon.mechanics.formulas import replaced
-from canon.mechanics.one_form import tidy
 from canon.mechanics.solving import Solution, branches
 from canon.mechanics.transformation import Direction, Transformation
 
@@ -46,8 +44,7 @@ def _of_generating_function(transformation: Transformation, direction: Direction
     known, unknown = (F.old_conjugates, F.new_arguments) if forward else (F.new_conjugates, F.old_arguments)
     rest = F.new_conjugates if forward else F.old_conjugates
     formulas = F.conjugates()
-    solved = branches({y: formulas[y] for y in known}, unknown)
-    return tuple({**solution, **{y: tidy(replaced(formulas[y], solution)) for y in rest}} for solution in solved)
+    return branches({y: formulas[y] for y in known}, unknown, {y: formulas[y] for y in rest})
 
 
 def _transformation(origin: Transformation, direction: Direction, solution: Solution) -> Transformation:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import sympy as sp
 
 from canon.errors import InputError
-from canon.mechanics.formulas import replaced
 from canon.mechanics.generating_function import MOMENTA, GeneratingFunction
 from canon.mechanics.one_form import potential, tidy
 from canon.mechanics.solving import branches
@@ -31,10 +30,11 @@ def converted(F: GeneratingFunction, type: int | Sequence[int], branch: int = 0)
     ]
     value = F.F.expr + sp.Add(*(_sign(F, x) * x * y for x, y in gone))
     if gone:
-        found = branches({y: formulas[y] for _, y in gone}, [x for x, _ in gone])
+        result = sp.Dummy("F")
+        found = branches({y: formulas[y] for _, y in gone}, [x for x, _ in gone], {result: value})
         if len(found) <= branch:
             raise InputError(f"the map has no generating function of type {type} that could be found")
-        value = tidy(replaced(value, found[branch]))
+        value = found[branch][result]
     return GeneratingFunction(F.space, type, value)
 
 
@@ -98,10 +98,10 @@ def _in_mixed_coordinates(transformation: Transformation, template: GeneratingFu
     known = template.new_arguments if forward else template.old_arguments
     unknown = template.old_conjugates if forward else template.new_conjugates
     rest = template.new_conjugates if forward else template.old_conjugates
-    found = branches({x: given[x] for x in known}, unknown)
+    found = branches({x: given[x] for x in known}, unknown, {y: given[y] for y in rest})
     if not found:
         return None
-    values = found[0] | {y: tidy(replaced(given[y], found[0])) for y in rest}
+    values = found[0]
     old, new = template.signs()
     conjugates = template.old_conjugates + template.new_conjugates
     return [sign * values[y] for sign, y in zip((*old, *new), conjugates, strict=True)]

@@ -7,6 +7,9 @@ from typing import Any
 import sympy as sp
 
 from canon.mechanics.formulas import replaced
+from canon.mechanics.trigonometry import contracted
+
+_LARGEST = 100  # operations in a function that is still integrated
 
 
 @dataclass(frozen=True)
@@ -48,12 +51,21 @@ def potential(coefficients: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -
             rest = _without(rest, earlier)
         if rest == 0:
             continue
-        part = sp.integrate(rest, variable, conds="none").replace(sp.Piecewise, _real_piece)
-        if part.has(sp.Integral, sp.Piecewise, sp.zoo, sp.nan):
+        part = _antiderivative(rest, variable)
+        if part is None:
             return None
         found = sp.Add(found, part)
     residuals = tuple(found.diff(x) - a for a, x in zip(coefficients, variables, strict=True))
     return Potential(found, residuals)
+
+
+def _antiderivative(function: Any, variable: sp.Symbol) -> Any:
+    """An antiderivative, if sympy finds one without its slowest method; `None` otherwise."""
+    if sp.count_ops(function) > _LARGEST:
+        return None
+    found: Any = sp.integrate(function, variable, conds="none", meijerg=False)
+    found = found.replace(sp.Piecewise, _real_piece)
+    return None if found.has(sp.Integral, sp.Piecewise, sp.zoo, sp.nan) else found
 
 
 def _real_piece(*pieces: Any) -> Any:
@@ -64,15 +76,16 @@ def _real_piece(*pieces: Any) -> Any:
 
 def tidy(expression: Any) -> Any:
     """A shorter form of the same function where one is found cheaply; never a statement that something is zero."""
-    if not expression.free_symbols or sp.count_ops(expression) > 200:
+    size = sp.count_ops(expression)
+    if not expression.free_symbols or size > 2 * _LARGEST:
         return expression
     forms = [expression, sp.expand(expression)]
     try:
         forms.append(sp.cancel(sp.together(expression)))
     except (sp.PolynomialError, NotImplementedError):
         forms.append(sp.together(expression))
-    if expression.has(sp.sin, sp.cos, sp.tan, sp.cot, sp.sinh, sp.cosh, sp.tanh):
-        forms.append(sp.trigsimp(forms[-1]))
+    if expression.has(sp.Function):
+        forms.append(contracted(expression))
     return min(forms, key=sp.count_ops)
 
 

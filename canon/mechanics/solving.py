@@ -21,31 +21,45 @@ _SAMPLES = 12
 _DIGITS = 30
 
 
-def branches(equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[Solution, ...]:
+def branches(
+    equations: Mapping[sp.Symbol, sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    also: Mapping[sp.Symbol, sp.Expr] | None = None,
+) -> tuple[Solution, ...]:
     """The solutions of y = equations[y] for `unknowns`, as functions of the y and whatever else occurs.
+
+    **Arguments:** besides the equations, what else is wanted at the solutions, `also`: functions of the same variables,
+    each under a name of its own.
 
     **Returns:** the branches that are right at some sample point: smooth ones before those with absolute values, and
     rare ones last; empty when sympy finds none. With arbitrary functions in the equations no branch can be sampled
     and all are kept.
     """
+    wanted = dict(also or {})
+    everything = (*unknowns, *wanted)
     system = [_prepared(known, value) for known, value in equations.items()]
+    system += [value - name for name, value in wanted.items()]
     found: list[Solution] = []
-    for solution in _solve(system, tuple(unknowns)):
-        readable = {x: tidy(_readable(solution[x])) for x in unknowns}
+    for solution in _solve(system, everything):
+        readable = {x: tidy(_readable(solution[x])) for x in everything}
         for form in (_smooth(readable), readable):
             if form not in found:
                 found.append(form)
         if len(found) >= _LARGEST:
             break
-    points = list(_samples(equations, unknowns))
+    points = list(_samples(equations, unknowns, wanted))
     if not points:
         return tuple(found)
     right = [sum(_agrees(solution, point) for point in points) for solution in found]
     kinks = [any(value.has(sp.Abs, sp.sign) for value in solution.values()) for solution in found]
     rare = [2 * count < max(right) for count in right]
-    negative = [sum(value.could_extract_minus_sign() for value in solution.values()) for solution in found]
-    order = sorted((k for k in range(len(found)) if right[k]), key=lambda k: (kinks[k], rare[k], negative[k]))
+    minus = [sum(map(_minus_signs, solution.values())) for solution in found]
+    order = sorted((k for k in range(len(found)) if right[k]), key=lambda k: (kinks[k], rare[k], minus[k]))
     return tuple(found[k] for k in order)
+
+
+def _minus_signs(expression: sp.Expr) -> int:
+    return sum(bool(part.is_Mul and part.args[0].is_negative) for part in sp.preorder_traversal(expression))
 
 
 def _prepared(known: sp.Symbol, value: sp.Expr) -> sp.Expr:
@@ -204,19 +218,22 @@ def _smooth(solution: Solution) -> Solution:
     return {x: tidy(value.replace(sp.Abs, lambda inner: inner)) for x, value in solution.items()}
 
 
-def _samples(equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbol]) -> Iterator[Solution]:
-    """Points at which all equations hold, found by choosing everything but the left sides."""
-    values = list(equations.values())
-    free: list[Any] = sorted({*unknowns, *(s for value in values for s in value.free_symbols)}, key=str)
+def _samples(
+    equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbol], also: Mapping[sp.Symbol, sp.Expr]
+) -> Iterator[Solution]:
+    """Points at which all equations hold, found by choosing everything but their left sides."""
+    values = [*equations.values(), *also.values()]
+    occurring: set[Any] = {*unknowns, *(symbol for value in values for symbol in value.free_symbols)}
     if any(value.atoms(AppliedUndef) for value in values):
         return
     random, count = Random(0), 0
     for attempt in range(8 * _SAMPLES):
         size = (1, 3)[attempt % 2]
-        chosen = {symbol: _choice(symbol, random, size) for symbol in free}
-        left = {known: replaced(value, chosen).evalf(_DIGITS) for known, value in equations.items()}
-        if all(_suits(known, value) for known, value in left.items()):
-            yield chosen | left
+        point = {symbol: _choice(symbol, random, size) for symbol in sorted(occurring - {*equations}, key=str)}
+        for given in (equations, also):
+            point |= {name: replaced(value, point).evalf(_DIGITS) for name, value in given.items()}
+        if all(_suits(name, point[name]) for name in (*equations, *also)):
+            yield point
             count += 1
             if count == _SAMPLES:
                 return

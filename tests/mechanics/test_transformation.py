@@ -71,6 +71,13 @@ def test_backward_maps_compose_too(vanishes):
     assert vanishes(u - v for u, v in zip(forward.expressions, both.forward().expressions, strict=True))
 
 
+def test_parameters_of_composed_maps_must_agree():
+    spaces = [PhaseSpace("q", "p", new=("Q", "P"), **{word: "a"}) for word in ("real", "positive")]
+    maps = [Transformation(s, Q=s.symbols("a") * s.q[0], P=s.p[0] / s.symbols("a")) for s in spaces]
+    with pytest.raises(InputError, match="other assumptions"):
+        maps[0].after(maps[1])
+
+
 def test_domains_come_along_in_composition():
     space = PhaseSpace("q", "p", new=("Q", "P"))
     x, y = space.old
@@ -93,7 +100,8 @@ def test_a_rotating_frame_adds_to_the_hamiltonian(vanishes):
     assert not vanishes(new_hamiltonian_residuals(turning, free, K + X**2))
     shift = hamiltonian_shift(turning)
     assert shift is not None
-    extended = extended_by_time(turning, shift.function)
+    extended = extended_by_time(turning)
+    assert extended == extended_by_time(turning, shift.function)
     assert vanishes(extended.symplectic_residual())
     assert not vanishes(extended_by_time(turning, -shift.function).symplectic_residual())
 

@@ -82,7 +82,7 @@ def tidy(expression: Any) -> Any:
     forms = [expression, sp.expand(expression)]
     try:
         forms.append(sp.cancel(sp.together(expression)))
-    except (sp.PolynomialError, NotImplementedError):
+    except (sp.PolynomialError, RuntimeError):
         forms.append(sp.together(expression))
     if expression.has(sp.Function):
         forms.append(contracted(expression))

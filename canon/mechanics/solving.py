@@ -189,7 +189,7 @@ def _roots(equation: sp.Expr, unknown: sp.Symbol) -> list[sp.Expr]:
         return [] if slope == 0 else [tidy(-replaced(equation, {unknown: sp.S.Zero}) / slope)]
     try:
         roots = sp.solve(equation, unknown, check=False, simplify=False)
-    except (NotImplementedError, ValueError, TypeError):
+    except (RuntimeError, ValueError, TypeError):
         return []
     return [root for root in roots if isinstance(root, sp.Expr) and not root.has(sp.Piecewise, sp.zoo, sp.nan)]
 
@@ -197,7 +197,7 @@ def _roots(equation: sp.Expr, unknown: sp.Symbol) -> list[sp.Expr]:
 def _solve_whole(system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> Iterator[Solution]:
     try:
         solutions = sp.solve(system, unknowns, dict=True, check=False, simplify=False)
-    except (NotImplementedError, ValueError, TypeError):
+    except (RuntimeError, ValueError, TypeError):
         return
     for solution in solutions:
         free = {x for value in solution.values() for x in value.free_symbols}

@@ -35,7 +35,7 @@ def hessian_outcome(question: Question, *formulas: Formula) -> Outcome:
 def hessian_outcome_of(question: Question, node: Node, region: Region) -> Outcome:
     """The same of a determinant already built."""
     answer = question.not_identically_zero(node, region)
-    shown = str(question.tape.to_sympy(node))
+    shown = question.show(node, shorten=False)
     if answer.status == "proved":
         point = answer.witness.as_table() if answer.witness else {}
         step = {"theorem": THEOREM, "mixed Hessian": shown, "is not 0 at": point}

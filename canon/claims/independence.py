@@ -20,6 +20,7 @@ from canon.claims.bracket import keys_domain, tensor_of
 from canon.claims.determinant import determinant
 from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.scale import never_zero
+from canon.claims.show import is_short
 from canon.decide.derivative import derivative, substitute
 from canon.decide.region import Requirement
 from canon.decide.tape import Node, Tape, Unsupported
@@ -156,7 +157,8 @@ def _ranked(
     )
     if not_zero_for_any_parameters(tape, minor, fixed, conditions):
         return proved
-    if everywhere is None and (not fixed or _harmless(tape, minor, fixed, conditions)):
+    free = not fixed and not tape.functions_of([minor])
+    if everywhere is None and (free or _harmless(tape, minor, fixed, conditions)):
         return proved
     gaps = ["on other components of the domain"] if everywhere is not None else []
     gaps += ["at special values of parameters"] if fixed else []
@@ -166,7 +168,9 @@ def _ranked(
 
 def _harmless(tape: Tape, minor: Node, fixed: frozenset[Node], conditions: Sequence[Condition]) -> bool:
     """A minor that contains nothing but parameters and is never zero."""
-    return tape.support(minor) <= fixed and never_zero(tape.to_sympy(minor), conditions)
+    if not tape.support(minor) <= fixed or not is_short(tape, minor):
+        return False
+    return never_zero(tape.to_sympy(minor), conditions)
 
 
 def not_zero_for_any_parameters(
@@ -189,9 +193,12 @@ def _never_zero_at(
     """The value at a point, as a function of the parameters, has no zero."""
     values = {x: tape.number(place[k % len(place)]) for k, x in enumerate(variables)}
     try:
-        there = tape.to_sympy(substitute(tape, node, values))
+        value = substitute(tape, node, values)
     except InputError:
         return False
+    if not is_short(tape, value):
+        return False
+    there = tape.to_sympy(value)
     return not there.has(sp.zoo, sp.nan, sp.oo) and never_zero(there, conditions)
 
 

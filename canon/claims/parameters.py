@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from canon.budget import Budget
-from canon.claims.show import neat
+from canon.claims.show import FAILURES, neat
 from canon.mechanics.formulas import replaced
 
 LONGEST = 200
@@ -71,7 +71,7 @@ def _factors(expressions: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list
             numerator: Any = sp.fraction(sp.together(neat(candidate)))[0]
             try:
                 numerator = sp.factor(numerator)
-            except (sp.PolynomialError, NotImplementedError):
+            except FAILURES:
                 continue
             for factor in sp.Mul.make_args(numerator):
                 base = factor.base if isinstance(factor, sp.Pow) else factor

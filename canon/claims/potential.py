@@ -9,7 +9,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from canon.claims.outcome import Residual
-from canon.claims.show import neat
+from canon.claims.show import FAILURES, is_short, neat
 from canon.decide.derivative import derivative
 from canon.decide.tape import Node
 from canon.mechanics.formulas import replaced
@@ -32,8 +32,12 @@ def verified_potential(
     budget = question.budget.share(0.3).at_most(SECONDS)
     pulled = question.chart.pull
     symbols = [tape.symbol_at(x) for x in variables]
-    expressions = [tape.to_sympy(slope) for slope in slopes]
-    found = _integrated(expressions, symbols, budget.spent)
+    if not all(is_short(tape, slope, 4 * LONGEST) for slope in slopes):
+        return None
+    try:
+        found = _integrated([tape.to_sympy(slope) for slope in slopes], symbols, budget.spent)
+    except FAILURES:
+        return None
     if found is None or budget.spent():
         return None
     node = tape.load(found)

@@ -13,6 +13,7 @@ import sympy as sp
 from canon.budget import Budget
 from canon.claims.chart import Chart, chart_of
 from canon.claims.outcome import Finding, Outcome, Residual, combined
+from canon.claims.show import shown
 from canon.decide import ladder
 from canon.decide.derivative import substitute
 from canon.decide.region import Region, Requirement
@@ -161,9 +162,9 @@ class Question:
         """The claim's domain on the tape, pulled back to the chart.
 
         **Arguments:** `formulas`, the claim's own keys; `images`, replaced after the chart's own; `domain`, in place of
-        `self.domain(*formulas)`; `chart`, in place of the subject's; `assumed`, whether an image must satisfy what is
-        assumed of the variable that it stands for; `regular`, whether points where the mixed Hessian of a generating
-        function is singular are left out, since no map is defined there.
+        `self.domain(*formulas)`; `chart`, in place of the subject's; `assumed`, whether a value in `images` must
+        satisfy what is assumed of the name that it stands for; `regular`, whether points where the mixed Hessian of a
+        generating function is singular are left out, since no map is defined there.
         """
         tape, chart, images = self.tape, chart or self.chart, images or {}
         names = [tape.symbol_at(u) for u in chart.coordinates if u not in images]
@@ -179,9 +180,8 @@ class Question:
         for r in written.requirements:
             nodes = tuple(moved(node) for node in r.nodes)
             requirements.append(r if nodes == r.nodes else Requirement(r.kind, nodes, f"{r.text} (pulled back)"))
-        if assumed:
-            for variable in (*chart.images, *images):
-                requirements.extend(_assumption(tape, tape.symbol_at(variable), moved(variable)))
+        for variable in (*chart.images, *(images if assumed else ())):
+            requirements.extend(_assumption(tape, tape.symbol_at(variable), moved(variable)))
         if regular and chart.hessian is not None:
             hessian = substitute(tape, chart.hessian, images) if images else chart.hessian
             requirements.append(Requirement("nonzero", (hessian,), "the mixed Hessian is not singular"))
@@ -272,11 +272,9 @@ class Question:
         """Is there a point of the region where the node doesn't vanish? The ladder's answer."""
         return ladder.nonvanishing(self.tape, node, region, budget=budget or self.budget, seed=self.seed)
 
-    def show(self, node: Node) -> str:
-        """A node as a formula for people, shortened where that is cheap."""
-        from canon.claims.show import shown
-
-        return shown(self.tape, node)
+    def show(self, node: Node, *, shorten: bool = True) -> str:
+        """A node as a formula for people."""
+        return shown(self.tape, node, shorten=shorten)
 
 
 def _assumption(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:

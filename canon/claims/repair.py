@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.scale import Brackets, constant_scale
-from canon.claims.show import LONG
+from canon.claims.show import FAILURES, LONG, is_short
 from canon.decide.tape import Node
-from canon.errors import BudgetExceeded, CanonError
+from canon.errors import CanonError
 
 if TYPE_CHECKING:
     from canon.claims.chart import Chart
@@ -32,7 +32,7 @@ def lesson(question: Question, brackets: Brackets, scale: Node, region: Region, 
             break
         try:
             news = step(short, Brackets(short), scale, region, outcome)
-        except (CanonError, BudgetExceeded):
+        except (CanonError, *FAILURES):
             continue
         found.update(news)
         if step is _constant and "repair" in news:
@@ -161,7 +161,7 @@ def _parameters(
 
     failed = [f.residual for f in outcome.findings if f.answer.status == "refuted"]
     tape = question.tape
-    expressions = [tape.to_sympy(residual.node) for residual in failed if len(tape.reach([residual.node])) < 100]
+    expressions = [tape.to_sympy(residual.node) for residual in failed if is_short(tape, residual.node)]
     names = [s for s in question.space.parameters if any(s in e.free_symbols for e in expressions)]
     good = []
     for table in solutions(expressions, names, question.budget):

@@ -11,6 +11,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.claims.show import FAILURES, is_short
 from canon.decide.derivative import poisson_bracket, substitute
 from canon.decide.tape import Node
 from canon.domain import Condition
@@ -67,7 +68,7 @@ def _bases(expression: Any) -> Iterator[Any]:
     if sp.count_ops(expression) < 200 and not expression.has(AppliedUndef):
         try:
             expression = sp.factor(expression)
-        except (sp.PolynomialError, NotImplementedError):
+        except FAILURES:
             expression = sp.factor_terms(expression)
     for factor in sp.Mul.make_args(expression):
         base = factor
@@ -214,7 +215,8 @@ def constant_scale(question: Question, region: Region) -> ConstantScale:
     next(rest)
     outcome = combined([outcome, question.decide(rest, region)])
     outcome = outcome.with_detail(scale=question.show(scale))
-    return ConstantScale(outcome, scale, never_zero(tape.to_sympy(scale), question.domain().conditions))
+    simple = is_short(tape, scale) and never_zero(tape.to_sympy(scale), question.domain().conditions)
+    return ConstantScale(outcome, scale, simple)
 
 
 def _candidate(question: Question, region: Region, brackets: Brackets, first: Node) -> tuple[Node | None, Outcome]:
@@ -261,6 +263,9 @@ def _values_at(question: Question, node: Node, point: Mapping[str, Any], variabl
     if not (tape.support(node) & variables) <= set(values) or tape.functions_of([node]):
         return
     exactly = substitute(tape, node, values)
+    if not is_short(tape, exactly):
+        yield exactly
+        return
     expression = tape.to_sympy(exactly)
     if not expression.free_symbols and not tape.is_complex(exactly):
         near = Fraction(str(sp.N(expression, 30))).limit_denominator(10_000)

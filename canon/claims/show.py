@@ -11,6 +11,8 @@ from canon.decide.tape import Node, Tape
 
 SHORT = 40
 LONG = "a long formula"
+FAILURES = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError, sp.PolynomialError)
+"""What sympy raises where it can't help; nothing rests on its help here."""
 
 
 def neat(expression: sp.Expr) -> sp.Expr:
@@ -25,7 +27,7 @@ def neat(expression: sp.Expr) -> sp.Expr:
             forms.append(sp.factor_terms(min(forms, key=sp.count_ops)))
         if forms[-1].is_polynomial(*forms[-1].free_symbols):
             forms.append(sp.factor(forms[-1]))
-    except (sp.PolynomialError, NotImplementedError, TypeError, AttributeError):
+    except FAILURES:
         pass
     return min(forms, key=sp.count_ops)
 
@@ -40,12 +42,26 @@ def _powers(expression: sp.Expr) -> Any:
     return expression.replace(lambda e: isinstance(e, sp.exp), power)
 
 
-def shown(tape: Tape, node: Node) -> str:
-    """A node as text."""
+def is_short(tape: Tape, node: Node, limit: int = 4 * SHORT) -> bool:
+    """True where the node written out as a formula, shared parts repeated, has no more than so many operations."""
+    sizes: dict[Node, int] = {}
+    for i in tape.reach([node]):
+        sizes[i] = 1 + sum(sizes[a] for a in tape.arguments(i))
+        if sizes[i] > limit:
+            return False
+    return True
+
+
+def shown(tape: Tape, node: Node, *, shorten: bool = True) -> str:
+    """A node as text, `shorten`ed where that is cheap."""
     value = tape.value(node)
     if value is not None:
         return str(value)
-    if len(tape.reach([node])) > 2 * SHORT:
+    if not is_short(tape, node):
         return LONG
-    text = str(neat(_powers(tape.to_sympy(node))))
+    expression = tape.to_sympy(node)
+    try:
+        text = str(neat(_powers(expression)) if shorten else expression)
+    except FAILURES:
+        text = str(expression)
     return text if len(text) <= 200 else LONG

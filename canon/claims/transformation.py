@@ -79,7 +79,7 @@ def canonical_when(question: Question) -> Outcome:
     if not solutions:
         raise InputError("at least one solution is needed", "key 'solutions'")
     if question.map.direction == "implicit":
-        raise InputError("`canonical_when` is about an explicit transformation")
+        return _generated_at_all_values(question)
     tape, space = question.tape, question.space
     brackets = Brackets(question)
     parts: list[Outcome] = []
@@ -109,6 +109,16 @@ def canonical_when(question: Question) -> Outcome:
         detail={"generic_failure": generic.failed.residual.label},
     )
     return combined([*parts, fails])
+
+
+def _generated_at_all_values(question: Question) -> Outcome:
+    """The map of a generating function is canonical at all values of parameters at which it exists."""
+    from canon.claims.generating_function import hessian_outcome
+
+    outcome = hessian_outcome(question)
+    if outcome.status != "proved":
+        return outcome
+    return exact("refuted", "the map of a generating function is canonical at all values", canonical="at all values")
 
 
 def checked_solution(question: Question, table: Any, where: str) -> dict[Any, Formula]:

@@ -149,6 +149,9 @@ def _partial(tape: Tape, node: Node, name: str, arguments: tuple[Node, ...], k: 
 
 def _special_partial(tape: Tape, node: Node, name: str, arguments: tuple[Node, ...], k: int) -> Node:
     """Derivatives of the special functions (DLMF 4.13.4, 19.4, 22.13)."""
+    if name == "integer_power" and k == 0:
+        base, exponent = arguments
+        return tape.mul(((exponent, 1), (node, 1), (base, -1)))
     if name == "lambertw":
         return tape.mul(((node, 1), (arguments[0], -1), (tape.add(((node, ONE),), 1), -1)))
     if name == "elliptic_k":

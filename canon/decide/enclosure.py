@@ -174,6 +174,17 @@ def _atan2(y: Ball, x: Ball) -> Ball:
     return arb.atan2(y, x)
 
 
+def _integer_power(base: Ball, exponent: Ball) -> Ball:
+    if not (exponent.is_exact() and exponent.is_integer()):
+        raise OutOfDomain("an exponent that is not an exact integer")
+    n = int(exponent.unique_fmpz())
+    if abs(n) > 10_000:
+        raise OutOfDomain("a large exponent")
+    if n < 0 and base.contains(0):
+        raise OutOfDomain("a denominator that may be zero")
+    return base**n if n >= 0 else 1 / base ** (-n)
+
+
 def _gamma(u: Ball) -> Ball:
     return u.gamma()
 
@@ -220,7 +231,7 @@ def _jacobi(which: str) -> Callable[[Ball, Ball], Ball]:
 
 REAL: dict[str, Callable[..., Ball]] = {
     "abs": _abs, "atan": lambda u: u.atan(), "asin": _within("asin"), "acos": _within("acos"), "atan2": _atan2,
-    "gamma": _gamma, "lambertw": _lambertw, "elliptic_k": _complete("elliptic_k"), "elliptic_e": _complete("elliptic_e"),
+    "gamma": _gamma, "integer_power": _integer_power, "lambertw": _lambertw, "elliptic_k": _complete("elliptic_k"), "elliptic_e": _complete("elliptic_e"),
     "elliptic_f": _incomplete("elliptic_f"), "elliptic_ei": _incomplete("elliptic_e_inc"),
     "jacobi_sn": _jacobi("sn"), "jacobi_cn": _jacobi("cn"), "jacobi_dn": _jacobi("dn"),
 }  # fmt: skip

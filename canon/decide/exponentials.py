@@ -94,7 +94,7 @@ def exponential(tower: Tower, arguments: Sequence[Element]) -> list[Element]:
         real, imaginary = _by_imaginary_unit(tower, x)
         if imaginary is not None:
             turned.append((n, imaginary))
-        taken, left = take_out(tower, real, ("log",))
+        taken, left = take_out(tower, real, ("log", "lambertw"))
         for k, q in taken.items():
             results[n] = field.product([results[n], _power_of_log(tower, tower.generators[k], q)])
         rest.append(left)
@@ -156,7 +156,12 @@ def _power_of_exponential(tower: Tower, made: Generator, q: Fraction) -> Element
 
 
 def _power_of_log(tower: Tower, made: Generator, q: Fraction) -> Element:
-    """exp(q · log x) = x ** q."""
+    """exp(q · log x) = x ** q, and exp(q · W(x)) = (x / W(x)) ** q for Lambert's W and integers q."""
+    if made.kind == "lambertw":
+        if q.denominator != 1:
+            raise Unsupported("a fraction of Lambert's function in an exponent")
+        ratio = tower.field.product([made.data[0], tower.field.inverse(tower.element(made))])
+        return tower.field.power(ratio, q.numerator)
     if made.data[0] == "factor":
         return factor_power(tower, made.data[1], q)
     x = tower.field.product([(made.data[1], {}), tower.field.inverse((made.data[2], {}))])

@@ -7,6 +7,7 @@ They stand as generators of their arguments; equal arguments share one. What rel
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from canon.decide.fraction_field import Element
@@ -16,7 +17,11 @@ if TYPE_CHECKING:
     from canon.decide.tower import Tower
 
 ODD = ("atan", "asin")
-REAL_KERNELS = ("atan", "asin", "acos", "atan2", "gamma", "lambertw", "elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei")
+REAL_KERNELS = (
+    "atan", "asin", "acos", "atan2", "gamma", "lambertw", "elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei",
+    "integer_power",
+)  # fmt: skip
+FARTHEST_SHIFT = 40
 
 
 def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
@@ -28,6 +33,8 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
         return _jacobi(tower, name, arguments)
     if name not in REAL_KERNELS:
         raise Unsupported(f"no exact argument about {name}")
+    if name == "gamma":
+        return _gamma(tower, arguments[0])
     flipped = name in ODD and bool(arguments[0][0]) and tower.ring.leading(arguments[0][0]) < 0
     if flipped:
         arguments = [field.negative(arguments[0])]
@@ -37,6 +44,24 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
         sign = _sign(tower, name, arguments)
         known = tower.element(_made(tower, name, sign, arguments, constant))
     return field.negative(known) if flipped else known
+
+
+def _gamma(tower: Tower, x: Element) -> Element:
+    """Γ(y + n) = Γ(y)·y(y+1)…(y+n−1), with the constant term of y in (0, 1]."""
+    field, ring = tower.field, tower.ring
+    constant = ring.terms(x[0]).get((0,) * ring.size, Fraction(0)) if not x[1] and x[0] else Fraction(0)
+    shift = -((-constant.numerator) // constant.denominator) - 1
+    if x[1] or shift == 0 or abs(shift) > FARTHEST_SHIFT:
+        shift = 0
+    y = field.combine([(ONE, x)], Fraction(-shift))
+    known = _find(tower, "gamma", [y])
+    if known is None:
+        known = tower.element(_made(tower, "gamma", "real", [y], tower.is_constant(y)))
+    steps = [field.combine([(ONE, y)], Fraction(k)) for k in (range(shift) if shift > 0 else range(shift, 0))]
+    if not steps:
+        return known
+    product = field.product(steps)
+    return field.product([known, product if shift > 0 else field.inverse(product)])
 
 
 def arbitrary(tower: Tower, name: str, orders: tuple[int, ...], arguments: Sequence[Element]) -> Element:

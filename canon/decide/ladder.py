@@ -163,7 +163,7 @@ class _Ladder:
                 for sample in new:
                     self.refute(nodes, sample, sample.balls, answers, bits)
                 for sample in self.points[:1]:
-                    if not sample.solved:
+                    if not sample.solved and all(node in sample.balls for node in nodes):
                         self.refute(nodes, sample, evaluate_again(self.tape, nodes, sample, bits), answers, bits)
             except (Unsupported, OutOfDomain, ZeroDivisionError):
                 continue
@@ -271,6 +271,8 @@ class _Ladder:
         """Balls of 1024 bits at every known point lie within 1e-200 of 0."""
         try:
             for sample in self.points:
+                if node not in sample.balls:
+                    continue
                 ball = evaluate_again(self.tape, [node], sample, 1024)[node]
                 if not float(ball.abs_upper()) < 1e-200:
                     return False

@@ -87,7 +87,31 @@ def _import_power(tape: Tape, item: sp.Pow, arguments: tuple[Node, ...]) -> Node
         return tape.root(arguments[0], Fraction(int(exponent.p), int(exponent.q)))
     if base is sp.E:
         return tape.call("exp", arguments[1])
+    if exponent.is_integer and not base.is_positive:
+        return _integer_power(tape, base, exponent)
     return tape.call("exp", tape.times(arguments[1], tape.call("log", arguments[0])))
+
+
+def _integer_power(tape: Tape, base: sp.Expr, exponent: sp.Expr) -> Node:
+    """base ** exponent for a symbolic integer exponent and a base of any sign, one factor for each term of it.
+
+    A negative number has (−b)**n = b**n·cos(πn); any other base stands in a kernel of its own.
+    """
+    total = tape.one
+    for term in sp.Add.make_args(exponent):
+        count, rest = term.as_coeff_Mul()
+        if not isinstance(count, sp.Integer):
+            count, rest = sp.Integer(1), term
+        if rest is sp.S.One:
+            factor = load(tape, base)
+        elif isinstance(base, sp.Rational):
+            turn = tape.call("cos", tape.times(tape.constant("pi"), load(tape, rest)))
+            size = tape.call("exp", tape.times(load(tape, rest), tape.call("log", load(tape, -base))))
+            factor = tape.times(turn, size)
+        else:
+            factor = tape.call("integer_power", load(tape, base), load(tape, rest))
+        total = tape.times(total, tape.power(factor, int(count)))
+    return total
 
 
 def _import_derivative(tape: Tape, item: sp.Derivative) -> Node:
@@ -195,7 +219,7 @@ RULES: dict[str, Callable[..., Node]] = {
 NAMES: dict[str, Callable[..., sp.Expr]] = {
     "sin": sp.sin, "cos": sp.cos, "exp": sp.exp, "log": sp.log, "atan": sp.atan, "asin": sp.asin, "acos": sp.acos,
     "atan2": sp.atan2, "abs": sp.Abs, "gamma": sp.gamma, "lambertw": sp.LambertW, "elliptic_k": sp.elliptic_k,
-    "elliptic_e": sp.elliptic_e, "elliptic_ei": sp.elliptic_e, "elliptic_f": sp.elliptic_f,
+    "elliptic_e": sp.elliptic_e, "integer_power": sp.Pow, "elliptic_ei": sp.elliptic_e, "elliptic_f": sp.elliptic_f,
 }  # fmt: skip
 
 

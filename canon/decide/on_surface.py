@@ -19,7 +19,7 @@ from canon.decide.signs import sign_of, split
 from canon.decide.tape import Node, Tape
 from canon.decide.tower import Tower, combine
 
-MOST_TERMS = 4000
+MOST_TERMS = 600
 
 
 def vanishes_on_surface(tape: Tape, node: Node, region: Region, budget: Budget) -> Certificate | None:

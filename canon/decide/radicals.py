@@ -239,7 +239,7 @@ def tidy(tower: Tower, x: Element, limit: int = 300) -> Element:
     """Cancel denominator factors that divide the numerator modulo the relations, so that equal arguments look equal.
 
     With C the product of the conjugates of a factor f and N = f·C, n·C = r·N gives n = r·f wherever C isn't 0.
-    N must be a nonzero polynomial in symbols alone, so that C is nonzero on a dense part of the region.
+    N must be a nonzero polynomial in symbols that vary continuously, so that C is nonzero on a dense part of the region.
     """
     numerator, denominator = x
     ring, field = tower.ring, tower.field
@@ -273,6 +273,6 @@ def _conjugate_product(tower: Tower, f: Polynomial, limit: int) -> tuple[Polynom
         norm = field.normal(ring.times(norm, conjugate))
         if not norm or len(product) > limit or len(norm) > limit:
             return None
-    if any(g.kind != "symbol" for g in tower.used(norm)):
+    if any(g.kind != "symbol" or tower.tape.symbol_at(g.data).is_integer for g in tower.used(norm)):
         return None
     return product, norm

@@ -11,9 +11,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from canon.decide.fraction_field import Element
-from canon.decide.generator_values import constant_sign
-from canon.decide.intervals import Edge
 from canon.decide.ring import Polynomial
+from canon.decide.sign_rules import sign_by_rules
 
 if TYPE_CHECKING:
     from canon.decide.tower import Tower
@@ -48,39 +47,18 @@ def sign_of(tower: Tower, p: Polynomial) -> str | None:
             if sign == "nonpos":
                 term = -term
                 continue
-            return _sign_by_value(tower, p)
+            return sign_by_rules(tower, p)
         if total and term != total:
-            return _sign_by_value(tower, p)
+            return sign_by_rules(tower, p)
         total = term
         strict = strict or certain
     if not total:
         return None
+    if not strict:
+        better = sign_by_rules(tower, p)
+        if better is not None:
+            return better
     return ("pos" if strict else "nonneg") if total > 0 else ("neg" if strict else "nonpos")
-
-
-def _sign_by_value(tower: Tower, p: Polynomial) -> str | None:
-    """The sign of a number, or of a + b·x where x has a known interval."""
-    return constant_sign(tower, p) or _sign_on_interval(tower, p)
-
-
-def _sign_on_interval(tower: Tower, p: Polynomial) -> str | None:
-    if not tower.intervals or len(p) > 3:
-        return None
-    shift, slope, symbol = Edge(), Fraction(0), None
-    for monomial, coefficient in tower.ring.terms(p).items():
-        if not any(monomial):
-            shift = shift.plus(Edge(coefficient))
-            continue
-        made = tower.generators[monomial.index(1)] if sum(monomial) == 1 else None
-        if made is not None and made.kind == "pi":
-            shift = shift.plus(Edge(Fraction(0), coefficient))
-        elif made is not None and made.kind == "symbol" and symbol is None:
-            slope, symbol = coefficient, made.data
-        else:
-            return None
-    if symbol is None or symbol not in tower.intervals:
-        return None
-    return tower.intervals[symbol].affine(slope, shift).sign()
 
 
 def add_fact(tower: Tower, p: Polynomial, sign: str) -> None:

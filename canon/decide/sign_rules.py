@@ -1,0 +1,184 @@
+"""Signs that need more than the signs of generators: boxes, bounded trigonometric pairs, roots and exponentials."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from flint import fmpq, fmpq_poly
+
+from canon.decide.generator_values import constant_sign
+from canon.decide.intervals import Edge, Interval, declared
+from canon.decide.ring import Monomial, Polynomial
+
+if TYPE_CHECKING:
+    from canon.decide.tower import Generator, Tower
+
+Terms = dict[Monomial, Fraction]
+MOST_TERMS, MOST_DEGREE = 30, 8
+
+
+def sign_by_rules(tower: Tower, p: Polynomial) -> str | None:
+    """The sign of p on the region by the first rule that shows it, else None."""
+    if len(p) > MOST_TERMS:
+        return None
+    for rule in (constant_sign, _affine, _bounded_pair, _against_one, _on_box, _by_real_roots):
+        sign = rule(tower, p)
+        if sign is not None:
+            return sign
+    return None
+
+
+def _interval(tower: Tower, made: Generator) -> Interval | None:
+    if made.kind != "symbol":
+        return Interval(low=Edge()) if made.sign == "pos" else None
+    symbol = tower.tape.symbol_at(made.data)
+    if not symbol.is_real:
+        return None
+    interval = tower.intervals.get(made.data, declared(tower.tape, made.data))
+    if made.sign == "pos":
+        interval = interval.meet(Interval(low=Edge()))
+    return interval.meet(Interval(high=Edge())) if made.sign == "neg" else interval
+
+
+def _affine(tower: Tower, p: Polynomial) -> str | None:
+    """a + b·x, with a in Q + Q·π and x in a known interval."""
+    shift, slope, found = Edge(), Fraction(0), None
+    for monomial, coefficient in tower.ring.terms(p).items():
+        if not any(monomial):
+            shift = shift.plus(Edge(coefficient))
+            continue
+        made = tower.generators[monomial.index(1)] if sum(monomial) == 1 else None
+        if made is not None and made.kind == "pi":
+            shift = shift.plus(Edge(Fraction(0), coefficient))
+        elif made is not None and made.kind == "symbol" and found is None:
+            slope, found = coefficient, made
+        else:
+            return None
+    interval = _interval(tower, found) if found is not None else None
+    return interval.affine(slope, shift).sign() if interval is not None else None
+
+
+def _bounded_pair(tower: Tower, p: Polynomial) -> str | None:
+    """a + b·c with a real cosine or sine c: |c| ≤ 1, and |c| < 1 where its partner isn't 0."""
+    constant, slope, made = Fraction(0), Fraction(0), None
+    for monomial, coefficient in tower.ring.terms(p).items():
+        if not any(monomial):
+            constant = coefficient
+        elif sum(monomial) == 1 and made is None:
+            slope, made = coefficient, tower.generators[monomial.index(1)]
+        else:
+            return None
+    if made is None or made.kind not in ("cos", "sin") or made.sign == "cplx" or abs(slope) > abs(constant):
+        return None
+    partner = tower.generators[made.index + 1 if made.kind == "cos" else made.index - 1]
+    strict = abs(slope) < abs(constant) or partner.sign in ("pos", "neg")
+    return ("pos" if strict else "nonneg") if constant > 0 else ("neg" if strict else "nonpos")
+
+
+def _against_one(tower: Tower, p: Polynomial) -> str | None:
+    """exp(b) − 1 has the sign of b, and f**(1/n) − q that of f − q**n, for q > 0."""
+    from canon.decide.signs import DOWN, UP, classify, sign_of
+
+    terms = tower.ring.terms(p)
+    if len(terms) != 2:
+        return None
+    constant = terms.pop((0,) * tower.ring.size, None)
+    ((monomial, slope),) = list(terms.items())[:1]
+    if constant is None or sum(monomial) != 1 or constant * slope > 0:
+        return None
+    made, level = tower.generators[monomial.index(1)], -constant / slope
+    if made.kind == "exp" and made.sign == "pos" and level == 1 and made.data[0]:
+        sign, _, known, unknown = classify(tower, made.data)
+        strict = all(sign_of(tower, f) in ("pos", "neg") for f, _ in known)
+        inner = None if unknown or not strict else ("pos" if sign > 0 else "neg")
+    elif made.kind == "root" and made.data[0] == "chain":
+        _, radicand, prime, height = made.data
+        inner = sign_of(tower, radicand - tower.ring.constant(level ** (prime**height)))
+    else:
+        return None
+    if inner is None:
+        return None
+    flip = {"pos": "neg", "neg": "pos", "nonneg": "nonpos", "nonpos": "nonneg"}
+    assert inner in UP + DOWN
+    return inner if slope > 0 else flip[inner]
+
+
+def _on_box(tower: Tower, p: Polynomial) -> str | None:
+    """All coefficients of one sign after the box is mapped onto the positive orthant by x = (a + b·t)/(1 + t)."""
+    ring = tower.ring
+    degrees = ring.degrees(p)
+    if max(degrees) > MOST_DEGREE or sum(1 for d in degrees if d) > 4:
+        return None
+    maps: dict[int, tuple[Polynomial, Polynomial]] = {}
+    for k, degree in enumerate(degrees):
+        if not degree:
+            continue
+        interval, t = _interval(tower, tower.generators[k]), ring.generators[k]
+        if interval is None or any(e is not None and e.pi for e in (interval.low, interval.high)):
+            return None
+        low = None if interval.low is None else ring.constant(interval.low.rational)
+        high = None if interval.high is None else ring.constant(interval.high.rational)
+        if low is not None and high is not None:
+            maps[k] = low + high * t, ring.one + t
+        elif low is not None:
+            maps[k] = low + t, ring.one
+        elif high is not None:
+            maps[k] = high - t, ring.one
+        else:
+            return None
+    total = ring.zero
+    for monomial, coefficient in ring.terms(p).items():
+        term = ring.constant(coefficient)
+        for k, (top, under) in maps.items():
+            term = term * top ** monomial[k] * under ** (degrees[k] - monomial[k])
+        total = total + term
+    signs = {coefficient > 0 for coefficient in ring.terms(total).values()}
+    if len(signs) != 1:
+        return None
+    return "pos" if signs.pop() else "neg"
+
+
+def _by_real_roots(tower: Tower, p: Polynomial) -> str | None:
+    """A polynomial over Q in one symbol, without a real root in the symbol's interval."""
+    used = tower.used(p)
+    if len(used) != 1 or used[0].kind != "symbol":
+        return None
+    interval = _interval(tower, used[0])
+    if interval is None:
+        return None
+    k = used[0].index
+    coefficients = [fmpq(0)] * (tower.ring.degrees(p)[k] + 1)
+    for monomial, c in tower.ring.terms(p).items():
+        coefficients[monomial[k]] = fmpq(c.numerator, c.denominator)
+    polynomial = fmpq_poly(coefficients)
+    for root, _ in polynomial.complex_roots():
+        if root.imag.is_zero() and not _outside(root.real, interval):
+            return None
+    value = polynomial(_inside(interval))
+    return "pos" if value > 0 else "neg"
+
+
+def _outside(root, interval: Interval) -> bool:
+    below = interval.low is not None and bool(root <= _ball(interval.low))
+    return below or (interval.high is not None and bool(root >= _ball(interval.high)))
+
+
+def _ball(edge: Edge):
+    from flint import arb
+
+    return arb(fmpq(edge.rational.numerator, edge.rational.denominator)) + arb.pi() * arb(
+        fmpq(edge.pi.numerator, edge.pi.denominator)
+    )
+
+
+def _inside(interval: Interval) -> fmpq:
+    low = None if interval.low is None else float(interval.low.rational) + 3.141592653589793 * float(interval.low.pi)
+    high = None if interval.high is None else float(interval.high.rational) + 3.141592653589793 * float(interval.high.pi)
+    if low is not None and high is not None:
+        value = Fraction((low + high) / 2)
+    elif low is not None:
+        value = Fraction(low) + 1
+    else:
+        value = Fraction(high) - 1 if high is not None else Fraction(0)
+    return fmpq(value.numerator, value.denominator)

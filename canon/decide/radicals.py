@@ -11,6 +11,7 @@ from sympy import factorint
 from canon.decide.fraction_field import Element
 from canon.decide.ring import Polynomial, TooCostly
 from canon.decide.signs import DOWN, UP, add_fact, classify, sign_of, split
+from canon.decide.squares import hidden_square
 from canon.decide.tape import Unsupported
 
 if TYPE_CHECKING:
@@ -24,9 +25,11 @@ def power(tower: Tower, x: Element, exponent: Fraction) -> Element:
         return field.power(x, exponent.numerator)
     if tower.is_complex(x):
         return _complex_power(tower, x, exponent)
-    square = _pythagorean_square(tower, x) if exponent.denominator == 2 else None
+    square = hidden_square(tower, x) if exponent.denominator == 2 else None
     if square is not None:
-        return field.power(square, exponent.numerator)
+        content, base = square
+        root = field.product([power(tower, field.constant(content), Fraction(1, 2)), absolute(tower, base)])
+        return field.power(root, exponent.numerator)
     sign, constant, known, unknown = classify(tower, x)
     parts = [field.constant(1)]
     parts += [factor_power(tower, f, exponent * e) for f, e in known]
@@ -146,33 +149,6 @@ def positive_power(tower: Tower, x: Element, exponent: Fraction) -> Element:
     parts = [factor_power(tower, f, exponent * e) for f, e in pieces]
     parts += [factor_power(tower, tower.ring.constant(p), exponent * e) for p, e in _primes(abs(constant))]
     return tower.field.product([tower.field.constant(1), *parts])
-
-
-def _pythagorean_square(tower: Tower, x: Element) -> Element | None:
-    """√x as an absolute value where x is a square by cos² + sin² = 1: 1 − c² = s², 1 − 2sc = (c − s)².
-
-    Terms of lower degree in a pair (c, s) are raised by powers of c² + s² until x is homogeneous in it.
-    """
-    ring, field = tower.ring, tower.field
-    if x[1]:
-        return None
-    for _, (cosine, sine) in tower.memory.get("angles", []):
-        c, s = cosine[0], sine[0]
-        k, m = ring.degrees(c).index(1), ring.degrees(s).index(1)
-        terms = ring.terms(x[0])
-        degrees = {e[k] + e[m] for e in terms}
-        top = max(degrees)
-        if len(terms) < 2 or not 0 < top <= 8 or len(terms) > 40 or any((top - d) % 2 for d in degrees):
-            continue
-        p = ring.zero
-        for e, coefficient in terms.items():
-            p = p + ring.polynomial({e: coefficient}) * (c**2 + s**2) ** ((top - e[k] - e[m]) // 2)
-        content, pieces = ring.factor(p)
-        if content <= 0 or any(e % 2 for _, e in pieces):
-            continue
-        root = power(tower, field.constant(content), Fraction(1, 2))
-        return field.product([root, absolute(tower, field.product([field.power((f, {}), e // 2) for f, e in pieces]))])
-    return None
 
 
 def _complex_power(tower: Tower, x: Element, exponent: Fraction) -> Element:

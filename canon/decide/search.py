@@ -191,7 +191,7 @@ class Finder:
         """A random descent towards the region, changing the symbols of the requirements that are missed."""
         best = dict(point)
         score, missed = self.violation(best, functions)
-        for step in range(120):
+        for step in range(60):
             if not missed:
                 return best
             names = sorted(set().union(*(self.tape.support(n) for r in missed for n in r.nodes)))
@@ -203,7 +203,60 @@ class Finder:
             new_score, new_missed = self.violation(trial, functions)
             if new_score <= score:
                 best, score, missed = trial, new_score, new_missed
-        return best if not missed else None
+        return best if not missed else self.across_the_edge(best, missed, functions)
+
+    def across_the_edge(
+        self, point: Mapping[Node, Coordinate], missed: Sequence[Requirement], functions: Mapping[str, ChosenFunction]
+    ) -> dict[Node, Coordinate] | None:
+        """For thin regions: Newton onto the zero of a missed condition, then small steps to either side of it."""
+        requirement = self.rng.choice(list(missed))
+        names = [n for n in self.tape.support(requirement.nodes[0]) if self.tape.symbol_at(n).is_real]
+        names = [n for n in names if not self.tape.symbol_at(n).is_integer]
+        if not names:
+            return None
+        node = self.rng.choice(sorted(names))
+        at = self._root(requirement, node, point, functions)
+        if at is None:
+            return None
+        for power in range(1, 12):
+            for side in (1, -1):
+                trial = dict(point)
+                trial[node] = at * (1 + Fraction(side, 8**power))
+                if not self.violation(trial, functions)[1]:
+                    return trial
+        return None
+
+    def _root(
+        self,
+        requirement: Requirement,
+        node: Node,
+        point: Mapping[Node, Coordinate],
+        functions: Mapping[str, ChosenFunction],
+    ) -> Fraction | None:
+        """A zero of the requirement's expression in one coordinate, by the secant method."""
+        target, order = requirement.nodes[0], self.orders[requirement]
+
+        def look(value: Fraction) -> Fraction | None:
+            try:
+                with precision(128):
+                    ball = evaluate(self.tape, order, ball_point({**point, node: value}, {}), functions)[target]
+            except (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError):
+                return None
+            return Fraction(float(ball.mid())) if isinstance(ball, arb) else None
+
+        start = point[node]
+        if isinstance(start, tuple):
+            return None
+        a, b = start, start * Fraction(21, 20) + Fraction(1, 100)
+        fa, fb = look(a), look(b)
+        for _ in range(40):
+            if fa is None or fb is None or fa == fb:
+                return None
+            a, b = b, (b - fb * (b - a) / (fb - fa)).limit_denominator(10**15)
+            fa, fb = fb, look(b)
+            if fb is not None and abs(b - a) <= abs(b) * Fraction(1, 10**12):
+                return b
+        return None
 
     def _moved(self, node: Node, value: Coordinate, step: int) -> Coordinate:
         symbol = self.tape.symbol_at(node)
@@ -218,7 +271,8 @@ class Finder:
 def _between(low: float, high: float, rng: random.Random) -> Fraction:
     if not low < high:
         return Fraction(low).limit_denominator(1000)
-    t = rng.uniform(0.08, 0.92)
-    value = low + t * (high - low)
     width = high - low
-    return Fraction(value).limit_denominator(max(10, math.ceil(8 / width)))
+    near = rng.random() < 0.25
+    t = 10.0 ** -rng.uniform(0.5, 4) if near else rng.uniform(0.08, 0.92)
+    value = low + t * width if rng.getrandbits(1) else high - t * width
+    return Fraction(value).limit_denominator(math.ceil((1e6 if near else 8) / width) + 10)

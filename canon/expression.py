@@ -15,7 +15,7 @@ from sympy.core.function import AppliedUndef
 from canon.domain import Condition, function_conditions, nonzero, positive, power_conditions, unique
 from canon.errors import InputError
 from canon.measure import (
-    LARGEST,
+    WIDEST,
     Measure,
     check_exponential,
     check_power,
@@ -41,6 +41,7 @@ _FUNCTIONS: Final[dict[str, tuple[Any, tuple[int, ...]]]] = {
 }  # fmt: skip
 _ROOTS: Final = {"sqrt": sp.Rational(1, 2), "cbrt": sp.Rational(1, 3)}
 _HIGHEST: Final = 20
+_SYMPY_GIVES_UP: Final = (ArithmeticError, AttributeError, LookupError, NotImplementedError, TypeError, ValueError)
 _GAMMA_LIMIT: Final = 300
 
 
@@ -136,6 +137,9 @@ class _Builder:
             del values[len(values) - len(parts) :]
             try:
                 values.append(self.measure.admit(self.build(node, arguments)))
+            except _SYMPY_GIVES_UP:
+                at = place(self.text, node.span[0])
+                raise InputError(f"{self.source(node)!r} {at} is out of sympy's reach") from None
             except InputError as error:
                 at = place(self.text, node.span[0])
                 message = error.message if " at column " in error.message or " at line " in error.message else ""
@@ -154,6 +158,7 @@ class _Builder:
             return value * sp.I if node.imaginary else value
         if isinstance(node, Name):
             return self.name(node)
+        self.measure.spend(20 * len(values))
         if isinstance(node, Sum):
             check_sum(values)
             return sp.Add(*(v if plus else -v for v, plus in zip(values, node.added, strict=True)))
@@ -187,7 +192,7 @@ class _Builder:
         reason = self.vocabulary.refused.get(name)
         if reason is not None:
             inside = f" (in the definition {through!r})" if through else ""
-            raise InputError(f"{name!r} {where}{inside} is out of place: {reason}")
+            raise InputError(f"{name!r} {where}{inside} is out of place: this is {reason}")
         self.names.add(name)
 
     def definition(self, name: str, where: str) -> Any:
@@ -213,6 +218,8 @@ class _Builder:
         return sp.Mul(*factors)
 
     def power(self, base: Any, exponent: Any, text: str) -> Any:
+        if not exponent.is_Integer:
+            self.measure.spend_on((base,) if exponent.is_Rational else (base, exponent, exponent))
         self.add(power_conditions(base, exponent, text, is_complex=self.measure.is_complex))
         check_power(base, exponent)
         return base**exponent
@@ -245,6 +252,7 @@ class _Builder:
 
     def function(self, function: Any, values: list[Any], texts: tuple[str, ...]) -> Any:
         """A built-in function, kept from what sympy would make of values that it wasn't written for."""
+        self.measure.spend_on(values)
         is_complex = any(self.measure.is_complex(value) for value in values)
         if is_complex and function is sp.sign:
             raise InputError("sign is for real arguments only")
@@ -286,10 +294,12 @@ class _Builder:
         return value
 
     def differentiated(self, value: Any, symbol: Any) -> Any:
-        if derivative_size(value, self.measure) > LARGEST:
-            raise InputError("too large to differentiate here")
         if not value.has(symbol):
             return sp.Integer(0)
+        bound = derivative_size(value, self.measure)
+        if bound > WIDEST * 5:
+            raise InputError("too large to differentiate here")
+        self.measure.spend(1_000 + 10 * bound)
         smooth, signs = _without_kinks(value, self.measure)
         result = smooth.diff(symbol)
         for dummy, kink in signs:

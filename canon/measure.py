@@ -15,12 +15,18 @@ from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
 from canon.special import JacobiCN, JacobiDN, JacobiSN
-from canon.syntax import BITS, DEEPEST
+from canon.syntax import BITS
 
 LARGEST: Final = 20_000
 """The most nodes of a formula's tree, abbreviations expanded."""
+TALLEST: Final = 80
+"""The most levels of a formula's tree, abbreviations expanded."""
+WIDEST: Final = 2_000
+"""The most nodes of a function's argument, or of a power's base."""
 STEEPEST: Final = 10_000
 """The largest numerical exponent."""
+EFFORT: Final = 1_000_000
+"""The most work that a formula may take to build, in about the microseconds that sympy needs for it."""
 
 _HEADS: Final = (
     sp.Add, sp.Mul, sp.Pow, sp.exp, sp.log, sp.Abs, sp.sign, sp.atan2, AppliedUndef, sp.Derivative, sp.Subs, sp.Tuple,
@@ -35,6 +41,7 @@ class Measure:
     """Tree size, depth and reality of expressions, each distinct one looked at once."""
 
     def __init__(self) -> None:
+        self._spent = 0
         self._known: dict[Any, tuple[int, int, bool]] = {}
 
     def size(self, expression: Any) -> int:
@@ -45,6 +52,24 @@ class Measure:
         """Whether it has i or a name that isn't known to be real."""
         return self._of(expression)[2]
 
+    def spend(self, effort: int) -> None:
+        """Count work that is about to be done. **Raises:** `InputError` if it is more than `EFFORT` in all."""
+        self._spent += effort
+        if self._spent > EFFORT:
+            raise InputError("too much work to read: shorten the formula, or divide it over several claims")
+
+    def spend_on(self, arguments: Iterable[Any]) -> None:
+        """Count the work of a function or a power of these arguments; numbers are looked up in tables and cost more.
+
+        **Raises:** `InputError`, also if an argument is too large.
+        """
+        for argument in arguments:
+            size = self.size(argument)
+            if size > WIDEST:
+                raise InputError(f"too large: more than {WIDEST} operations in an argument")
+            numeric = size > 1 and not argument.free_symbols
+            self.spend(8_000 if numeric else 600 + size)
+
     def admit(self, expression: Any) -> Any:
         """The expression itself.
 
@@ -53,8 +78,8 @@ class Measure:
         size, depth, _ = self._of(expression)
         if size > LARGEST:
             raise InputError(f"too large: more than {LARGEST} operations with its abbreviations expanded")
-        if depth > 2 * DEEPEST:
-            raise InputError(f"nested more than {2 * DEEPEST} levels deep with its abbreviations expanded")
+        if depth > TALLEST:
+            raise InputError(f"nested more than {TALLEST} levels deep with its abbreviations expanded")
         return expression
 
     def _of(self, expression: Any) -> tuple[int, int, bool]:
@@ -111,6 +136,8 @@ def check_power(base: Any, exponent: Any) -> None:
     **Raises:** `InputError`.
     """
     if exponent.is_Rational:
+        if base.is_Rational and _height(exponent) > 64:
+            raise InputError("an exponent with too many digits")
         steepness = abs(exponent)
         factors = base.args if base.is_Mul else (base,)
         inner = max((abs(factor.exp) for factor in factors if factor.is_Pow and factor.exp.is_Rational), default=1)
@@ -163,6 +190,8 @@ def derivative_size(expression: Any, measure: Measure) -> int:
             sizes[node] = 1 + parts
         elif isinstance(node, sp.Mul):
             sizes[node] = 1 + parts + len(node.args) * measure.size(node)
+        elif isinstance(node, (AppliedUndef, sp.Subs)):
+            sizes[node] = 8 + parts + 30 * measure.size(node)
         elif node.args:
             sizes[node] = 8 + parts + 6 * len(node.args) * measure.size(node)
         else:

@@ -56,14 +56,15 @@ def _text(path: Path) -> str:
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         raise InputError(f"can't be read: {reason}") from None
-    with os.fdopen(handle, "rb") as file:
-        status = os.fstat(file.fileno())
+    status = os.fstat(handle)
+    if not stat.S_ISREG(status.st_mode) or status.st_size > BIGGEST:
+        os.close(handle)
         if stat.S_ISDIR(status.st_mode):
             raise InputError("is a directory")
         if not stat.S_ISREG(status.st_mode):
             raise InputError("is not a regular file")
-        if status.st_size > BIGGEST:
-            raise InputError(f"is too big: {status.st_size} bytes, at most {BIGGEST} are read")
+        raise InputError(f"is too big: {status.st_size} bytes, at most {BIGGEST} are read")
+    with os.fdopen(handle, "rb") as file:
         try:
             data = file.read(BIGGEST + 1)
         except OSError as error:

@@ -94,7 +94,7 @@ def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
     words = {
         "old": "a formula of the old variables",
         "new": "a formula of the new variables",
-        "mixed": "a generating function of this type is a formula of the variables",
+        "mixed": "a generating function of the variables",
         "both": "a formula of the variables",
         "parameters": "an expression in parameters alone",
         "lagrangian": "a formula of velocities and of the coordinates",

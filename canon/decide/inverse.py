@@ -49,6 +49,9 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
 def _gamma(tower: Tower, x: Element) -> Element:
     """Γ(y + n) = Γ(y)·y(y+1)…(y+n−1), with the constant term of y in (0, 1]."""
     field, ring = tower.field, tower.ring
+    reflected = _reflected(tower, x)
+    if reflected is not None:
+        return reflected
     constant = ring.terms(x[0]).get((0,) * ring.size, Fraction(0)) if not x[1] and x[0] else Fraction(0)
     shift = -((-constant.numerator) // constant.denominator) - 1
     if x[1] or shift == 0 or abs(shift) > FARTHEST_SHIFT:
@@ -62,6 +65,26 @@ def _gamma(tower: Tower, x: Element) -> Element:
         return known
     product = field.product(steps)
     return field.product([known, product if shift > 0 else field.inverse(product)])
+
+
+def _reflected(tower: Tower, x: Element) -> Element | None:
+    """Γ(x) = π/(sin(πz)·Γ(z)), z = 1 − x, where x falls with its leading symbol (DLMF 5.5.3).
+
+    sin(πz) must vanish on a null set only, so x has to vary with symbols that aren't integers.
+    """
+    field, ring = tower.field, tower.ring
+    if x[1] or x[0].is_constant() or ring.leading(x[0]) > 0:
+        return None
+    if any(g.kind != "symbol" or tower.tape.symbol_at(g.data).is_integer for g in tower.used(x[0])):
+        return None
+    from canon.decide.angles import cosines_and_sines
+
+    pi = next((g for g in tower.generators if g.kind == "pi"), None)
+    if pi is None:
+        pi = tower.generator("pi", "pos", None, constant=True)
+    z = field.combine([(-ONE, x)], ONE)
+    ((_, sine),) = cosines_and_sines(tower, [field.product([tower.element(pi), z])])
+    return field.product([tower.element(pi), field.inverse(field.product([sine, _gamma(tower, z)]))])
 
 
 def arbitrary(tower: Tower, name: str, orders: tuple[int, ...], arguments: Sequence[Element]) -> Element:

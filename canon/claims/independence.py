@@ -56,10 +56,7 @@ def independent(question: Question) -> Outcome:
         variables = question.nodes(question.space.old)
     nodes = [question.load(f) for f in functions]
     if len(nodes) > len(variables):
-        nonempty = question.decide([Residual("0", tape.zero)], region)
-        if nonempty.status != "proved":
-            return nonempty
-        return exact("refuted", f"{len(nodes)} functions of {len(variables)} variables are dependent")
+        return question.refuted_exactly(region, f"{len(nodes)} functions of {len(variables)} variables are dependent")
     rows = [[derivative(tape, f, x) for x in variables] for f in nodes]
     return full_rank(question, rows, variables, region, everywhere=True)
 
@@ -103,10 +100,8 @@ def full_rank(
         return _dependent_somewhere(question, rows, region, chart) or fallback
     if open_questions or next(minors, None) is not None:
         return Outcome("undecided", note="; ".join(open_questions[:3]) or "too many minors")
-    nonempty = question.decide([Residual("all minors", tape.zero)], region)
-    if nonempty.status != "proved":
-        return nonempty
-    return combined([exact("refuted", "all maximal minors of the Jacobian vanish identically"), *vanishing])
+    dependent = question.refuted_exactly(region, "all maximal minors of the Jacobian vanish identically")
+    return combined([dependent, *vanishing])
 
 
 def _dependent_somewhere(

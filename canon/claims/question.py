@@ -12,7 +12,7 @@ import sympy as sp
 
 from canon.budget import Budget
 from canon.claims.chart import Chart, chart_of
-from canon.claims.outcome import Finding, Outcome, Residual, combined
+from canon.claims.outcome import Finding, Outcome, Residual, combined, exact
 from canon.claims.show import shown
 from canon.decide import ladder
 from canon.decide.derivative import substitute
@@ -268,9 +268,21 @@ class Question:
         status = "supported" if outcome.status == "undecided" else outcome.status
         return replace(outcome, status=status, numeric=sampled.numeric)
 
-    def not_identically_zero(self, node: Node, region: Region, *, budget: Budget | None = None) -> Any:
-        """Is there a point of the region where the node doesn't vanish? The ladder's answer."""
-        return ladder.nonvanishing(self.tape, node, region, budget=budget or self.budget, seed=self.seed)
+    def not_identically_zero(self, node: Node, region: Region) -> ladder.Answer:
+        """Is there a point of the region where the node doesn't vanish? ("refuted": it vanishes identically.)"""
+        if self.method != "numeric":
+            return ladder.nonvanishing(self.tape, node, region, budget=self.budget, seed=self.seed)
+        outcome = self.sampled([Residual("0", node)], region, SUPPORT_POINTS)
+        if outcome.failed is not None:
+            return ladder.Answer("proved", "nonzero at a point", witness=outcome.failed.answer.witness)
+        return ladder.Answer("undecided", "sampling", "zero at every point tried")
+
+    def refuted_exactly(self, region: Region, theorem: str, **detail: Any) -> Outcome:
+        """A refutation by an exact argument, on a region that is shown to have a point."""
+        (answer,) = ladder.vanish(self.tape, [self.tape.zero], region, budget=self.budget, seed=self.seed)
+        if answer.status != "proved":
+            return Outcome("undecided", note=f"{theorem}; but no point of the domain could be certified")
+        return exact("refuted", theorem, **detail)
 
     def show(self, node: Node, *, shorten: bool = True) -> str:
         """A node as a formula for people."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import FAILURES, is_short
 from canon.decide.derivative import poisson_bracket, substitute
 from canon.decide.tape import Node
@@ -225,10 +225,7 @@ def _candidate(question: Question, region: Region, brackets: Brackets, first: No
     label = brackets.label(0, brackets.pairs)
     value = tape.value(first)
     if value == 0:
-        trivial = question.decide([Residual(label, tape.zero)], region)
-        if trivial.status != "proved":
-            return None, trivial
-        return None, exact("refuted", "a scale is not zero", fails=label, brackets={label: "0"})
+        return None, question.refuted_exactly(region, "a scale is not zero", fails=label, brackets={label: "0"})
     variables = {*question.chart.coordinates, question.chart.time}
     if value is not None:
         return first, question.decide([Residual(f"{label} is constant", tape.zero)], region)
@@ -243,7 +240,8 @@ def _candidate(question: Question, region: Region, brackets: Brackets, first: No
         same = question.decide([Residual(f"{label} is constant", tape.minus(first, constant))], region)
         if same.status == "proved":
             if tape.value(constant) == 0:
-                return None, exact("refuted", "a scale is not zero", fails=label, brackets={label: "0"})
+                reason = "a scale is not zero"
+                return None, question.refuted_exactly(region, reason, fails=label, brackets={label: "0"})
             return constant, same
         outcome = same
     return None, outcome.with_detail(fails=f"{label} is not constant") if outcome.status == "refuted" else outcome

@@ -96,7 +96,8 @@ def canonical_when(question: Question) -> Outcome:
     generic = question.decide(brackets.residuals(tape.one), question.region())
     named = ", ".join(sorted(map(str, names)))
     if generic.status == "proved":
-        return exact("refuted", f"the map is canonical at all values of {named}", canonical="at all values")
+        reason = f"the map is canonical at all values of {named}"
+        return question.refuted_exactly(question.region(), reason, canonical="at all values")
     if generic.status != "refuted":
         return combined([*parts, Outcome("undecided", note=f"not shown to fail at generic values of {named}")])
     assert generic.failed is not None

@@ -13,7 +13,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from flint import fmpz
+from flint import fmpz, fmpz_mod_ctx
+from flint.utils.flint_exceptions import DomainError
 
 from canon.decide.tape import Node
 from canon.decide.tower import Tower
@@ -54,7 +55,11 @@ class Evaluator:
         self.squares = any(g.kind == "I" for g in tower.generators)
         self.odd = {g.degree >> ((g.degree & -g.degree).bit_length() - 1) for g in tower.generators if g.degree > 2}
         self.radicals = sum(1 for g in tower.generators if g.degree and g.kind not in ("sin", "I"))
+        self._take_prime()
+
+    def _take_prime(self) -> None:
         self.p = self._prime()
+        self.residues = fmpz_mod_ctx(self.p)
 
     def _terms(self, p: Any) -> Terms:
         return [
@@ -64,7 +69,7 @@ class Evaluator:
     def _prime(self) -> int:
         """A random prime for which roots of odd order are unique, and −1 a square where I is used."""
         for _ in range(100_000):
-            p = (self.rng.getrandbits(self.bits) | (1 << (self.bits - 1))) & ~7 | (5 if self.squares else 7)
+            p = (self.rng.getrandbits(self.bits) | (1 << (self.bits - 1))) & ~7 | (1 if self.squares else 7)
             if all(math.gcd(q, p - 1) == 1 for q in self.odd) and fmpz(p).is_probable_prime():
                 return p
         raise NoPoint("no prime of the kind that the roots need")
@@ -81,18 +86,13 @@ class Evaluator:
         return total % p
 
     def _square_root(self, a: int) -> int | None:
-        p = self.p
         if a == 0:
             return 0
-        if pow(a, (p - 1) // 2, p) != 1:
+        try:
+            root = int(self.residues(a).sqrt())
+        except DomainError:
             return None
-        if p % 4 == 3:
-            root = pow(a, (p + 1) // 4, p)
-        else:
-            root = pow(a, (p + 3) // 8, p)
-            if root * root % p != a:
-                root = root * pow(2, (p - 1) // 4, p) % p
-        return p - root if self.rng.getrandbits(1) else root
+        return self.p - root if self.rng.getrandbits(1) else root
 
     def _root(self, a: int, degree: int) -> int | None:
         if degree == 2:
@@ -117,7 +117,7 @@ class Evaluator:
                     root = self._root(self._polynomial(self.lower[g.index], point), g.degree)
                     if root is None:
                         if g.constant:
-                            self.p = self._prime()
+                            self._take_prime()
                         break
                     point.append(root)
                 else:

@@ -138,6 +138,8 @@ def group_power(tower: Tower, sign: int, factors: list[tuple[Polynomial, int]], 
         if len(factors) == 1 and factors[0][1] == 1:
             add_fact(tower, numerator, "pos")
         return factor_power(tower, numerator, exponent)
+    if numerator.is_constant():
+        return factor_power(tower, denominator * numerator, -exponent)
     return _whole_power(tower, numerator, denominator, exponent, "real")
 
 

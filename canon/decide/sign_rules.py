@@ -22,7 +22,7 @@ def sign_by_rules(tower: Tower, p: Polynomial) -> str | None:
     """The sign of p on the region by the first rule that shows it, else None."""
     if len(p) > MOST_TERMS:
         return None
-    for rule in (constant_sign, _affine, _bounded_pair, _against_one, _on_box, _by_real_roots):
+    for rule in (constant_sign, _affine, _bounded_pair, _against_one, _on_box, _by_real_roots, _quadratic):
         sign = rule(tower, p)
         if sign is not None:
             return sign
@@ -157,6 +157,41 @@ def _by_real_roots(tower: Tower, p: Polynomial) -> str | None:
             return None
     value = polynomial(_inside(interval))
     return "pos" if value > 0 else "neg"
+
+
+def _quadratic(tower: Tower, p: Polynomial) -> str | None:
+    """a·x² + b·x + c keeps the sign of a where b² ≤ 4ac (strictly where b² < 4ac)."""
+    from canon.decide.signs import sign_of
+
+    ring = tower.ring
+    for k, degree in enumerate(ring.degrees(p)):
+        if degree != 2 or tower.generators[k].sign == "cplx" or tower.generators[k].degree:
+            continue
+        parts = [ring.zero, ring.zero, ring.zero]
+        for monomial, c in ring.terms(p).items():
+            without = monomial[:k] + (0,) + monomial[k + 1 :]
+            parts[monomial[k]] = parts[monomial[k]] + ring.polynomial({without: c})
+        discriminant = parts[1] * parts[1] - ring.constant(4) * parts[2] * parts[0]
+        leading = sign_of(tower, parts[2])
+        if leading not in ("pos", "neg") or len(discriminant) >= len(p) * len(p):
+            continue
+        bound = _sign_of_product(tower, discriminant) if discriminant else "nonpos"
+        if bound == "neg":
+            return leading
+        if bound == "nonpos":
+            return "nonneg" if leading == "pos" else "nonpos"
+    return None
+
+
+def _sign_of_product(tower: Tower, p: Polynomial) -> str | None:
+    """The sign of a polynomial from those of its factors."""
+    from canon.decide.signs import classify, sign_of
+
+    sign, _, known, unknown = classify(tower, (p, {}))
+    if unknown:
+        return None
+    strict = all(sign_of(tower, f) in ("pos", "neg") for f, _ in known)
+    return ("pos" if strict else "nonneg") if sign > 0 else ("neg" if strict else "nonpos")
 
 
 def _outside(root, interval: Interval) -> bool:

@@ -58,7 +58,7 @@ def test_substitution_is_simultaneous():
     tape = Tape()
     node = tape.load(x - y)
     swapped = substitute(tape, node, {tape.symbol(x): tape.symbol(y), tape.symbol(y): tape.symbol(x)})
-    assert swapped == tape.negative(node)
+    assert swapped == tape.load(y - x)
 
 
 def test_division_by_nothing_is_an_input_error():
@@ -71,5 +71,7 @@ def test_division_by_nothing_is_an_input_error():
 
 def test_to_sympy_comes_back():
     tape = Tape()
-    for f in FUNCTIONS[:9]:
-        assert tape.load(tape.to_sympy(tape.load(f))) == tape.load(f)
+    for f in FUNCTIONS[:7]:
+        back = tape.minus(tape.load(tape.to_sympy(tape.load(f))), tape.load(f))
+        region = Region.of(tape, Domain(conditions_of(f)), [x, y])
+        assert ladder.vanish(tape, [back], region, budget=Budget(20))[0].status == "proved"

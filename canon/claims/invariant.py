@@ -115,9 +115,10 @@ def _power_residuals(question: Question, order: int) -> Iterator[Residual]:
 
 
 def cartan_invariant(question: Question) -> Outcome:
-    """`cartan_invariant`: p dq − H dt − (P dQ − K dt) is closed in the extended phase space.
+    """`cartan_invariant`: p dq − H dt − (P dQ − K dt) is exact in the extended phase space.
 
-    Its potential, the generating function as a function of the chart's coordinates, is reported where it is found.
+    It is refuted where it isn't closed. Closed, it is proved with a potential that is smooth throughout the domain (the
+    generating function as a function of the chart's coordinates), or on a domain of convex pieces; else supported.
     """
     question.square_map()
     H, K = question.hamiltonian(), question.formula("K", "new")
@@ -128,9 +129,16 @@ def cartan_invariant(question: Question) -> Outcome:
     outcome = question.decide(_cartan_residuals(question, question.load(H), question.load(K)), region)
     if outcome.status != "proved" or question.method == "numeric":
         return outcome
+    from canon.claims.exactness import in_convex_pieces, smooth_throughout
     from canon.claims.potential import cartan_potential
 
-    return outcome.with_detail(potential=cartan_potential(question, question.load(H), question.load(K), region))
+    potential = cartan_potential(question, question.load(H), question.load(K), region)
+    outcome = outcome.with_detail(potential=None if potential is None else str(potential))
+    if potential is not None and smooth_throughout(question, potential, region):
+        return outcome
+    if in_convex_pieces(question, region):
+        return outcome.with_detail(exact_by="Poincare's lemma on convex pieces")
+    return outcome.with_status("supported", "the form is closed; that it is exact on all of the domain isn't shown")
 
 
 def _singular(question: Question) -> Outcome | None:

@@ -49,7 +49,7 @@ def verified_potential(
     return neat(found) if outcome.status == "proved" else None
 
 
-def cartan_potential(question: Question, H: Node, K: Node, region: Region) -> str | None:
+def cartan_potential(question: Question, H: Node, K: Node, region: Region) -> sp.Expr | None:
     """F with dF = p dq − H dt − (P dQ − K dt), in the chart's coordinates and time."""
     tape, chart = question.tape, question.chart
     half = len(chart.old) // 2
@@ -63,8 +63,7 @@ def cartan_potential(question: Question, H: Node, K: Node, region: Region) -> st
         if u == chart.time:
             terms += [(chart.pull(H), -1), (chart.pull(K), 1)]
         slopes.append(tape.add(terms))
-    found = verified_potential(question, slopes, variables, region)
-    return None if found is None else str(found)
+    return verified_potential(question, slopes, variables, region)
 
 
 def _integrated(slopes: Sequence[sp.Expr], symbols: Sequence[sp.Symbol], late: Late) -> sp.Expr | None:

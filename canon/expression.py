@@ -10,50 +10,37 @@ from collections.abc import Callable
 from typing import Any, Final
 
 import sympy as sp
-from sympy.core.function import AppliedUndef
 
 from canon.domain import Condition, function_conditions, nonzero, positive, power_conditions, unique
 from canon.errors import InputError
+from canon.functions import FUNCTIONS, applied
 from canon.measure import (
-    WIDEST,
     Measure,
-    check_exponential,
     check_power,
     check_product,
     check_sum,
-    derivative_size,
 )  # fmt: skip
-from canon.special import JacobiCN, JacobiDN, JacobiSN
+from canon.slope import differentiated
 from canon.syntax import Call, Name, Node, Number, Power, Product, Sum, children, parse, parse_relation, place
 from canon.vocabulary import CALLABLE, CONSTANTS, Formula, Vocabulary
 
 __all__ = ["Formula", "Vocabulary", "read", "read_relation"]
 
-_FUNCTIONS: Final[dict[str, tuple[Any, tuple[int, ...]]]] = {
-    "exp": (sp.exp, (1,)), "log": (sp.log, (1,)), "sin": (sp.sin, (1,)), "cos": (sp.cos, (1,)),
-    "tan": (sp.tan, (1,)), "cot": (sp.cot, (1,)), "sec": (sp.sec, (1,)), "csc": (sp.csc, (1,)),
-    "asin": (sp.asin, (1,)), "acos": (sp.acos, (1,)), "atan": (sp.atan, (1,)), "atan2": (sp.atan2, (2,)),
-    "sinh": (sp.sinh, (1,)), "cosh": (sp.cosh, (1,)), "tanh": (sp.tanh, (1,)), "coth": (sp.coth, (1,)),
-    "asinh": (sp.asinh, (1,)), "acosh": (sp.acosh, (1,)), "atanh": (sp.atanh, (1,)),
-    "abs": (sp.Abs, (1,)), "sign": (sp.sign, (1,)), "gamma": (sp.gamma, (1,)), "lambertw": (sp.LambertW, (1,)),
-    "elliptic_k": (sp.elliptic_k, (1,)), "elliptic_e": (sp.elliptic_e, (1, 2)), "elliptic_f": (sp.elliptic_f, (2,)),
-    "jacobi_sn": (JacobiSN, (2,)), "jacobi_cn": (JacobiCN, (2,)), "jacobi_dn": (JacobiDN, (2,)),
-}  # fmt: skip
 _ROOTS: Final = {"sqrt": sp.Rational(1, 2), "cbrt": sp.Rational(1, 3)}
 _HIGHEST: Final = 20
+_WRONG: Final = "the definition"
 _SYMPY_GIVES_UP: Final = (ArithmeticError, AttributeError, LookupError, NotImplementedError, TypeError, ValueError)
-_GAMMA_LIMIT: Final = 300
 
 
-def read(text: str, vocabulary: Vocabulary, where: str = "") -> Formula:
+def read(text: str, vocabulary: Vocabulary, where: str = "", measure: Measure | None = None) -> Formula:
     """The formula that `text` states.
 
-    **Arguments:** `where`, the place of the text in its file, for errors.
+    **Arguments:** `where`, the place of the text in its file, for errors; `measure`, one for all texts of a file.
 
     **Raises:** `InputError` with the place in the text: outside the language, a name that isn't declared or is out of
     place, a value that is undefined everywhere, or too large.
     """
-    return _guarded(lambda: _read(text, vocabulary), where)
+    return _guarded(lambda: _read(text, vocabulary, measure), where)
 
 
 def read_relation(text: str, vocabulary: Vocabulary, where: str = "") -> tuple[Condition, ...]:
@@ -75,8 +62,8 @@ def _guarded(reading: Callable[[], Any], where: str) -> Any:
         raise InputError("nested too deeply: use [definitions]", where) from None
 
 
-def _read(text: str, vocabulary: Vocabulary) -> Formula:
-    builder = _Builder(text, vocabulary)
+def _read(text: str, vocabulary: Vocabulary, measure: Measure | None) -> Formula:
+    builder = _Builder(text, vocabulary, measure)
     value = builder.value_of(parse(text))
     written = " ".join(text.split())
     names, calls = frozenset(builder.names), frozenset(builder.calls)
@@ -107,10 +94,10 @@ def _read_relation(text: str, vocabulary: Vocabulary) -> tuple[Condition, ...]:
 class _Builder:
     """Builds one text's expressions and gathers their conditions on the way."""
 
-    def __init__(self, text: str, vocabulary: Vocabulary) -> None:
+    def __init__(self, text: str, vocabulary: Vocabulary, measure: Measure | None = None) -> None:
         self.text = text
         self.vocabulary = vocabulary
-        self.measure = Measure()
+        self.measure = (measure or Measure()).begin()
         self.conditions: dict[Condition, None] = {}
         self.names: set[str] = set()
         self.calls: set[tuple[str, int]] = set()
@@ -158,7 +145,7 @@ class _Builder:
             return value * sp.I if node.imaginary else value
         if isinstance(node, Name):
             return self.name(node)
-        self.measure.spend(20 * len(values))
+        self.measure.spend(20 * len(values) + 6 * sum(len(value.args) for value in values))
         if isinstance(node, Sum):
             check_sum(values)
             return sp.Add(*(v if plus else -v for v, plus in zip(values, node.added, strict=True)))
@@ -198,7 +185,12 @@ class _Builder:
     def definition(self, name: str, where: str) -> Any:
         formula = self.vocabulary.definitions[name]
         if isinstance(formula, InputError):
-            raise InputError(f"the definition {name!r}, used {where}, is wrong: {formula.message}")
+            first = (
+                formula.message
+                if formula.message.startswith(_WRONG)
+                else f"{_WRONG} {name!r} is wrong: {formula.message}"
+            )
+            raise InputError(first)
         for inner in sorted(formula.names):
             self.use(inner, where, name)
         if formula.has_bracket:
@@ -241,7 +233,7 @@ class _Builder:
         if name in _ROOTS:
             self.count(name, len(values), (1,), where)
             return self.power(values[0], _ROOTS[name], texts[0])
-        function, counts = _FUNCTIONS[name]
+        function, counts = FUNCTIONS[name]
         self.count(name, len(values), counts, where)
         return self.function(function, values, texts)
 
@@ -251,22 +243,9 @@ class _Builder:
             raise InputError(f"{name!r} {where} takes {expected} argument{'s'[: wanted != (1,)]}, not {given}")
 
     def function(self, function: Any, values: list[Any], texts: tuple[str, ...]) -> Any:
-        """A built-in function, kept from what sympy would make of values that it wasn't written for."""
         self.measure.spend_on(values)
-        is_complex = any(self.measure.is_complex(value) for value in values)
-        if is_complex and function is sp.sign:
-            raise InputError("sign is for real arguments only")
         self.add(function_conditions(function, tuple(values), texts, is_complex=self.measure.is_complex))
-        if function is sp.exp:
-            check_exponential(values[0])
-        if function is sp.gamma and values[0].is_Rational and abs(values[0]) > _GAMMA_LIMIT:
-            raise InputError(f"gamma of a number above {_GAMMA_LIMIT}")
-        if function is sp.atan2 and values[0].is_zero:
-            return sp.Integer(0)
-        value = function(*values)
-        if is_complex and function is sp.Abs and value.has(sp.Abs, sp.re, sp.im, sp.arg, sp.conjugate):
-            raise InputError("abs of this complex expression: write sqrt(re**2 + im**2) with its two parts")
-        return value
+        return applied(function, values, any(self.measure.is_complex(value) for value in values))
 
     def arbitrary(self, name: str, values: list[Any], where: str) -> Any:
         self.use(name, where)
@@ -290,25 +269,8 @@ class _Builder:
                 raise InputError(f"D {where} is of order {order}: at most {_HIGHEST}")
         value = values[0]
         for _ in range(order):
-            value = self.differentiated(value, symbol)
+            value = differentiated(value, symbol, self.measure)
         return value
-
-    def differentiated(self, value: Any, symbol: Any) -> Any:
-        if not value.has(symbol):
-            return sp.Integer(0)
-        bound = derivative_size(value, self.measure)
-        if bound > WIDEST * 5:
-            raise InputError("too large to differentiate here")
-        self.measure.spend(1_000 + 10 * bound)
-        smooth, signs = _without_kinks(value, self.measure)
-        result = smooth.diff(symbol)
-        for dummy, kink in signs:
-            result = result.xreplace({dummy: kink})
-        for derivative in result.atoms(sp.Derivative):
-            if not isinstance(derivative.expr, AppliedUndef):
-                name = derivative.expr.func.__name__
-                raise InputError(f"the derivative of {name} in its parameter is not in the language")
-        return self.measure.admit(result)
 
     def use_bracket(self, where: str) -> None:
         if self.vocabulary.no_bracket:
@@ -323,7 +285,7 @@ class _Builder:
         f, g = values
         terms = list[Any]()
         for q, p in self.vocabulary.pairs:
-            df, dg = ([self.differentiated(h, x) for x in (q, p)] for h in (f, g))
+            df, dg = ([differentiated(h, x, self.measure) for x in (q, p)] for h in (f, g))
             terms += [df[0] * dg[1], -df[1] * dg[0]]
         return sp.Add(*terms)
 
@@ -339,18 +301,3 @@ def written_names(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
             formula = vocabulary.definitions.get(part.name)
             found |= formula.names if isinstance(formula, Formula) else {part.name}
     return frozenset(found)
-
-
-def _without_kinks(value: Any, measure: Measure) -> tuple[Any, list[tuple[Any, Any]]]:
-    """`value` with |u| as s·u and sign(u) as s, and what each s stands for, outermost first.
-
-    Where u ≠ 0 its sign s is constant nearby, so that derivatives may take it for a constant.
-    """
-    smooth: dict[Any, Any] = {}
-    signs: dict[Any, Any] = {}
-    for kink in sorted(value.atoms(sp.Abs, sp.sign), key=lambda node: (measure.size(node), str(node.func))):
-        inner = kink.args[0].xreplace(smooth)
-        sign = signs.setdefault(inner, sp.Dummy(real=True))
-        smooth[kink] = sign * inner if isinstance(kink, sp.Abs) else sign
-    back = [(sign, sp.sign(inner)) for inner, sign in signs.items()]
-    return value.xreplace(smooth), back[::-1]

@@ -25,8 +25,13 @@ WIDEST: Final = 2_000
 """The most nodes of a function's argument, or of a power's base."""
 STEEPEST: Final = 10_000
 """The largest numerical exponent."""
+LONG: Final = 512
+"""The most bits of a number in a function's argument, or in the base of a root."""
 EFFORT: Final = 1_000_000
 """The most work that a formula may take to build, in about the microseconds that sympy needs for it."""
+
+FORMULAS: Final = 5
+"""How many formulas of that much work a file may hold."""
 
 _HEADS: Final = (
     sp.Add, sp.Mul, sp.Pow, sp.exp, sp.log, sp.Abs, sp.sign, sp.atan2, AppliedUndef, sp.Derivative, sp.Subs, sp.Tuple,
@@ -38,10 +43,14 @@ _CONSTANTS: Final = (sp.pi, sp.E, sp.I, sp.EulerGamma, sp.Catalan)
 
 
 class Measure:
-    """Tree size, depth and reality of expressions, each distinct one looked at once."""
+    """Tree size, depth and reality of expressions, each distinct one looked at once, and the work done on them.
+
+    One may serve all formulas of a file: then `begin` each of them.
+    """
 
     def __init__(self) -> None:
         self._spent = 0
+        self._before = 0
         self._known: dict[Any, tuple[int, int, bool]] = {}
 
     def size(self, expression: Any) -> int:
@@ -57,6 +66,14 @@ class Measure:
         self._spent += effort
         if self._spent > EFFORT:
             raise InputError("too much work to read: shorten the formula, or divide it over several claims")
+        if self._before + self._spent > FORMULAS * EFFORT:
+            raise InputError("too much work to read all formulas up to here: divide them over several files")
+
+    def begin(self) -> Measure:
+        """Itself, for a further formula: what has been spent counts for the file only."""
+        self._before += self._spent
+        self._spent = 0
+        return self
 
     def spend_on(self, arguments: Iterable[Any]) -> None:
         """Count the work of a function or a power of these arguments; numbers are looked up in tables and cost more.
@@ -67,8 +84,10 @@ class Measure:
             size = self.size(argument)
             if size > WIDEST:
                 raise InputError(f"too large: more than {WIDEST} operations in an argument")
-            numeric = size > 1 and not argument.free_symbols
-            self.spend(8_000 if numeric else 600 + size)
+            if any(_height(number) > LONG for number in argument.atoms(sp.Rational)):
+                raise InputError(f"a number of more than {LONG} bits in an argument")
+            numeric = 0 if argument.free_symbols else 1_000 if size == 1 else 8_000
+            self.spend(600 + size + numeric)
 
     def admit(self, expression: Any) -> Any:
         """The expression itself.
@@ -137,7 +156,7 @@ def check_power(base: Any, exponent: Any) -> None:
     """
     if exponent.is_Rational:
         if base.is_Rational and _height(exponent) > 64:
-            raise InputError("an exponent with too many digits")
+            raise InputError("an exponent of too many digits")
         steepness = abs(exponent)
         factors = base.args if base.is_Mul else (base,)
         inner = max((abs(factor.exp) for factor in factors if factor.is_Pow and factor.exp.is_Rational), default=1)
@@ -172,28 +191,3 @@ def check_exponential(argument: Any) -> None:
         for factor in sp.Mul.make_args(rest):
             if isinstance(factor, sp.log):
                 check_power(factor.args[0], coefficient)
-
-
-def derivative_size(expression: Any, measure: Measure) -> int:
-    """A bound on the tree size of a derivative, from the rules that compute it and before they do."""
-    sizes: dict[Any, int] = {}
-    stack = [expression]
-    while stack:
-        node = stack[-1]
-        missing = [part for part in node.args if part not in sizes]
-        if missing:
-            stack.extend(missing)
-            continue
-        stack.pop()
-        parts = sum(sizes[part] for part in node.args)
-        if isinstance(node, sp.Add):
-            sizes[node] = 1 + parts
-        elif isinstance(node, sp.Mul):
-            sizes[node] = 1 + parts + len(node.args) * measure.size(node)
-        elif isinstance(node, (AppliedUndef, sp.Subs)):
-            sizes[node] = 8 + parts + 30 * measure.size(node)
-        elif node.args:
-            sizes[node] = 8 + parts + 6 * len(node.args) * measure.size(node)
-        else:
-            sizes[node] = 1
-    return sizes[expression]

@@ -6,16 +6,13 @@ its own, so that `lambda` is a name, numbers are exact, and what the language do
 
 from __future__ import annotations
 
-import re
-import unicodedata
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Final
 
 from canon.errors import InputError
+from canon.tokens import RELATIONS, Token, place, tokens
 
-LONGEST: Final = 20_000
-"""The most characters that a formula may have."""
 DEEPEST: Final = 100
 """The most levels of parentheses, calls, signs and exponents inside each other."""
 BITS: Final = 10_000
@@ -100,7 +97,7 @@ def parse(text: str) -> Node:
     node = parser.expression(0)
     token = parser.token
     if token.kind != "end":
-        if token.text in _RELATIONS:
+        if token.text in RELATIONS:
             raise InputError(f"a comparison has no place here: {token.text!r} {place(text, token.start)}")
         raise InputError(parser.unexpected(token))
     return node
@@ -113,7 +110,7 @@ def parse_relation(text: str) -> tuple[tuple[Node, ...], tuple[str, ...]]:
     """
     parser = _Parser(text)
     sides, signs = [parser.expression(0)], list[str]()
-    while parser.token.text in _RELATIONS:
+    while parser.token.text in RELATIONS:
         signs.append(parser.advance().text)
         sides.append(parser.expression(0))
     if parser.token.kind != "end":
@@ -121,93 +118,6 @@ def parse_relation(text: str) -> tuple[tuple[Node, ...], tuple[str, ...]]:
     if not signs:
         raise InputError("an inequality is expected: two expressions with one of < <= > >= != between them")
     return tuple(sides), tuple(signs)
-
-
-def place(text: str, position: int) -> str:
-    """Where in the text, in words: "at column 7", with the line if there are several."""
-    line = text.count("\n", 0, position) + 1
-    column = position - (text.rfind("\n", 0, position) + 1) + 1
-    return f"at line {line}, column {column}" if "\n" in text.strip() else f"at column {column}"
-
-
-def look_alike(name: str) -> str:
-    """What a name is to be written as: itself, or the plain letters that it only looks like (`ℎ`, `ﬁ`, `µ`)."""
-    return unicodedata.normalize("NFKC", name)
-
-
-@dataclass(frozen=True, slots=True)
-class _Token:
-    kind: str
-    text: str
-    start: int
-    end: int
-
-
-_TOKEN: Final = re.compile(
-    r"(?P<space>[ \t\r\n]+)"
-    r"|(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
-    r"|(?P<name>[^\W\d]\w*)"
-    r"|(?P<sign>\*\*|<=|>=|==|!=|[-+*/(),<>])"
-)
-_RELATIONS: Final = ("<", "<=", ">", ">=", "==", "!=")
-_ADVICE: Final = {
-    "^": "write a power as **",
-    ".": "attributes are not part of the language",
-    "[": "subscripts and lists are not part of the language",
-    "{": "braces are not part of the language",
-    "'": "strings are not part of the language",
-    '"': "strings are not part of the language",
-    "%": "there is no remainder in the language",
-    "=": "an equation is written as two keys, or as a difference",
-    "−": "write the minus sign as -",
-    "–": "write the minus sign as -",
-    "·": "write a product as *",
-    "×": "write a product as *",
-    "²": "write a square as **2",
-    "³": "write a cube as **3",
-    "√": "write a square root as sqrt(...)",
-    "∂": "write a partial derivative as D(f, x)",
-}
-
-
-def _tokens(text: str) -> list[_Token]:
-    if len(text) > LONGEST:
-        raise InputError(f"a formula of {len(text)} characters: at most {LONGEST} are read; use [definitions]")
-    tokens, position = list[_Token](), 0
-    while position < len(text):
-        match = _TOKEN.match(text, position)
-        if match is None:
-            raise InputError(_stranger(text, position))
-        kind = match.lastgroup or ""
-        if kind == "name":
-            _check_name(text, match.group(), position)
-        if kind != "space":
-            tokens.append(_Token(kind, match.group(), position, match.end()))
-        position = match.end()
-    tokens.append(_Token("end", "", len(text), len(text)))
-    return tokens
-
-
-def _stranger(text: str, position: int) -> str:
-    character = text[position]
-    shown = repr(character) if character.isprintable() else "a character"
-    code = "" if character.isascii() and character.isprintable() else f" (U+{ord(character):04X})"
-    advice = _ADVICE.get(character)
-    return f"{shown}{code} {place(text, position)} is not part of the language" + (f": {advice}" if advice else "")
-
-
-def _check_name(text: str, name: str, position: int) -> None:
-    for offset, character in enumerate(name):
-        if character in _ADVICE:
-            raise InputError(_stranger(text, position + offset))
-    plain = look_alike(name)
-    if plain != name:
-        codes = " ".join(f"U+{ord(c):04X}" for c in name if look_alike(c) != c) or "a decomposed letter"
-        raise InputError(
-            f"the name {name!r} {place(text, position)} has a look-alike letter ({codes}): write {plain!r}"
-        )
-    if not name.isidentifier():
-        raise InputError(f"{name!r} {place(text, position)} is not a name")
 
 
 _SUM, _PRODUCT, _SIGN, _POWER = 1, 2, 3, 4
@@ -219,20 +129,20 @@ class _Parser:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.tokens = _tokens(text)
+        self.tokens = tokens(text)
         self.index = 0
         self.depth = 0
 
     @property
-    def token(self) -> _Token:
+    def token(self) -> Token:
         return self.tokens[self.index]
 
-    def advance(self) -> _Token:
+    def advance(self) -> Token:
         token = self.tokens[self.index]
         self.index += 1
         return token
 
-    def unexpected(self, token: _Token) -> str:
+    def unexpected(self, token: Token) -> str:
         if token.kind == "end":
             return "the formula is empty" if self.index == 0 else "the formula ends too early"
         where = place(self.text, token.start)
@@ -242,13 +152,13 @@ class _Parser:
             return f"an operator is missing before {token.text[:40]!r} {where}: write a product with *"
         return f"{token.text[:40]!r} {where} is not expected there"
 
-    def deeper(self, token: _Token) -> None:
+    def deeper(self, token: Token) -> None:
         self.depth += 1
         if self.depth > DEEPEST:
             where = place(self.text, token.start)
             raise InputError(f"nested more than {DEEPEST} levels deep {where}: use [definitions]")
 
-    def expect(self, sign: str) -> _Token:
+    def expect(self, sign: str) -> Token:
         if self.token.text != sign:
             missing = f"{sign!r} is missing"
             raise InputError(missing if self.token.kind == "end" else f"{missing}: {self.unexpected(self.token)}")
@@ -296,7 +206,7 @@ class _Parser:
             return replace(inner, span=(token.start, self.expect(")").end))
         raise InputError(self.unexpected(token))
 
-    def call(self, name: _Token) -> Call:
+    def call(self, name: Token) -> Call:
         self.deeper(self.advance())
         if self.token.text == ")":
             raise InputError(f"{name.text!r} {place(self.text, name.start)} is called without an argument")
@@ -317,13 +227,13 @@ class _Parser:
             raise InputError(self._glued(token, follower))
         return Number((token.start, follower.end if imaginary else token.end), self.exact(token), imaginary)
 
-    def _glued(self, number: _Token, name: _Token) -> str:
+    def _glued(self, number: Token, name: Token) -> str:
         both, where = (number.text + name.text)[:40], place(self.text, number.start)
         if name.text.strip("_").isdigit() or number.text == "0":
             return f"{both!r} {where} is not a number of the language: write plain decimal digits"
         return f"an operator is missing in {both!r} {where}: write {number.text[:20]}*{name.text[:20]}"
 
-    def exact(self, token: _Token) -> Fraction:
+    def exact(self, token: Token) -> Fraction:
         """The number as it is written, never through a float; its size is known before it is computed."""
         mantissa, _, power = token.text.replace("E", "e").partition("e")
         digits = len(mantissa) + (abs(int(power)) if 0 < len(power) <= 6 else 0)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from canon.errors import InputError
-from canon.syntax import LONGEST, look_alike
+from canon.tokens import LONGEST, look_alike
 from canon.vocabulary import nearest
 
 BIGGEST: Final = 10_000_000
@@ -31,6 +31,9 @@ def load(path: str | os.PathLike[str]) -> dict[str, Any]:
 
 def parse(text: str) -> dict[str, Any]:
     """The TOML document that `text` is; its decimal numbers are exact. **Raises:** `InputError`."""
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.count(".", 0, line.find("=")) > 1000 and line.find('"') < 0:
+            raise InputError(f"not readable: a key of more than 1000 parts in line {number}")
     try:
         return tomllib.loads(text, parse_float=_exact)
     except tomllib.TOMLDecodeError as error:

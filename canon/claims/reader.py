@@ -18,7 +18,8 @@ from canon.claim import EXPECTATIONS, Claim
 from canon.claims import document
 from canon.claims.document import Table, key
 from canon.claims.keys import COMMON, KEYS, LATER, Key, KeySpec
-from canon.claims.sections import SECTIONS, Names, read_names, read_subject, read_types
+from canon.claims.names import Names, read_names
+from canon.claims.sections import SECTIONS, read_subject, read_types
 from canon.claims.tensors import read_tensor
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary
@@ -84,8 +85,9 @@ def _problem(error: InputError) -> dict[str, str]:
 def _never_used(names: Names, problems: list[dict[str, str]]) -> list[dict[str, str]]:
     """The faulty definitions that no other fault tells of."""
     told = "\n".join(problem["message"] for problem in problems)
-    faulty = {name: value for name, value in names.vocabulary.definitions.items() if isinstance(value, InputError)}
-    return [_problem(fault) for name, fault in faulty.items() if f"definition {name!r}" not in told]
+    faults = [(n, v) for n, v in names.vocabulary.definitions.items() if isinstance(v, InputError)]
+    own = [(name, fault) for name, fault in faults if not fault.message.startswith("the definition")]
+    return [_problem(fault) for name, fault in own if f"the definition {name!r} is wrong" not in told]
 
 
 def _listed(tables: Table) -> list[Any]:

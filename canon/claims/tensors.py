@@ -8,7 +8,7 @@ import sympy as sp
 
 from canon.claims import document
 from canon.claims.document import Table, key
-from canon.claims.sections import Names
+from canon.claims.names import Names
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary
 from canon.mechanics.phase_space import symbol_with

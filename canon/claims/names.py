@@ -1,0 +1,222 @@
+"""The names of a claim file: phase space, symbols and abbreviations, and which of them a formula may use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from canon.claims import document
+from canon.claims.document import Table, key
+from canon.claims.keys import Side
+from canon.errors import InputError
+from canon.expression import Formula, Vocabulary, read
+from canon.measure import Measure
+from canon.mechanics.generating_function import GeneratingFunction
+from canon.mechanics.phase_space import ASSUMPTIONS, PhaseSpace, symbol_with
+from canon.vocabulary import nearest
+
+
+@dataclass
+class Names:
+    """The names of a file while it is read, and what the formulas read so far have shown of them.
+
+    **Arguments:** the phase space; the vocabulary without restrictions; the number of arguments with which each
+    arbitrary function has been called; the Hamiltonian, once it has been read; the
+    measure of all formulas.
+    """
+
+    space: PhaseSpace
+    vocabulary: Vocabulary
+    arity: dict[str, int] = field(default_factory=dict)
+    hamiltonian: Formula | None = None
+    measure: Measure = field(default_factory=Measure)
+
+    def formula(self, value: Any, side: Side, where: str, **options: Any) -> Formula:
+        """The formula that a TOML value states, in the variables of `side` (see `restricted`).
+
+        **Raises:** `InputError` with the place.
+        """
+        text = document.expression_text(value, where)
+        return self.counted(read(text, self.restricted(side, **options), where, self.measure), where)
+
+    def counted(self, formula: Formula, where: str) -> Formula:
+        """The formula, if every arbitrary function has as many arguments as elsewhere in the file."""
+        for called, count in sorted(formula.calls):
+            known = self.arity.setdefault(called, count)
+            if known != count:
+                raise InputError(f"{called!r} is called with {count} arguments here and with {known} elsewhere", where)
+        return formula
+
+    def restricted(
+        self,
+        side: Side,
+        *,
+        types: tuple[int, ...] = (),
+        vocabulary: Vocabulary | None = None,
+        allowed: Iterable[str] | None = None,
+    ) -> Vocabulary:
+        """The vocabulary of a formula in the variables of `side`.
+
+        **Arguments:** `types`, of a generating function, for "mixed"; `vocabulary`, with a claim's own names;
+        `allowed`, the variables that are open instead of those of `side`.
+        """
+        vocabulary = vocabulary or self.vocabulary
+        space = self.space
+        old, new = _named(space.old), _named(space.new)
+        no_bracket = "" if side in ("old", "both") else "it is the bracket in the old variables"
+        open_names = _open(space, side, types) if allowed is None else tuple(allowed)
+        refused = [name for name in (*old, *new) if name not in open_names]
+        if side == "parameters":
+            refused.append(space.t.name)
+        return vocabulary.refusing(refused, _allowed_words(side, open_names), no_bracket)
+
+
+def _named(symbols: Iterable[Any]) -> tuple[str, ...]:
+    return tuple(symbol.name for symbol in symbols)
+
+
+def _open(space: PhaseSpace, side: Side, types: tuple[int, ...]) -> tuple[str, ...]:
+    """The variables that a formula of this side may use."""
+    if side == "mixed":
+        template = GeneratingFunction(space, types, 0)
+        return _named((*template.old_arguments, *template.new_arguments))
+    old, new = _named(space.old), _named(space.new)
+    return {"old": old, "new": new, "both": old + new, "parameters": (), "lagrangian": _named(space.q)}[side]
+
+
+def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
+    words = {
+        "old": "a formula of the old variables",
+        "new": "a formula of the new variables",
+        "mixed": "a generating function of the variables",
+        "both": "a formula of the variables",
+        "parameters": "an expression in parameters alone",
+        "lagrangian": "a formula of velocities and of the coordinates",
+    }[side]
+    return f"{words} {', '.join(allowed)}".rstrip()
+
+
+def read_names(tables: Table) -> Names:
+    """Phase space, symbols and definitions of a file. **Raises:** `InputError` with the place."""
+    declared = _phase_space(tables)
+    words = _symbols(tables.get("symbols", {}), declared)
+    definitions = document.table(tables.get("definitions", {}), "[definitions]")
+    taken = {**dict.fromkeys(words, "[symbols]"), **declared}
+    time = declared_time(declared)
+    if "t" in taken and time is None:
+        time = "t" if "t" not in declared else _unused("time", {*taken, *definitions})
+    elif time is None:
+        time = "t" if "t" not in definitions else _unused("time", {*taken, *definitions})
+    for name in definitions:
+        where = key(name, "[definitions]")
+        document.name(name, where)
+        if name in taken or name == time:
+            raise InputError(f"{name!r} is declared already, in {taken.get(name, '[phase_space]')}", where)
+    for name in _orders(tables.get("claim")):
+        if name not in taken and name not in definitions and name != time:
+            words[name] = ["real"]
+    sides = {word: [n for n, place in declared.items() if place == f"[phase_space], {word}"] for word in "qpQP"}
+    space = PhaseSpace(sides["q"], sides["p"], new=(sides["Q"], sides["P"]), time=time, symbols=words)
+    vocabulary = Vocabulary(
+        symbols=space.vocabulary,
+        functions=frozenset(space.functions),
+        pairs=tuple(zip(space.q, space.p, strict=True)),
+        new=frozenset(_named(space.new)),
+    )
+    names = Names(space, vocabulary)
+    _define(names, definitions)
+    return names
+
+
+def declared_time(declared: Mapping[str, str]) -> str | None:
+    """The name that a file gives to time, if it does."""
+    return next((name for name, place in declared.items() if place == "[phase_space], time"), None)
+
+
+def _phase_space(tables: Table) -> dict[str, str]:
+    """Each name of the phase space with its place."""
+    where = "[phase_space]"
+    if "phase_space" not in tables:
+        raise InputError("a claim file declares its coordinates and momenta: [phase_space] with q = [...], p = [...]")
+    section = document.table(tables["phase_space"], where)
+    document.only(section, ("q", "p", "Q", "P", "time"), where)
+    declared: dict[str, str] = {}
+    counts: dict[str, int] = {}
+    for word in ("q", "p", "Q", "P"):
+        listed = document.names(section.get(word, []), key(word, where))
+        counts[word] = len(listed)
+        for name in listed:
+            if name in declared:
+                raise InputError(f"{name!r} is declared already, in {declared[name]}", key(word, where))
+            declared[name] = f"[phase_space], {word}"
+    if not counts["q"]:
+        raise InputError("at least one coordinate is needed", key("q", where))
+    for a, b in (("q", "p"), ("Q", "P")):
+        if counts[a] != counts[b]:
+            raise InputError(f"{a} has {counts[a]} names but {b} has {counts[b]}", where)
+    if counts["Q"] > counts["q"]:
+        raise InputError(f"{counts['Q']} new pairs, but only {counts['q']} old ones", where)
+    if "time" in section:
+        time = document.name(section["time"], key("time", where))
+        if time in declared:
+            raise InputError(f"{time!r} is declared already, in {declared[time]}", key("time", where))
+        declared[time] = "[phase_space], time"
+    return declared
+
+
+def _symbols(value: Any, declared: Mapping[str, str]) -> dict[str, list[str]]:
+    """Each name of `[symbols]` with its assumptions."""
+    words: dict[str, list[str]] = {}
+    for name, given in document.table(value, "[symbols]").items():
+        where = key(name, "[symbols]")
+        document.name(name, where)
+        listed = [given] if isinstance(given, str) else document.listing(given, where)
+        words[name] = [document.text(word, where) for word in listed]
+        for word in words[name]:
+            if word not in ASSUMPTIONS and word != "function":
+                known = (*ASSUMPTIONS, "function")
+                advice = nearest(word, known) or f": the words are {', '.join(known)}"
+                raise InputError(f"unknown assumption {word[:80]!r}{advice}", where)
+        if "function" in words[name]:
+            if name in declared:
+                raise InputError(f"{name!r} is a variable, so it can't be a function: {declared[name]}", where)
+            if len(words[name]) > 1:
+                raise InputError("a function takes no further assumption", where)
+            continue
+        if "complex" in words[name] and not set(words[name]) <= {"complex", "nonzero"}:
+            raise InputError("a complex name can only be nonzero besides", where)
+        try:
+            symbol_with(name, words[name])
+        except InputError as error:
+            raise InputError(error.message, where) from None
+    return words
+
+
+def _orders(claims: Any) -> list[str]:
+    """The small parameters that claims of truncated maps name: `order = ["eps", 2]`."""
+    found = list[str]()
+    for claim in claims if isinstance(claims, list) else []:
+        order = claim.get("order") if isinstance(claim, dict) else None
+        if isinstance(order, list) and order and isinstance(order[0], str) and order[0].isidentifier():
+            found.append(document.name(order[0], "key 'order'"))
+    return found
+
+
+def _unused(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    return name
+
+
+def _define(names: Names, definitions: Table) -> None:
+    """Read the abbreviations from top to bottom; an error in one is kept for where it is used."""
+    for name, value in definitions.items():
+        where = key(name, "[definitions]")
+        try:
+            formula: Formula | InputError = names.formula(value, "both", where)
+        except InputError as error:
+            formula = error
+        known = {**names.vocabulary.definitions, name: formula}
+        later = frozenset(definitions) - known.keys()
+        names.vocabulary = replace(names.vocabulary, definitions=known, later=later)

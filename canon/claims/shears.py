@@ -75,7 +75,7 @@ def _inner(question: Question, functions: tuple[Node, ...]):
 
 
 def peel(tape: Tape, moved: Sequence[Node], kept: Sequence[Node]) -> Peeled | None:
-    """Write moved = remaining + f(kept) with entire f, where at least one displacement isn't 0 and something is gained."""
+    """Write moved = remaining + f(kept) with entire displacements f, not all of them 0; None where that fails."""
     if any(tape.ops[node][0] not in "+*" for node in kept):
         return None
     fresh = tuple(tape.symbol(sp.Dummy(f"y{k}", real=True)) for k in range(len(kept)))

@@ -42,7 +42,7 @@ def cosines_and_sines(tower: Tower, arguments: Sequence[Element]) -> list[Pair]:
             results[n] = added(tower, results[n], _peeled_pair(tower, tower.generators[k], q, parts[k]))
     where = [n for n, x in enumerate(rest) if x[0]]
     if where:
-        for n, pair in zip(where, _over_a_basis(tower, [rest[n] for n in where])):
+        for n, pair in zip(where, _over_a_basis(tower, [rest[n] for n in where]), strict=True):
             results[n] = added(tower, results[n], pair)
     return results
 
@@ -152,7 +152,7 @@ def take_out(tower: Tower, x: Element, kinds: tuple[str, ...]) -> tuple[dict[int
     first = next(iter(below))
     taken: dict[int, Fraction] = {}
     for k in candidates:
-        part = {m[:k] + (0,) + m[k + 1 :]: c for m, c in terms.items() if m[k] == 1}
+        part = {(*m[:k], 0, *m[k + 1 :]): c for m, c in terms.items() if m[k] == 1}
         if first not in part:
             continue
         q = part[first] / below[first]
@@ -160,7 +160,7 @@ def take_out(tower: Tower, x: Element, kinds: tuple[str, ...]) -> tuple[dict[int
             continue
         taken[k] = q
         for m in below:
-            terms.pop(m[:k] + (1,) + m[k + 1 :])
+            terms.pop((*m[:k], 1, *m[k + 1 :]))
     if not taken:
         return {}, x
     return taken, (ring.polynomial(terms), dict(den)) if terms else (ring.zero, {})

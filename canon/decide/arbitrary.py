@@ -33,12 +33,12 @@ class ChosenFunction:
             factor = coefficient
             for k in range(drop):
                 factor *= power - k
-            for slope, order in zip(slopes, orders):
+            for slope, order in zip(slopes, orders, strict=True):
                 factor *= slope**order
             if not factor:
                 continue
             form: Any = rational(shift)
-            for slope, argument in zip(slopes, arguments):
+            for slope, argument in zip(slopes, arguments, strict=True):
                 form = form + rational(slope) * argument
             total = total + rational(factor) * form ** (power - drop)
         return total
@@ -49,7 +49,7 @@ class ChosenFunction:
         names = ["a"] if arity == 1 else [f"a{k + 1}" for k in range(arity)]
         parts = []
         for coefficient, shift, slopes, power in self.terms:
-            form = " + ".join([f"{s}*{n}" for s, n in zip(slopes, names) if s] + [str(shift)])
+            form = " + ".join([f"{s}*{n}" for s, n in zip(slopes, names, strict=True) if s] + [str(shift)])
             parts.append(f"({coefficient})*({form})**{power}")
         return " + ".join(parts)
 

@@ -70,7 +70,7 @@ def cells_of(tape: Tape, region: Region, nodes: Sequence[Node], budget: Budget) 
     out = []
     for choice in itertools.product(*(pieces[n] for n in names)):
         budget.check()
-        intervals = dict(zip(names, choice))
+        intervals = dict(zip(names, choice, strict=True))
         state = _state(tape, region, intervals, budget)
         if state != "outside":
             out.append(Cell(intervals, state == "inside", region.also(*_walls(tape, intervals))))
@@ -85,7 +85,7 @@ def _factors(tape: Tape, requirement: Requirement) -> Iterable[Node]:
 
 
 def _zeros(tape: Tape, node: Node) -> list[tuple[Node, Edge]]:
-    """Rational (or rational multiples of π as) zeros of a node in one symbol: affine, or a polynomial with rational roots."""
+    """Zeros in Q + Q·π of a node in one symbol: of an affine one, or of a polynomial's linear factors."""
     form = exact_affine(tape, node)
     if form is not None:
         constant, slope, symbol = form
@@ -212,5 +212,3 @@ def _shown(edge: Edge) -> str:
     if edge.pi:
         parts.append(f"{edge.pi}*pi")
     return " + ".join(parts)
-
-

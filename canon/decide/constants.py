@@ -110,7 +110,7 @@ def _root_bound(field: FractionField, p: Polynomial, budget: Budget) -> arb | No
     for row, exponents in enumerate(basis):
         budget.check()
         monomial = ring.one
-        for g, e in zip(generators, exponents):
+        for g, e in zip(generators, exponents, strict=True):
             monomial = monomial * ring.generators[g] ** e
         for m, c in ring.terms(field.normal(p * monomial)).items():
             matrix[row, place[tuple(m[g] for g in generators)]] = fmpq(c.numerator, c.denominator)

@@ -14,10 +14,10 @@ from fractions import Fraction
 from flint import arb
 
 from canon.budget import Budget
+from canon.decide.arbitrary import rational
 from canon.decide.cells import Cell, cells_of
 from canon.decide.constants import number_is_zero
 from canon.decide.derivative import derivative, substitute
-from canon.decide.arbitrary import rational
 from canon.decide.enclosure import OutOfDomain, excludes_zero, precision
 from canon.decide.fraction_field import Element, FractionField
 from canon.decide.generator_values import GeneratorBalls
@@ -32,7 +32,9 @@ INVERSE = ("atan", "asin", "acos", "atan2")
 DEEPEST = 3
 
 
-def vanishes_by_cells(tape: Tape, node: Node, region: Region, rng: random.Random, budget: Budget) -> tuple[str, list[str]] | None:
+def vanishes_by_cells(
+    tape: Tape, node: Node, region: Region, rng: random.Random, budget: Budget
+) -> tuple[str, list[str]] | None:
     """A proof that the node is 0 on every cell: (the arguments used, the cells), or None."""
     cells = cells_of(tape, region, [node], budget)
     if not cells:
@@ -46,9 +48,7 @@ def vanishes_by_cells(tape: Tape, node: Node, region: Region, rng: random.Random
     return ", ".join(sorted(arguments)), [cell.describe(tape) for cell in cells]
 
 
-def vanishes_on_cell(
-    tape: Tape, node: Node, cell: Cell, rng: random.Random, budget: Budget, depth: int
-) -> str | None:
+def vanishes_on_cell(tape: Tape, node: Node, cell: Cell, rng: random.Random, budget: Budget, depth: int) -> str | None:
     """The argument by which the node is 0 on the cell, or None."""
     budget.check()
     if node == tape.zero:
@@ -170,4 +170,3 @@ def _polynomial_value(balls: GeneratorBalls, terms: dict) -> arb:
 
 def _contains(tape: Tape, node: Node, names: Sequence[str]) -> bool:
     return any(tape.ops[i][0] == "f" and tape.ops[i][1] in names for i in tape.reach([node]))
-

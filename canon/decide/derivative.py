@@ -101,7 +101,7 @@ def _rule(tape: Tape, node: Node, variable: Node, known: Mapping[Node, Node]) ->
         terms = []
         for k, a in enumerate(op[3]):
             if known[a] != tape.zero:
-                orders = op[2][:k] + (op[2][k] + 1,) + op[2][k + 1 :]
+                orders = (*op[2][:k], op[2][k] + 1, *op[2][k + 1 :])
                 terms.append((tape.times(tape.arbitrary(op[1], orders, op[3]), known[a]), ONE))
         return tape.add(terms)
     return tape.zero

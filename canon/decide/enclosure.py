@@ -231,7 +231,8 @@ def _jacobi(which: str) -> Callable[[Ball, Ball], Ball]:
 
 REAL: dict[str, Callable[..., Ball]] = {
     "abs": _abs, "atan": lambda u: u.atan(), "asin": _within("asin"), "acos": _within("acos"), "atan2": _atan2,
-    "gamma": _gamma, "integer_power": _integer_power, "lambertw": _lambertw, "elliptic_k": _complete("elliptic_k"), "elliptic_e": _complete("elliptic_e"),
+    "gamma": _gamma, "integer_power": _integer_power, "lambertw": _lambertw, "elliptic_k": _complete("elliptic_k"),
+    "elliptic_e": _complete("elliptic_e"),
     "elliptic_f": _incomplete("elliptic_f"), "elliptic_ei": _incomplete("elliptic_e_inc"),
     "jacobi_sn": _jacobi("sn"), "jacobi_cn": _jacobi("cn"), "jacobi_dn": _jacobi("dn"),
 }  # fmt: skip

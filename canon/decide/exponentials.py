@@ -100,11 +100,11 @@ def exponential(tower: Tower, arguments: Sequence[Element]) -> list[Element]:
         rest.append(left)
     if turned:
         unit = tower.element(tower.imaginary())
-        for (n, _), (c, s) in zip(turned, cosines_and_sines(tower, [b for _, b in turned])):
+        for (n, _), (c, s) in zip(turned, cosines_and_sines(tower, [b for _, b in turned]), strict=True):
             results[n] = field.product([results[n], field.combine([(ONE, c), (ONE, field.product([unit, s]))])])
     where = [n for n, x in enumerate(rest) if x[0]]
     if where:
-        for n, value in zip(where, _over_a_basis(tower, [rest[n] for n in where])):
+        for n, value in zip(where, _over_a_basis(tower, [rest[n] for n in where]), strict=True):
             results[n] = field.product([results[n], value])
     return results
 
@@ -176,7 +176,7 @@ def _by_imaginary_unit(tower: Tower, x: Element) -> tuple[Element, Element | Non
         return x, None
     terms = ring.terms(x[0])
     real = {m: c for m, c in terms.items() if not m[unit]}
-    imaginary = {m[:unit] + (0,) + m[unit + 1 :]: c for m, c in terms.items() if m[unit]}
+    imaginary = {(*m[:unit], 0, *m[unit + 1 :]): c for m, c in terms.items() if m[unit]}
     a = (ring.polynomial(real), dict(x[1])) if real else (ring.zero, {})
     return a, (ring.polynomial(imaginary), dict(x[1]))
 

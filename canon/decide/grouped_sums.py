@@ -157,7 +157,7 @@ class GroupedSums:
                 radicals[k] = own[0]
             else:
                 blocked.update(g for g in own if g in quadratic)
-        for g, lower in quadratic.items():
+        for lower in quadratic.values():
             blocked.update(h for h, e in enumerate(self.ring.degrees(lower)) if e > 0 and h in quadratic)
         for _, degree, lower, _ in self.field.relations:
             if degree != 2:

@@ -91,7 +91,11 @@ def arbitrary(tower: Tower, name: str, orders: tuple[int, ...], arguments: Seque
     """A derivative of an arbitrary function as a free generator: true for every value, true for every function."""
     table = tower.memory.setdefault("arbitrary", [])
     for known, order, others, made in table:
-        if known == name and order == orders and all(tower.field.equal(x, y) for x, y in zip(others, arguments)):
+        if (
+            known == name
+            and order == orders
+            and all(tower.field.equal(x, y) for x, y in zip(others, arguments, strict=True))
+        ):
             return tower.element(made)
     sign = "cplx" if any(tower.is_complex(x) for x in arguments) else "real"
     made = tower.generator("arbitrary", sign, (name, orders, tuple(arguments)))
@@ -101,7 +105,7 @@ def arbitrary(tower: Tower, name: str, orders: tuple[int, ...], arguments: Seque
 
 def _find(tower: Tower, name: str, arguments: Sequence[Element]) -> Element | None:
     for known, others, made in tower.memory.setdefault("kernels", []):
-        if known == name and all(tower.field.equal(x, y) for x, y in zip(others, arguments)):
+        if known == name and all(tower.field.equal(x, y) for x, y in zip(others, arguments, strict=True)):
             return tower.element(made)
     return None
 
@@ -133,7 +137,7 @@ def _strict(tower: Tower, f) -> bool:
 
 def _jacobi(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
     """sn, cn, dn with cn² = 1 − sn² and dn² = 1 − m·sn² (DLMF 22.6.1)."""
-    field, ring = tower.field, tower.ring
+    field, _ring = tower.field, tower.ring
     known = _find(tower, name, arguments)
     if known is not None:
         return known

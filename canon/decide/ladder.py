@@ -6,6 +6,7 @@ an exact argument valid on the whole region. Both together can't be, and that is
 
 from __future__ import annotations
 
+import contextlib
 import random
 from collections.abc import Iterable, Sequence
 
@@ -56,10 +57,8 @@ def vanish(
     answers: Answers = {}
     open_nodes = list(dict.fromkeys(nodes))
     ladder = _Ladder(tape, region, budget, random.Random(seed))
-    try:
+    with contextlib.suppress(BudgetExceeded):
         ladder.run(open_nodes, answers, first_refutation)
-    except BudgetExceeded:
-        pass
     for node in open_nodes:
         if node not in answers:
             tried = ", ".join(ladder.tried) or "nothing yet"
@@ -73,7 +72,9 @@ def nonvanishing(tape: Tape, node: Node, region: Region, *, budget: Budget, seed
     if answer.status == "refuted":
         return Answer("proved", f"nonzero at a point ({answer.method})", answer.note, answer.witness, answer.conditions)
     if answer.status == "proved":
-        return Answer("refuted", f"identically zero ({answer.method})", answer.note, None, answer.conditions, answer.certificate)
+        return Answer(
+            "refuted", f"identically zero ({answer.method})", answer.note, None, answer.conditions, answer.certificate
+        )
     return Answer("undecided", answer.method, answer.note)
 
 
@@ -130,7 +131,9 @@ class _Ladder:
     def _require_a_point(self) -> None:
         """The region by itself has a point, or the claim is ill-posed."""
         try:
-            for sample in samples(self.tape, [], self.region, self.rng, count=1, bits=256, tries=400, budget=self.budget):
+            for sample in samples(
+                self.tape, [], self.region, self.rng, count=1, bits=256, tries=400, budget=self.budget
+            ):
                 self.points.append(sample)
                 return
         except Unsupported:
@@ -270,10 +273,10 @@ class _Ladder:
     def deep_zero(self, node: Node) -> bool:
         """Balls of 1024 bits at every known point lie within 1e-200 of 0."""
         try:
-            for sample in self.points:
-                if node not in sample.balls:
+            for point in self.points:
+                if node not in point.balls:
                     continue
-                ball = evaluate_again(self.tape, [node], sample, 1024)[node]
+                ball = evaluate_again(self.tape, [node], point, 1024)[node]
                 if not float(ball.abs_upper()) < 1e-200:
                     return False
         except (Unsupported, OutOfDomain, ZeroDivisionError, OverflowError):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -18,7 +19,7 @@ DIRECT = {
 }  # fmt: skip
 
 
-def load(tape: Tape, expression: sp.Expr | int) -> Node:
+def load(tape: Tape, expression: sp.Basic | int) -> Node:
     """The node of a sympy expression, each subexpression imported once.
 
     Raises Unsupported for what the tape has no operation for (floats, noncommuting symbols,
@@ -58,7 +59,10 @@ def _import(tape: Tape, item: sp.Basic) -> Node:
         return _import_derivative(tape, item)
     if isinstance(item, sp.Subs):
         inner = load(tape, item.expr)
-        return substitute(tape, inner, {tape.symbol(s): load(tape, v) for s, v in zip(item.variables, item.point)})
+        variables: Any = item.variables
+        points: Any = item.point
+        pairs = zip(variables, points, strict=True)
+        return substitute(tape, inner, {tape.symbol(s): load(tape, v) for s, v in pairs})
     arguments = tuple(memo[a] for a in item.args)
     if isinstance(item, sp.Add):
         return tape.add([(a, ONE) for a in arguments])
@@ -67,7 +71,9 @@ def _import(tape: Tape, item: sp.Basic) -> Node:
     if isinstance(item, sp.Pow):
         return _import_power(tape, item, arguments)
     if isinstance(item, AppliedUndef):
-        if item.func.is_real is False or any((item.is_positive, item.is_negative, item.is_nonnegative, item.is_integer)):
+        if item.func.is_real is False or any(
+            (item.is_positive, item.is_negative, item.is_nonnegative, item.is_integer)
+        ):
             raise Unsupported(f"an arbitrary function with assumptions: {item.func}")
         return tape.arbitrary(item.func.__name__, (0,) * len(arguments), arguments)
     name = DIRECT.get(item.func)
@@ -80,7 +86,8 @@ def _import(tape: Tape, item: sp.Basic) -> Node:
 
 
 def _import_power(tape: Tape, item: sp.Pow, arguments: tuple[Node, ...]) -> Node:
-    base, exponent = item.args
+    base: Any = item.base
+    exponent: Any = item.exp
     if isinstance(exponent, sp.Integer):
         return tape.power(arguments[0], int(exponent))
     if isinstance(exponent, sp.Rational):
@@ -116,7 +123,8 @@ def _integer_power(tape: Tape, base: sp.Expr, exponent: sp.Expr) -> Node:
 
 def _import_derivative(tape: Tape, item: sp.Derivative) -> Node:
     node = load(tape, item.expr)
-    for variable, count in item.variable_count:
+    counts: Any = item.variable_count
+    for variable, count in counts:
         if not isinstance(variable, sp.Symbol) or not isinstance(count, sp.Integer):
             raise Unsupported(f"a derivative with respect to {variable}, {count} times")
         for _ in range(int(count)):
@@ -257,6 +265,6 @@ def _unload_arbitrary(name: str, orders: tuple[int, ...], arguments: list[sp.Exp
     dummies = [a if isinstance(a, sp.Symbol) else sp.Dummy(f"a{k + 1}") for k, a in enumerate(arguments)]
     if len(set(dummies)) < len(dummies):
         dummies = [sp.Dummy(f"a{k + 1}") for k in range(len(arguments))]
-    inner = sp.Derivative(function(*dummies), *((d, k) for d, k in zip(dummies, orders) if k))
-    moved = [(d, a) for d, a in zip(dummies, arguments) if d is not a]
+    inner = sp.Derivative(function(*dummies), *((d, k) for d, k in zip(dummies, orders, strict=True) if k))
+    moved = [(d, a) for d, a in zip(dummies, arguments, strict=True) if d is not a]
     return sp.Subs(inner, [d for d, _ in moved], [a for _, a in moved]) if moved else inner

@@ -27,7 +27,9 @@ class NoPoint(Exception):
     """No point of the variety was found over the prime fields tried."""
 
 
-def vanishing(tower: Tower, nodes: Sequence[Node], rng: random.Random, bits: int = 159) -> tuple[dict[Node, bool], float]:
+def vanishing(
+    tower: Tower, nodes: Sequence[Node], rng: random.Random, bits: int = 159
+) -> tuple[dict[Node, bool], float]:
     """Which nodes vanish at a random point over GF(p), and log₂ of the error bound of a "yes".
 
     Raises NoPoint where the relations have no point that this file can find.
@@ -103,6 +105,7 @@ class Evaluator:
 
     def point(self, tries: int = 3000) -> list[int]:
         """A random point of the variety, generator by generator."""
+        sine = 0
         for _ in range(tries):
             point: list[int] = []
             for g in self.tower.generators:

@@ -6,11 +6,12 @@ formulas take there. A numerator that doesn't is no refutation.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from canon.budget import Budget
 from canon.decide.fraction_field import Element, FractionField
-from canon.decide.grouped_sums import Grouped, GroupedSums
+from canon.decide.grouped_sums import GroupedSums
 from canon.decide.ring import TooCostly
 from canon.decide.tape import Node
 from canon.decide.tower import Tower, combine
@@ -55,7 +56,7 @@ def _by_fractions(
     tower: Tower, nodes: Sequence[Node], size: float, budget: Budget
 ) -> tuple[set[Node], dict[Node, Element], FractionField]:
     field, kernels = tower.compact(size, budget)
-    values: dict[Node, Element | None] = dict(kernels)
+    values: dict[Node, Any] = dict(kernels)
     zero: set[Node] = set()
     nonzero: dict[Node, Element] = {}
     ops, last = tower.tape.ops, _last_uses(tower, nodes)
@@ -80,7 +81,7 @@ def _by_fractions(
 def _by_groups(tower: Tower, nodes: Sequence[Node], size: float, budget: Budget) -> set[Node]:
     field, kernels = tower.compact(size, budget)
     sums = GroupedSums(field)
-    values: dict[Node, Grouped | None] = {i: sums.lift(x) for i, x in kernels.items()}
+    values: dict[Node, Any] = {i: sums.lift(x) for i, x in kernels.items()}
     zero: set[Node] = set()
     ops, last = tower.tape.ops, _last_uses(tower, nodes)
     for i in tower.tape.reach(nodes):
@@ -96,11 +97,11 @@ def _by_groups(tower: Tower, nodes: Sequence[Node], size: float, budget: Budget)
     return zero
 
 
-def _ready(tower: Tower, node: Node, values: dict) -> bool:
+def _ready(tower: Tower, node: Node, values: dict[Node, Any]) -> bool:
     return all(values[a] is not None for a in tower.tape.arguments(node))
 
 
-def _attempt(step):
+def _attempt(step: Callable[[], Any]) -> Any:
     try:
         return step()
     except (TooCostly, ZeroDivisionError):

@@ -33,7 +33,9 @@ def vanishes_on_surface(tape: Tape, node: Node, region: Region, budget: Budget) 
         return None
     equations = [_essential(tower, equation, region) for equation in region.surface]
     ring = tower.ring
-    numerator = ring.polynomial({m + (0,) * (ring.size - len(m)): c for m, c in field.ring.terms(nonzero[node][0]).items()})
+    numerator = ring.polynomial(
+        {m + (0,) * (ring.size - len(m)): c for m, c in field.ring.terms(nonzero[node][0]).items()}
+    )
     if len(equations) == 1 and not tower.field.relations:
         inside = ring.quotient(numerator, equations[0]) is not None
     else:
@@ -82,7 +84,7 @@ def _in_ideal(tower: Tower, numerator: Polynomial, equations: list[Polynomial], 
 def _sympy(ring: Ring, p: Polynomial, used: list[int], names: list[sp.Symbol]) -> sp.Expr:
     terms = []
     for monomial, c in ring.terms(p).items():
-        factors = [name ** monomial[k] for k, name in zip(used, names) if monomial[k]]
+        factors = [name ** monomial[k] for k, name in zip(used, names, strict=True) if monomial[k]]
         terms.append(sp.Rational(c.numerator, c.denominator) * sp.Mul(*factors))
     return sp.Add(*terms)
 
@@ -96,5 +98,3 @@ def _certificate(tower: Tower, region: Region, equations: list[Polynomial]) -> C
             "kernels": [describe(tower, g) for g in tower.generators],
         }
     )
-
-

@@ -80,7 +80,7 @@ def root_generator(tower: Tower, f: Polynomial, prime: int, height: int) -> Gene
     made = tower.generator("root", "pos", ("chain", f, prime, height), relation=(prime, lower), constant=constant)
     tower.memory["roots"].append((f, prime, height, made))
     if not f.is_constant() and tower.ring.leading(f) == 1:
-        kept = [entry for entry in tower.field.root_of if not entry[0] == f]
+        kept = [entry for entry in tower.field.root_of if entry[0] != f]
         tower.field.root_of = [*kept, (f, made.index, prime**height)]
     return made
 
@@ -162,7 +162,9 @@ def _complex_power(tower: Tower, x: Element, exponent: Fraction) -> Element:
     return _whole_power(tower, x[0], denominator, exponent, "cplx")
 
 
-def _whole_power(tower: Tower, numerator: Polynomial, denominator: Polynomial, exponent: Fraction, sign: str) -> Element:
+def _whole_power(
+    tower: Tower, numerator: Polynomial, denominator: Polynomial, exponent: Fraction, sign: str
+) -> Element:
     """(N/D) ** (a/m) by g = D·(N/D)**(1/m), for which g**m = N·D**(m−1)."""
     ring, field = tower.ring, tower.field
     if exponent.denominator == 1:

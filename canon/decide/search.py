@@ -166,7 +166,9 @@ class Finder:
 
     # -- repair ---------------------------------------------------------------------------------
 
-    def violation(self, point: Mapping[Node, Coordinate], functions: Mapping[str, ChosenFunction]) -> tuple[float, list[Requirement]]:
+    def violation(
+        self, point: Mapping[Node, Coordinate], functions: Mapping[str, ChosenFunction]
+    ) -> tuple[float, list[Requirement]]:
         """How far the point is from the region, and the requirements that it misses."""
         missed: list[Requirement] = []
         total = 0.0
@@ -187,7 +189,9 @@ class Finder:
                     total += 1.0 + math.atan(abs(size))
         return total, missed
 
-    def repair(self, point: Mapping[Node, Coordinate], functions: Mapping[str, ChosenFunction]) -> dict[Node, Coordinate] | None:
+    def repair(
+        self, point: Mapping[Node, Coordinate], functions: Mapping[str, ChosenFunction]
+    ) -> dict[Node, Coordinate] | None:
         """A random descent towards the region, changing the symbols of the requirements that are missed."""
         best = dict(point)
         score, missed = self.violation(best, functions)

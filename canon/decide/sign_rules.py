@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from flint import fmpq, fmpq_poly
 
@@ -152,7 +152,8 @@ def _by_real_roots(tower: Tower, p: Polynomial) -> str | None:
     for monomial, c in tower.ring.terms(p).items():
         coefficients[monomial[k]] = fmpq(c.numerator, c.denominator)
     polynomial = fmpq_poly(coefficients)
-    for root, _ in polynomial.complex_roots():
+    roots: Any = polynomial.complex_roots()
+    for root, _ in roots:
         if root.imag.is_zero() and not _outside(root.real, interval):
             return None
     value = polynomial(_inside(interval))
@@ -169,7 +170,7 @@ def _quadratic(tower: Tower, p: Polynomial) -> str | None:
             continue
         parts = [ring.zero, ring.zero, ring.zero]
         for monomial, c in ring.terms(p).items():
-            without = monomial[:k] + (0,) + monomial[k + 1 :]
+            without = (*monomial[:k], 0, *monomial[k + 1 :])
             parts[monomial[k]] = parts[monomial[k]] + ring.polynomial({without: c})
         discriminant = parts[1] * parts[1] - ring.constant(4) * parts[2] * parts[0]
         leading = sign_of(tower, parts[2])
@@ -194,12 +195,12 @@ def _sign_of_product(tower: Tower, p: Polynomial) -> str | None:
     return ("pos" if strict else "nonneg") if sign > 0 else ("neg" if strict else "nonpos")
 
 
-def _outside(root, interval: Interval) -> bool:
+def _outside(root: Any, interval: Interval) -> bool:
     below = interval.low is not None and bool(root <= _ball(interval.low))
     return below or (interval.high is not None and bool(root >= _ball(interval.high)))
 
 
-def _ball(edge: Edge):
+def _ball(edge: Edge) -> Any:
     from flint import arb
 
     return arb(fmpq(edge.rational.numerator, edge.rational.denominator)) + arb.pi() * arb(
@@ -209,7 +210,9 @@ def _ball(edge: Edge):
 
 def _inside(interval: Interval) -> fmpq:
     low = None if interval.low is None else float(interval.low.rational) + 3.141592653589793 * float(interval.low.pi)
-    high = None if interval.high is None else float(interval.high.rational) + 3.141592653589793 * float(interval.high.pi)
+    high = (
+        None if interval.high is None else float(interval.high.rational) + 3.141592653589793 * float(interval.high.pi)
+    )
     if low is not None and high is not None:
         value = Fraction((low + high) / 2)
     elif low is not None:

@@ -66,6 +66,6 @@ def _by_radicals(tower: Tower, p: Polynomial) -> Iterator[Polynomial]:
             value = (ring.generators[made.index] ** 2 - rest) * ring.constant(1 / slope)
             total = ring.zero
             for monomial, coefficient in ring.terms(p).items():
-                without = monomial[:k] + (0,) + monomial[k + 1 :]
+                without = (*monomial[:k], 0, *monomial[k + 1 :])
                 total = total + ring.polynomial({without: coefficient}) * value ** monomial[k]
             yield total

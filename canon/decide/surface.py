@@ -53,7 +53,10 @@ def _solve_affine(
             slope = derivative(tape, equation, node)
             if node in tape.support(slope):
                 continue
-            below, factor = exact_value(tape, substitute(tape, equation, {node: tape.zero}), place), exact_value(tape, slope, place)
+            below, factor = (
+                exact_value(tape, substitute(tape, equation, {node: tape.zero}), place),
+                exact_value(tape, slope, place),
+            )
             if below is None or not factor:
                 continue
             place[node] = -below / factor
@@ -111,7 +114,7 @@ def _solve_newton(
         centre = [arb(rational(v)) for v in start if isinstance(v, Fraction)]
 
         def look(box: Sequence[Ball]) -> tuple[arb_mat, arb_mat]:
-            balls = evaluate(tape, order, fixed | dict(zip(unknowns, box)), functions)
+            balls = evaluate(tape, order, fixed | dict(zip(unknowns, box, strict=True)), functions)
             values = arb_mat([[balls[e]] for e in equations])
             return values, arb_mat([[balls[s] for s in row] for row in slopes])
 
@@ -136,6 +139,6 @@ def _solve_newton(
             solved = [image[k, 0] for k in range(size)]
         except (OutOfDomain, ZeroDivisionError, OverflowError, ValueError):
             return None
-        if not all(b.contains_interior(s) for b, s in zip(box, solved)):
+        if not all(b.contains_interior(s) for b, s in zip(box, solved, strict=True)):
             return None
-    return exact, dict(zip(unknowns, solved))
+    return exact, dict(zip(unknowns, solved, strict=True))

@@ -221,11 +221,13 @@ class Tower:
         trigonometric = [i for i in here if ops[i][0] == "f" and ops[i][1] in ("sin", "cos")]
         if trigonometric:
             arguments = sorted({ops[i][2][0] for i in trigonometric})
-            pairs = dict(zip(arguments, angles.cosines_and_sines(self, [values[a] for a in arguments])))
+            pairs = dict(zip(arguments, angles.cosines_and_sines(self, [values[a] for a in arguments]), strict=True))
             for i in trigonometric:
                 self._keep(i, pairs[ops[i][2][0]][0 if ops[i][1] == "cos" else 1])
         exponential = [i for i in here if ops[i][0] == "f" and ops[i][1] == "exp"]
-        for i, value in zip(exponential, exponentials.exponential(self, [values[ops[i][2][0]] for i in exponential])):
+        for i, value in zip(
+            exponential, exponentials.exponential(self, [values[ops[i][2][0]] for i in exponential]), strict=True
+        ):
             self._keep(i, value)
 
     def _keep(self, node: Node, value: Element) -> None:

@@ -126,5 +126,5 @@ def test_an_empty_domain_is_no_verdict(where: str, left: str):
 
     reading = read_text(claim_file("x: real", where, left, left))
     if not reading.problems:
-        with pytest.raises(InputError, match="empty|undefined"):
+        with pytest.raises(InputError, match=r"empty|undefined"):
             verify(reading.claims[0], budget=20)

@@ -33,7 +33,8 @@ def test_a_witness_satisfies_conditions_on_names_that_the_residual_lacks():
     answer = decided(sp.Abs(x) - y, positive(y - 1), positive(z - 5 - x))
     assert answer.status == "refuted"
     point = {name: sp.Rational(value) for name, value in answer.witness.as_table().items()}
-    assert point["y"] > 1 and point["z"] > 5 + point["x"]
+    assert point["y"] > 1
+    assert point["z"] > 5 + point["x"]
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -101,7 +102,8 @@ def test_cells_cut_where_a_condition_vanishes():
     f = tape.load(sp.Abs(x - 1) + sp.atan2(y, x))
     region = Region.of(tape, Domain(conditions_of(sp.Abs(x - 1) + sp.atan2(y, x))), [x, y])
     cells = cells_of(tape, region, [f], Budget(20))
-    assert cells is not None and len(cells) == 6
+    assert cells is not None
+    assert len(cells) == 6
     assert all(cell.connected for cell in cells)
 
 
@@ -109,7 +111,12 @@ def test_samples_stand_beside_their_own_bound():
     tape = Tape()
     f = tape.load(sp.sin(x) ** 2 + sp.cos(x) ** 2 - 1)
     evidence, refuted = sample(tape, [f], Region((), (), ()), points=50, budget=Budget(20))
-    assert refuted is None and evidence is not None
-    assert evidence.points == 50 and evidence.max_residual <= evidence.bound < 1e-12
-    _, refuted = sample(tape, [tape.add([(f, 1)], sp.Rational(1, 10**9))], Region((), (), ()), points=5, budget=Budget(20))
-    assert refuted is not None and refuted.status == "refuted"
+    assert refuted is None
+    assert evidence is not None
+    assert evidence.points == 50
+    assert evidence.max_residual <= evidence.bound < 1e-12
+    _, refuted = sample(
+        tape, [tape.add([(f, 1)], sp.Rational(1, 10**9))], Region((), (), ()), points=5, budget=Budget(20)
+    )
+    assert refuted is not None
+    assert refuted.status == "refuted"

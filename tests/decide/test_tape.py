@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import pytest
 import sympy as sp
+
 from canon.budget import Budget
 from canon.decide import ladder
 from canon.decide.derivative import derivative, poisson_bracket, substitute
@@ -15,8 +16,10 @@ from canon.errors import InputError
 x, y = sp.symbols("x y", real=True)
 FUNCTIONS = [
     sp.sin(x * y) ** 3 / (1 + x**2), sp.sqrt(1 + x**2) * sp.log(2 + sp.sin(x)), sp.atan2(x, 1 + y**2), sp.asin(x / 3),
-    sp.acos(x / 3) ** 2, sp.exp(-(x**2)) * sp.cosh(x), sp.tan(x), sp.atan(x / y), sp.Abs(x) ** 3, sp.asinh(x), sp.acosh(2 + x**2),
-    sp.atanh(x / 4), sp.elliptic_f(x, sp.Rational(1, 3)), sp.elliptic_e(x / 5), sp.elliptic_k(x / 5), sp.LambertW(1 + x**2),
+    sp.acos(x / 3) ** 2, sp.exp(-(x**2)) * sp.cosh(x), sp.tan(x), sp.atan(x / y), sp.Abs(x) ** 3,
+    sp.asinh(x), sp.acosh(2 + x**2),
+    sp.atanh(x / 4), sp.elliptic_f(x, sp.Rational(1, 3)), sp.elliptic_e(x / 5), sp.elliptic_k(x / 5),
+    sp.LambertW(1 + x**2),
     sp.Function("V")(x * y), x ** sp.Rational(5, 3), sp.sin(x) ** x,
 ]  # fmt: skip
 

@@ -11,7 +11,7 @@ import random
 from collections.abc import Iterable, Sequence
 
 from canon.budget import Budget, BudgetExceeded
-from canon.decide import modular
+from canon.decide import modular, sampling
 from canon.decide.answer import Answer, Answers, Witness
 from canon.decide.certificate import Certificate, of_tower
 from canon.decide.constants import number_is_zero
@@ -22,7 +22,6 @@ from canon.decide.normal_form import FIRST, LARGER, reduce_to_zero
 from canon.decide.on_surface import vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
-from canon.decide.sampling import sample
 from canon.decide.search import Sample, evaluate_again, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
@@ -31,6 +30,8 @@ from canon.errors import InputError
 DEEPER = (256, 1024, 4096)
 
 __all__ = ["Contradiction", "nonvanishing", "sample", "vanish"]
+
+sample = sampling.sample
 
 
 class Contradiction(AssertionError):
@@ -85,6 +86,7 @@ class _Ladder:
         self.tape, self.region, self.budget, self.rng = tape, region, budget, rng
         self.points: list[Sample] = []
         self.tried: list[str] = []
+        self.evidence: dict[Node, float] = {}
 
     def run(self, nodes: Sequence[Node], answers: Answers, first_refutation: bool) -> None:
         """Rung by rung; every rung takes what the ones before left open."""
@@ -209,7 +211,6 @@ class _Ladder:
 
     def _modular_nonzero(self, tower: Tower, nodes: Sequence[Node]) -> set[Node]:
         """Nodes that certainly don't reduce to 0, by a cheap evaluation over a prime field."""
-        self.evidence: dict[Node, float] = getattr(self, "evidence", {})
         try:
             zero, log_error = modular.vanishing(tower, nodes, self.rng)
         except (modular.NoPoint, ValueError, ZeroDivisionError):
@@ -258,7 +259,7 @@ class _Ladder:
     def leave(self, node: Node, answers: Answers) -> None:
         """What remains: supported by modular evaluation or by balls that all contain 0, else undecided."""
         tried = ", ".join(dict.fromkeys(self.tried))
-        log_error = getattr(self, "evidence", {}).get(node)
+        log_error = self.evidence.get(node)
         if log_error is not None and self.points:
             note = f"zero over a random prime field, error below 2^{log_error:.0f}; tried: {tried}"
             answers[node] = Answer("supported", "modular evaluation", note, log2_error=log_error)

@@ -170,13 +170,13 @@ def _whole_power(
     if exponent.denominator == 1:
         return field.power(field.product([(numerator, {}), field.inverse((denominator, {}))]), exponent.numerator)
     m = exponent.denominator
-    for known, under, degree, made in tower.memory.setdefault("whole roots", []):
-        if degree == m and known == numerator and under == denominator:
-            break
-    else:
+    roots = tower.memory.setdefault("whole roots", [])
+    same = (g for known, under, degree, g in roots if degree == m and known == numerator and under == denominator)
+    made = next(same, None)
+    if made is None:
         lower = field.normal(ring.times(numerator, ring.power(denominator, m - 1)))
         made = tower.generator("root", sign, ("whole", numerator, denominator, m), relation=(m, lower))
-        tower.memory["whole roots"].append((numerator, denominator, m, made))
+        roots.append((numerator, denominator, m, made))
     root = tower.element(made)
     if not denominator.is_constant():
         root = field.product([root, field.inverse((denominator, {}))])
@@ -219,7 +219,7 @@ def tidy(tower: Tower, x: Element, limit: int = 300) -> Element:
     """Cancel denominator factors that divide the numerator modulo the relations, so that equal arguments look equal.
 
     With C the product of the conjugates of a factor f and N = f·C, n·C = r·N gives n = r·f wherever C isn't 0.
-    N must be a nonzero polynomial in symbols that vary continuously, so that C is nonzero on a dense part of the region.
+    N must be a nonzero polynomial in symbols that vary continuously: then C is nonzero on a dense part of the region.
     """
     numerator, denominator = x
     ring, field = tower.ring, tower.field

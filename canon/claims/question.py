@@ -33,7 +33,7 @@ Method = Literal["symbolic", "numeric", "all"]
 Side = Literal["old", "new", "both"]
 
 SAMPLE_POINTS = 1000
-SUPPORT_POINTS = 100
+SUPPORT_POINTS = 400
 FIRST_BATCH = 6
 
 
@@ -243,9 +243,8 @@ class Question:
     def sampled(self, batch: Sequence[Residual], region: Region, points: int, budget: Budget | None = None) -> Outcome:
         """Numerical evidence: refuted where a ball excludes 0, else supported."""
         nodes = [residual.node for residual in batch]
-        evidence, answer = ladder.sample(
-            self.tape, nodes, region, points=points, seed=self.seed, budget=budget or self.budget
-        )
+        part = (budget or self.budget).share(0.4)
+        evidence, answer = ladder.sample(self.tape, nodes, region, points=points, seed=self.seed, budget=part)
         if answer is not None and answer.status == "refuted":
             index = getattr(answer, "index", None)
             residual = batch[index if index is not None else 0]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from canon.decide.tower import Generator, Tower
 
 Terms = dict[Monomial, Fraction]
-MOST_TERMS, MOST_DEGREE = 30, 8
+MOST_TERMS, MOST_DEGREE, MOST_QUADRATIC = 30, 8, 6
 
 
 def sign_by_rules(tower: Tower, p: Polynomial) -> str | None:
@@ -165,6 +165,8 @@ def _quadratic(tower: Tower, p: Polynomial) -> str | None:
     from canon.decide.signs import sign_of
 
     ring = tower.ring
+    if len(p) > MOST_QUADRATIC:
+        return None
     for k, degree in enumerate(ring.degrees(p)):
         if degree != 2 or tower.generators[k].sign == "cplx" or tower.generators[k].degree:
             continue

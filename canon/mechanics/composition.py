@@ -119,5 +119,5 @@ def extended_by_time(
         functions=space.functions,
         domain=space.domain,
     )
-    balance = Formula(extended.p[-1] - shift.expr, shift.conditions, f"{extended.p[-1]} - ({shift.text})")
+    balance = Formula(extended.p[-1] - shift.expr, shift.conditions, f"{extended.p[-1]} - ({shift})")
     return Transformation(extended, Q=(*transformation.Q, as_formula(space.t)), P=(*transformation.P, balance))

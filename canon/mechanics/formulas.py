@@ -39,7 +39,7 @@ def as_formula(value: Expression, where: str = "") -> Formula:
     if isinstance(value, Formula):
         return value
     expression = as_expression(value, where)
-    return Formula(expression, tuple(conditions_of(expression)), str(expression))
+    return Formula(expression, tuple(conditions_of(expression)))
 
 
 def as_formulas(values: Expression | Iterable[Expression], where: str = "") -> tuple[Formula, ...]:

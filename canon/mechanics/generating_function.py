@@ -156,7 +156,7 @@ class GeneratingFunction:
         """The generating function of the inverse map: -F, old and new exchanged (types 2 and 3 change places)."""
         turned = {1: 1, 2: 3, 3: 2, 4: 4}
         kinds = tuple(turned[kind] for kind in self.types)
-        form = Formula(-self.F.expr, self.F.conditions, f"-({self.F.text})")
+        form = Formula(-self.F.expr, self.F.conditions, f"-({self.F})")
         return GeneratingFunction(self.space.swapped(), kinds[0] if isinstance(self.type, int) else kinds, form)
 
     def generates(self, transformation: Transformation) -> Claim:
@@ -166,6 +166,11 @@ class GeneratingFunction:
     def subject(self) -> Subject:
         """What claims about F and its map are about."""
         return self.transformation().subject()
+
+    def __str__(self) -> str:
+        """The type, the arguments and the formula."""
+        name = self.types[0] if len(set(self.types)) == 1 else list(self.types)
+        return f"type {name}: F({', '.join(map(str, self.mixed))}) = {self.F.expr}"
 
     def _repr_latex_(self) -> str:
         kinds = "".join(map(str, self.types)) if not isinstance(self.type, int) else str(self.type)

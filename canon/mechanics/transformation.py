@@ -259,6 +259,12 @@ class Transformation:
         """Claims that the map leaves H form-invariant."""
         return self.subject(H).claim("symmetry", {})
 
+    def __str__(self) -> str:
+        """`Q = …, P = …`, or the generating function of an implicit map."""
+        if self.direction == "implicit":
+            return str(self.generating_function)
+        return ", ".join(f"{x} = {f}" for x, f in zip(self.targets, self.expressions, strict=True))
+
     def _repr_latex_(self) -> str:
         if self.direction == "implicit":
             assert self.generating_function is not None

@@ -1,7 +1,15 @@
 import pytest
 import sympy as sp
 
-from canon import InputError, PhaseSpace, Transformation, compose, extended_by_time, identity_transformation
+from canon import (
+    GeneratingFunction,
+    InputError,
+    PhaseSpace,
+    Transformation,
+    compose,
+    extended_by_time,
+    identity_transformation,
+)
 from canon.mechanics.time_dependence import hamiltonian_shift, new_hamiltonian_residuals
 
 SPACE = PhaseSpace("q", "p", new=("phi", "I"), positive="m omega I")
@@ -135,3 +143,12 @@ def test_fewer_new_pairs_than_old_ones():
 
 def test_it_shows_itself_in_latex():
     assert BACK._repr_latex_().startswith("$\\begin{aligned} q &=")
+
+
+def test_maps_and_generating_functions_read_as_formulas():
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    q, p, Q = space.symbols("q p Q")
+    assert str(Transformation(space, Q=[p], P=[-q])) == "Q = p, P = -q"
+    F = GeneratingFunction(space, type=1, F=q * Q)
+    assert str(F) == "type 1: F(q, Q) = Q*q"
+    assert str(F.transformation()) == str(F)

@@ -260,6 +260,8 @@ class _Builder:
         if symbol is None or not isinstance(variable, Name):
             raise InputError(f"D {where} is with respect to a name, not to {self.source(variable)!r}")
         self.use(variable.name, place(self.text, variable.span[0]))
+        if symbol.is_integer:
+            raise InputError(f"D {where} is with respect to {variable.name!r}, which is an integer")
         if len(node.arguments) == 3:
             times = node.arguments[2]
             if not isinstance(times, Number) or times.imaginary or times.value.denominator != 1:

@@ -96,5 +96,5 @@ def _power_sign(power: Any, depth: int) -> Sign | None:
     if exponent.is_Integer and exponent > 0 and exponent % 2 == 0 and not is_complex(power.base):
         return "nonnegative"
     if exponent.is_Rational and exponent.q % 2 == 0 and not is_complex(power.base):
-        return "nonnegative" if exponent > 0 else "positive"
+        return "positive"  # where it is defined, the radicand is positive
     return None

@@ -37,7 +37,9 @@ def parse(text: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text, parse_float=_exact)
     except tomllib.TOMLDecodeError as error:
-        raise InputError(f"not TOML: {error}") from None
+        line, column = text.count("\n") + 1, len(text) - text.rfind("\n")
+        reason = str(error).replace("(at end of document)", f"(at line {line}, column {column}, the end)")
+        raise InputError(f"not TOML: {reason}") from None
     except RecursionError:
         raise InputError("not readable: lists or tables are nested too deeply") from None
     except ValueError as error:

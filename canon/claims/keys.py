@@ -44,11 +44,12 @@ class KeySpec:
 _OLD: Final = Key()
 _NEW: Final = Key(side="new")
 _PER_PAIR: Final = Key("per pair")
-_TENSOR: Final[Mapping[str, Key]] = {
+TENSOR: Final[Mapping[str, Key]] = {
     "tensor": Key("matrix", optional=True),
     "coordinates": Key("names", optional=True),
     "structure": Key("structure", optional=True),
 }
+"""The keys that put another Poisson bracket in place of the canonical one."""
 
 KEYS: Final[Mapping[str, KeySpec]] = {
     "canonical": KeySpec(
@@ -64,10 +65,10 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "generating_function": KeySpec({"type": Key("type"), "F": Key(side="mixed")}, ("transformation", "square")),
     "new_hamiltonian": KeySpec({"K": _NEW}, ("hamiltonian", "map", "square")),
     "symmetry": KeySpec({}, ("hamiltonian", "map", "square")),
-    "bracket": KeySpec({"f": _OLD, "g": _OLD, "equals": _OLD, **_TENSOR}),
-    "jacobi": KeySpec({"f": _OLD, "g": _OLD, "h": _OLD, **_TENSOR}),
-    "conserved": KeySpec({"f": _OLD, **_TENSOR}, ("hamiltonian",)),
-    "involution": KeySpec({"functions": Key("expressions"), **_TENSOR}),
+    "bracket": KeySpec({"f": _OLD, "g": _OLD, "equals": _OLD, **TENSOR}),
+    "jacobi": KeySpec({"f": _OLD, "g": _OLD, "h": _OLD, **TENSOR}),
+    "conserved": KeySpec({"f": _OLD, **TENSOR}, ("hamiltonian",)),
+    "involution": KeySpec({"functions": Key("expressions"), **TENSOR}),
     "independent": KeySpec({"functions": Key("expressions")}),
     "lie_series": KeySpec(
         {"generator": _OLD, "parameter": Key("name"), "f": _OLD, "equals": _OLD, "order": Key("number", optional=True)}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -98,16 +99,19 @@ def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
 
 
 def read_names(tables: Table) -> Names:
-    """Phase space, symbols and definitions of a file. **Raises:** `InputError` with the place."""
+    """Phase space, symbols and definitions of a file.
+
+    Time is `t` where the file doesn't name it; if it calls something else `t`, its formulas have no time.
+
+    **Raises:** `InputError` with the place.
+    """
     declared = _phase_space(tables)
     words = _symbols(tables.get("symbols", {}), declared)
     definitions = document.table(tables.get("definitions", {}), "[definitions]")
     taken = {**dict.fromkeys(words, "[symbols]"), **declared}
-    time = declared_time(declared)
-    if "t" in taken and time is None:
-        time = "t" if "t" not in declared else _unused("time", {*taken, *definitions})
-    elif time is None:
-        time = "t" if "t" not in definitions else _unused("time", {*taken, *definitions})
+    time = next((name for name, place in declared.items() if place == "[phase_space], time"), None)
+    hidden = time is None and ("t" in declared or "t" in definitions or "function" in words.get("t", ()))
+    time = _unused("t_", {*taken, *definitions}) if hidden else time or "t"
     for name in definitions:
         where = key(name, "[definitions]")
         document.name(name, where)
@@ -119,7 +123,7 @@ def read_names(tables: Table) -> Names:
     sides = {word: [n for n, place in declared.items() if place == f"[phase_space], {word}"] for word in "qpQP"}
     space = PhaseSpace(sides["q"], sides["p"], new=(sides["Q"], sides["P"]), time=time, symbols=words)
     vocabulary = Vocabulary(
-        symbols=space.vocabulary,
+        symbols={name: symbol for name, symbol in space.vocabulary.items() if not (hidden and name == time)},
         functions=frozenset(space.functions),
         pairs=tuple(zip(space.q, space.p, strict=True)),
         new=frozenset(_named(space.new)),
@@ -127,11 +131,6 @@ def read_names(tables: Table) -> Names:
     names = Names(space, vocabulary)
     _define(names, definitions)
     return names
-
-
-def declared_time(declared: Mapping[str, str]) -> str | None:
-    """The name that a file gives to time, if it does."""
-    return next((name for name, place in declared.items() if place == "[phase_space], time"), None)
 
 
 def _phase_space(tables: Table) -> dict[str, str]:
@@ -184,6 +183,8 @@ def _symbols(value: Any, declared: Mapping[str, str]) -> dict[str, list[str]]:
             if len(words[name]) > 1:
                 raise InputError("a function takes no further assumption", where)
             continue
+        if "integer" in words[name] and name in declared:
+            raise InputError(f"{name!r} is a variable, so it can't be an integer: {declared[name]}", where)
         if "complex" in words[name] and not set(words[name]) <= {"complex", "nonzero"}:
             raise InputError("a complex name can only be nonzero besides", where)
         try:
@@ -198,8 +199,9 @@ def _orders(claims: Any) -> list[str]:
     found = list[str]()
     for claim in claims if isinstance(claims, list) else []:
         order = claim.get("order") if isinstance(claim, dict) else None
-        if isinstance(order, list) and order and isinstance(order[0], str) and order[0].isidentifier():
-            found.append(document.name(order[0], "key 'order'"))
+        if isinstance(order, list) and order and isinstance(order[0], str):
+            with suppress(InputError):
+                found.append(document.name(order[0], key("order")))
     return found
 
 
@@ -211,12 +213,12 @@ def _unused(name: str, taken: set[str]) -> str:
 
 def _define(names: Names, definitions: Table) -> None:
     """Read the abbreviations from top to bottom; an error in one is kept for where it is used."""
+    known: dict[str, Formula | InputError] = {}
     for name, value in definitions.items():
-        where = key(name, "[definitions]")
-        try:
-            formula: Formula | InputError = names.formula(value, "both", where)
-        except InputError as error:
-            formula = error
-        known = {**names.vocabulary.definitions, name: formula}
         later = frozenset(definitions) - known.keys()
-        names.vocabulary = replace(names.vocabulary, definitions=known, later=later)
+        names.vocabulary = replace(names.vocabulary, definitions=dict(known), later=later)
+        try:
+            known[name] = names.formula(value, "both", key(name, "[definitions]"))
+        except InputError as error:
+            known[name] = error
+    names.vocabulary = replace(names.vocabulary, definitions=known, later=frozenset())

@@ -17,7 +17,7 @@ import sympy as sp
 from canon.claim import EXPECTATIONS, Claim
 from canon.claims import document
 from canon.claims.document import Table, key
-from canon.claims.keys import COMMON, KEYS, LATER, Key, KeySpec
+from canon.claims.keys import COMMON, KEYS, LATER, TENSOR, Key, KeySpec
 from canon.claims.names import Names, read_names
 from canon.claims.sections import SECTIONS, read_subject, read_types
 from canon.claims.tensors import read_tensor
@@ -177,14 +177,13 @@ class _Keys:
     def read(self) -> Mapping[str, Any]:
         """Each key's value, as `canon.claims.keys` types it."""
         tensor = {}
-        if any(word in self.table for word in ("tensor", "coordinates", "structure")):
+        if any(word in self.table for word in TENSOR):
             tensor = read_tensor(self.table, self.names)
             self.coordinates = tensor["coordinates"]
             self.vocabulary = self.vocabulary.declaring({s.name: s for s in tensor["coordinates"]})
             self._check_hamiltonian(tensor["coordinates"])
-        given = [
-            word for word in self.spec.keys if word in self.table and word not in ("tensor", "coordinates", "structure")
-        ]
+        given = [word for word in self.spec.keys if word in self.table and word not in TENSOR]
+        given.sort(key=lambda word: self.spec.keys[word].form not in ("name", "names"))
         return {word: self._value(word, self.spec.keys[word], self.table[word]) for word in given} | tensor
 
     def _declared(self) -> Vocabulary:

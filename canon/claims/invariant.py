@@ -7,6 +7,7 @@ canonical with a constant scale c the determinant is cⁿ and the k-th power of 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -29,7 +30,7 @@ def volume(question: Question) -> Outcome:
     region = question.region()
     tape, n = question.tape, question.space.n
     if n > 1 or question.chart.direction == "implicit":
-        constant = constant_scale(question, region)
+        constant = constant_scale(replace(question, budget=question.budget.share(0.5)), region)
         if constant.status == "proved" and constant.node is not None:
             value = tape.power(constant.node, n)
             return combined([constant.outcome, _of_modulus_one(question, value, tape.one, region)])
@@ -63,7 +64,8 @@ def _of_modulus_one(question: Question, new: Node, old: Node, region: Region) ->
             for node in (new, old)
         ]
     except Unsupported as reason:
-        found = _holomorphic(question, ratio, region)
+        regular = region.also(Requirement("nonzero", (old,), "the map is invertible"))
+        found = _holomorphic(question, ratio, regular)
         return (found or Outcome("undecided", note=str(reason))).with_detail(determinant=question.show(ratio))
     residual = Residual("|det M|**2 = 1", tape.minus(*moduli), ratio)
     outcome = question.decide([residual], region)
@@ -92,7 +94,7 @@ def integral_invariant(question: Question) -> Outcome:
     if isinstance(order, bool) or not isinstance(order, int) or not 1 <= order <= n:
         raise InputError(f"an order from 1 to {n} is expected, not {order}", "key 'order'")
     region = question.region()
-    constant = constant_scale(question, region)
+    constant = constant_scale(replace(question, budget=question.budget.share(0.5)), region)
     if constant.status == "proved" and constant.node is not None:
         power = tape.power(constant.node, order)
         claimed = question.decide([Residual(f"scale**{order} = 1", tape.minus(power, tape.one), power)], region)

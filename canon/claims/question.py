@@ -179,7 +179,7 @@ class Question:
         requirements = []
         for r in written.requirements:
             nodes = tuple(moved(node) for node in r.nodes)
-            requirements.append(r if nodes == r.nodes else Requirement(r.kind, nodes, f"{r.text} (pulled back)"))
+            requirements.append(r if nodes == r.nodes else Requirement(r.kind, nodes, r.said, " (pulled back)"))
         for variable in (*chart.images, *(images if assumed else ())):
             requirements.extend(_assumption(tape, tape.symbol_at(variable), moved(variable)))
         if regular and chart.hessian is not None:
@@ -222,7 +222,7 @@ class Question:
         answer, residual = finding.answer, finding.residual
         arguments: tuple[dict[str, Any], ...] = ()
         if answer.status == "proved":
-            step = {"vanishes": residual.label, "method": answer.method, "conditions": list(answer.conditions)}
+            step = {"vanishes": residual.label, "method": answer.method, "conditions": answer.conditions}
             arguments = ({**step, "certificate": answer.certificate},)
         detail: dict[str, Any] = {}
         if answer.status == "refuted":

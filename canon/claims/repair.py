@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.scale import Brackets, constant_scale
 from canon.claims.show import FAILURES, LONG, is_short
+from canon.decide.region import Requirement
 from canon.decide.tape import Node
 from canon.errors import CanonError
 
@@ -87,6 +88,7 @@ class Repair:
 
     words: str
     functions: tuple[Node, ...]
+    divisor: Node | None = None
 
 
 def _repaired(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:
@@ -98,12 +100,17 @@ def _repaired(question: Question, brackets: Brackets, scale: Node, region: Regio
             break
         changed = Brackets(question, _with_functions(brackets.chart, candidate.functions))
         try:
-            verdict = question.decide(changed.residuals(scale), region)
+            regular = region if candidate.divisor is None else region.also(_nonzero(candidate.divisor))
+            verdict = question.decide(changed.residuals(scale), regular)
         except CanonError:
             continue
         if verdict.status == "proved":
             return {"repair": candidate.words}
     return {}
+
+
+def _nonzero(node: Node) -> Requirement:
+    return Requirement("nonzero", (node,), "what is divided by is not zero")
 
 
 def _with_functions(chart: Chart, functions: tuple[Node, ...]) -> Chart:
@@ -147,7 +154,9 @@ def _candidates(question: Question, brackets: Brackets, expected: Node, outcome:
         factor = tape.mul([(value, 1), (expected, -1)])
         shown = question.show(factor)
         for k in (i + m, i):
-            yield Repair(f"divide {names[k]} by {shown}", changed(k, tape.mul([(functions[k], 1), (factor, -1)])))
+            yield Repair(
+                f"divide {names[k]} by {shown}", changed(k, tape.mul([(functions[k], 1), (factor, -1)])), factor
+            )
 
 
 def _parameters(

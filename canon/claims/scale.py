@@ -96,7 +96,9 @@ def scale_of(question: Question) -> Formula | None:
         raise InputError("the scale is an expression in parameters alone, without arbitrary functions", where)
     if scale.expr.is_zero:
         raise InputError("the scale is zero", where)
-    if not never_zero(scale.expr, question.domain(scale).conditions):
+    order = question.key("order")
+    near = scale.expr if order is None else scale.expr.xreplace({order[0]: sp.S.Zero})
+    if not never_zero(near, question.domain(scale).conditions):
         raise InputError(
             f"the scale {scale.text or scale.expr} must be nowhere zero: declare a sign of its parameters, "
             "or restrict the domain",
@@ -215,8 +217,12 @@ def constant_scale(question: Question, region: Region) -> ConstantScale:
     next(rest)
     outcome = combined([outcome, question.decide(rest, region)])
     outcome = outcome.with_detail(scale=question.show(scale))
-    simple = is_short(tape, scale) and never_zero(tape.to_sympy(scale), question.domain().conditions)
-    return ConstantScale(outcome, scale, simple)
+    if is_short(tape, candidate) and never_zero(tape.to_sympy(candidate), question.domain().conditions):
+        return ConstantScale(outcome, scale)
+    vanishing = question.decide([Residual("scale", candidate)], region)
+    if vanishing.status == "proved":
+        return ConstantScale(combined([question.refuted_exactly(region, "a scale is not zero"), vanishing]), None)
+    return ConstantScale(outcome, scale, nonzero=False)
 
 
 def _candidate(question: Question, region: Region, brackets: Brackets, first: Node) -> tuple[Node | None, Outcome]:

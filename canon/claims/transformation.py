@@ -80,8 +80,7 @@ def canonical_when(question: Question) -> Outcome:
         raise InputError("at least one solution is needed", "key 'solutions'")
     if question.map.direction == "implicit":
         return _generated_at_all_values(question)
-    tape, space = question.tape, question.space
-    brackets = Brackets(question)
+    tape = question.tape
     parts: list[Outcome] = []
     for number, table in enumerate(solutions, 1):
         values = checked_solution(question, table, f"key 'solutions', table {number}")
@@ -92,24 +91,31 @@ def canonical_when(question: Question) -> Outcome:
             shown = {str(name): str(value.expr) for name, value in values.items()}
             return replace(outcome, witness=outcome.witness and {**shown, **outcome.witness}).with_detail(at=shown)
         parts.append(outcome)
-    names = {symbol for table in solutions for symbol in table}
-    generic = question.decide(brackets.residuals(tape.one), question.region())
+    return combined([*parts, _fails_generically(question, {symbol for table in solutions for symbol in table})])
+
+
+def _fails_generically(question: Question, names: set[sp.Symbol]) -> Outcome:
+    """The map isn't canonical at generic values of these parameters.
+
+    One failure is enough where the bracket is an analytic function of them: not if they occur in absolute values.
+    """
+    tape = question.tape
     named = ", ".join(sorted(map(str, names)))
+    region = question.region()
+    generic = question.decide(Brackets(question).residuals(tape.one), region)
     if generic.status == "proved":
-        reason = f"the map is canonical at all values of {named}"
-        return question.refuted_exactly(question.region(), reason, canonical="at all values")
-    if generic.status != "refuted":
-        return combined([*parts, Outcome("undecided", note=f"not shown to fail at generic values of {named}")])
-    assert generic.failed is not None
-    if not set(space.parameters) >= names:
-        raise InputError("solutions are values of parameters", "key 'solutions'")
-    fails = Outcome(
-        "proved",
+        return question.refuted_exactly(region, f"the map is canonical at all values of {named}", canonical="always")
+    if generic.status != "refuted" or generic.failed is None:
+        return Outcome("undecided", note=f"not shown to fail at generic values of {named}")
+    residual = generic.failed.residual
+    sides = any(tape.ops[i][:2] == ("f", "abs") and tape.symbols_of(i) & names for i in tape.reach([residual.node]))
+    return Outcome(
+        "supported" if sides else "proved",
         method=generic.method,
-        arguments=({"fails generically": generic.failed.residual.label, "at": dict(generic.witness or {})},),
-        detail={"generic_failure": generic.failed.residual.label},
+        arguments=({"fails generically": residual.label, "at": dict(generic.witness or {})},),
+        detail={"generic_failure": residual.label},
+        note=f"fails at one point; values of {named} on other sides of absolute values were not tried" if sides else "",
     )
-    return combined([*parts, fails])
 
 
 def _generated_at_all_values(question: Question) -> Outcome:
@@ -119,7 +125,7 @@ def _generated_at_all_values(question: Question) -> Outcome:
     outcome = hessian_outcome(question)
     if outcome.status != "proved":
         return outcome
-    return exact("refuted", "the map of a generating function is canonical at all values", canonical="at all values")
+    return exact("refuted", "the map of a generating function is canonical at all values", canonical="always")
 
 
 def checked_solution(question: Question, table: Any, where: str) -> dict[Any, Formula]:

@@ -81,11 +81,15 @@ def _steps(question: Question, outcome: Outcome) -> dict[str, Any]:
         "keys": {name: _plain(value) for name, value in claim.keys.items()},
         "domain": [str(condition) for condition in domain.conditions] + [f"{e} = 0" for e in domain.surface],
         "witness": dict(outcome.witness) if outcome.witness is not None else None,
-        "arguments": [
-            {name: dict(value) if isinstance(value, Mapping) else value for name, value in argument.items()}
-            for argument in outcome.arguments
-        ],
+        "arguments": [{name: _grounds(value) for name, value in argument.items()} for argument in outcome.arguments],
     }
+
+
+def _grounds(value: Any) -> Any:
+    """An item of an argument as data: certificates are made now, and conditions put into words."""
+    if isinstance(value, Mapping):
+        return dict(value)
+    return [str(item) for item in value] if isinstance(value, tuple) else value
 
 
 def _plain(value: Any) -> Any:

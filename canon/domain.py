@@ -35,7 +35,8 @@ class Condition:
     | `slit` | e | the complex number e is not in (−∞, 0] |
     | `regular` | f | the special function f is finite and analytic at its arguments |
 
-    `text` is how a reader of the formula would write it; it takes no part in equality.
+    `text` is how a reader of the formula would write it; it takes no part in equality. Where it is empty the words
+    are made of the terms when somebody asks for them: printing large expressions is slower than deciding about them.
     """
 
     kind: ConditionKind
@@ -90,39 +91,37 @@ def describe(kind: ConditionKind, *terms: str) -> str:
 
 def positive(expression: Any, text: str = "", *, is_complex: Test = _is_complex) -> tuple[Condition, ...]:
     """`expression` is real and positive; of a complex one, that it isn't in (−∞, 0]."""
-    text = text or str(expression)
     sign = known_sign(expression)
     if sign == "positive":
         return ()
     kind: ConditionKind = "slit" if is_complex(expression) else "positive"
     if sign in ("negative", "zero", "nonpositive"):
-        raise InputError(f"undefined everywhere: it needs {describe(kind, text)}, which is never so")
-    return (Condition(kind, (expression,), describe(kind, text)),)
+        words = describe(kind, text or str(expression))
+        raise InputError(f"undefined everywhere: it needs {words}, which is never so")
+    return (Condition(kind, (expression,), text and describe(kind, text)),)
 
 
 def nonzero(expression: Any, text: str = "", *, is_complex: Test = _is_complex) -> tuple[Condition, ...]:
     """`expression` doesn't vanish."""
-    text = text or str(expression)
     sign = known_sign(expression)
     if sign in ("positive", "negative", "nonzero"):
         return ()
     if sign == "zero":
-        raise InputError(f"undefined everywhere: {text} is zero")
-    return (Condition("nonzero", (expression,), describe("nonzero", text)),)
+        raise InputError(f"undefined everywhere: {text or expression} is zero")
+    return (Condition("nonzero", (expression,), text and describe("nonzero", text)),)
 
 
 def uncut(
     y: Any, x: Any, y_text: str = "", x_text: str = "", *, is_complex: Test = _is_complex
 ) -> tuple[Condition, ...]:
     """atan2(y, x) is smooth: not (y = 0 and x ≤ 0)."""
-    y_text, x_text = y_text or str(y), x_text or str(x)
     if is_complex(y) or is_complex(x):
-        raise InputError(f"atan2({y_text}, {x_text}) is for real arguments only")
+        raise InputError(f"atan2({y_text or y}, {x_text or x}) is for real arguments only")
     if known_sign(y) in ("positive", "negative", "nonzero") or known_sign(x) == "positive":
         return ()
     if y.is_zero:
         return positive(x, x_text, is_complex=is_complex)
-    return (Condition("uncut", (y, x), describe("uncut", y_text, x_text)),)
+    return (Condition("uncut", (y, x), y_text and describe("uncut", y_text, x_text)),)
 
 
 def power_conditions(
@@ -159,8 +158,11 @@ def function_conditions(
 
     **Raises:** `InputError` if that is nowhere, or if the function isn't in the language.
     """
-    texts = texts or tuple(str(argument) for argument in arguments)
-    argument, text = arguments[0], texts[0]
+    argument, text = arguments[0], texts[0] if texts else ""
+
+    def words(pattern: str) -> str:
+        return text and pattern.format(text)
+
     if function in _ENTIRE:
         return ()
     if function in _SPECIAL:
@@ -168,24 +170,24 @@ def function_conditions(
             return ()
         name = f"{function.__name__}({', '.join(texts)})"
         call: Any = function(*arguments, evaluate=False)
-        return (Condition("regular", (call,), describe("regular", name)),)
+        return (Condition("regular", (call,), text and describe("regular", name)),)
     if function in _POLES:
         inner = _POLES[function]
-        return nonzero(inner(argument), f"{inner.__name__}({text})", is_complex=is_complex)
+        return nonzero(inner(argument), words(f"{inner.__name__}({{}})"), is_complex=is_complex)
     if function is sp.log:
         return positive(argument, text, is_complex=is_complex)
     if function in (sp.Abs, sp.sign):
         return nonzero(argument, text, is_complex=is_complex)
     if function in _BOUNDED:
-        return positive(1 - argument**2, f"1 - ({text})**2", is_complex=is_complex)
+        return positive(1 - argument**2, words("1 - ({})**2"), is_complex=is_complex)
     if function is sp.acosh:
-        return positive(argument - 1, f"{text} - 1", is_complex=is_complex)
+        return positive(argument - 1, words("{} - 1"), is_complex=is_complex)
     if function in (sp.atan, sp.asinh):
-        return positive(1 + argument**2, f"1 + ({text})**2", is_complex=is_complex) if is_complex(argument) else ()
+        return positive(1 + argument**2, words("1 + ({})**2"), is_complex=is_complex) if is_complex(argument) else ()
     if function in (sp.tanh, sp.sech):
-        return nonzero(sp.cosh(argument), f"cosh({text})", is_complex=is_complex) if is_complex(argument) else ()
+        return nonzero(sp.cosh(argument), words("cosh({})"), is_complex=is_complex) if is_complex(argument) else ()
     if function is sp.atan2:
-        return uncut(argument, arguments[1], text, texts[1], is_complex=is_complex)
+        return uncut(argument, arguments[1], text, texts[1] if texts else "", is_complex=is_complex)
     raise InputError(f"{function} is not a function of the language")
 
 

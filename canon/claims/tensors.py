@@ -97,7 +97,7 @@ def _from_structure(table: Table, names: Names) -> dict[str, Any]:
         if i == j and not formula.expr.is_zero:
             raise InputError(f"the bracket of {a} with itself is 0", place)
         matrix[i][j] = formula
-        matrix[j][i] = Formula(-formula.expr, formula.conditions, f"-({formula.text})", formula.names)
+        matrix[j][i] = Formula(-formula.expr, formula.conditions, f"-({formula})", formula.names)
     return {"coordinates": coordinates, "tensor": tuple(tuple(row) for row in matrix)}
 
 

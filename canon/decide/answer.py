@@ -9,6 +9,7 @@ from typing import Any
 from flint import acb
 
 from canon.decide.enclosure import Ball
+from canon.decide.region import Requirement
 from canon.decide.search import Sample
 from canon.decide.tape import Node, Tape
 
@@ -59,7 +60,7 @@ class Answer:
     method: str
     note: str = ""
     witness: Witness | None = None
-    conditions: tuple[str, ...] = ()
+    conditions: tuple[Requirement, ...] = ()
     certificate: Mapping[str, Any] = field(default_factory=dict)
     log2_error: float | None = None
     index: int | None = None

@@ -250,11 +250,10 @@ class _Ladder:
         for sample in self.points:
             if node in sample.balls and excludes_zero(sample.balls[node]):
                 raise Contradiction(f"{method} against a ball that excludes 0: please report this claim")
-        conditions = tuple(requirement.text for requirement in self.region.requirements)
         if not self.points:
             answers[node] = Answer("supported", method, "an identity, but no point of the domain could be certified")
             return
-        answers[node] = Answer("proved", method, conditions=conditions, certificate=certificate)
+        answers[node] = Answer("proved", method, conditions=self.region.requirements, certificate=certificate)
 
     def leave(self, node: Node, answers: Answers) -> None:
         """What remains: supported by modular evaluation or by balls that all contain 0, else undecided."""

@@ -16,11 +16,20 @@ from canon.domain import Domain
 
 @dataclass(frozen=True)
 class Requirement:
-    """One condition of the region: its kind (canon.domain.Condition), its nodes, and its words."""
+    """One condition of the region: its kind (canon.domain.Condition), its nodes, and what says it in words."""
 
     kind: str
     nodes: tuple[Node, ...]
-    text: str
+    said: object
+    note: str = ""
+
+    @property
+    def text(self) -> str:
+        """The condition in words, printed when somebody asks."""
+        return f"{self.said}{self.note}"
+
+    def __str__(self) -> str:
+        return self.text
 
 
 @dataclass(frozen=True)
@@ -42,7 +51,7 @@ class Region:
             if key in seen or _evident(tape, condition.kind, nodes):
                 continue
             seen.add(key)
-            requirements.append(Requirement(condition.kind, nodes, condition.text))
+            requirements.append(Requirement(condition.kind, nodes, condition))
         surface = tuple(tape.load(equation) for equation in domain.surface)
         named = {tape.symbol(symbol) for symbol in symbols}
         return Region(tuple(requirements), surface, tuple(sorted(named)))

@@ -154,9 +154,8 @@ def _candidates(question: Question, brackets: Brackets, expected: Node, outcome:
         factor = tape.mul([(value, 1), (expected, -1)])
         shown = question.show(factor)
         for k in (i + m, i):
-            yield Repair(
-                f"divide {names[k]} by {shown}", changed(k, tape.mul([(functions[k], 1), (factor, -1)])), factor
-            )
+            quotient = tape.mul([(functions[k], 1), (factor, -1)])
+            yield Repair(f"divide {names[k]} by {shown}", changed(k, quotient), factor)
 
 
 def _parameters(

@@ -15,7 +15,7 @@ from canon.claims.chart import Chart
 from canon.claims.outcome import Outcome, combined, exact
 from canon.claims.scale import Brackets, scale_of
 from canon.claims.shears import by_shears
-from canon.claims.truncated import truncated
+from canon.claims.truncated import checked_order, truncated
 from canon.decide.tape import Node
 from canon.errors import InputError
 from canon.mechanics.formulas import replaced
@@ -27,9 +27,11 @@ if TYPE_CHECKING:
 
 def canonical(question: Question) -> Outcome:
     """`canonical`: M J Mᵀ = scale · J everywhere in the domain (with `order`: up to higher powers)."""
-    scale = scale_of(question)
     direction = question.map.direction
     order = question.key("order")
+    if order is not None:
+        checked_order(question, order)
+    scale = scale_of(question)
     if order is not None:
         return truncated(question, scale, order)
     if direction == "implicit":

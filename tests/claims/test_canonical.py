@@ -134,6 +134,26 @@ def test_a_solution_must_leave_the_formulas_defined(status):
         )
 
 
+def test_one_failure_is_not_generic_on_both_sides_of_an_absolute_value(status):
+    """Canonical for every a > 0, constant for a < 0."""
+    claim = 'kind = "canonical_when"\nsolutions = [{a = "1"}]'
+    sections = {"symbols": 'a = "real"', "transformation": forward("q*(abs(a) + a)/(2*a)", "p")}
+    assert status(claim, **sections) == "supported"
+
+
+def test_a_generated_map_is_canonical_at_all_values(status):
+    claim = 'kind = "canonical_when"\nsolutions = [{a = "1"}]'
+    assert status(claim, symbols='a = "real"', generating_function='type = 2\nF = "a*q*P"') == "refuted"
+
+
+def test_what_is_assumed_of_a_new_variable_restricts_the_domain(status):
+    claim = 'kind = "identity"\nlhs = "sqrt(Q**2)"\nrhs = "-q"'
+    sections = {"transformation": forward("-q", "-p")}
+    assert status(claim, symbols='Q = "positive"', **sections) == "proved"
+    assert status(claim, domain='where = ["Q > 0"]', **sections) == "proved"
+    assert status(claim, **sections) == "refuted"
+
+
 def test_brackets_one_by_one(ask):
     (verdict,) = ask('kind = "fundamental_brackets"', transformation=forward("p", "-q"))
     assert verdict.detail["brackets"] == {"{Q, P}": "proved"}

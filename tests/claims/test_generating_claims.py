@@ -114,6 +114,16 @@ def test_a_scale_that_may_vanish_proves_no_new_hamiltonian(ask):
     assert verdict.status == "supported"
 
 
+@pytest.mark.parametrize("kind", ["new_hamiltonian", "symmetry"])
+@pytest.mark.parametrize("direction", ["Q P", "q p"])
+def test_a_scale_that_is_zero_in_disguise(status, kind, direction):
+    (a, b), x = direction.split(), "qp" if direction == "Q P" else "QP"
+    transformation = f'{a} = ["{x[0]}"]\n{b} = ["{x[1]}*(cos(a)**2 + sin(a)**2 - 1)"]'
+    claim = f'kind = "{kind}"' + ('\nK = "P"' if kind == "new_hamiltonian" else "")
+    sections = {"symbols": 'a = "real"', "hamiltonian": 'H = "p"', "transformation": transformation}
+    assert status(claim, **sections) == "refuted"
+
+
 def test_new_hamiltonian_of_a_backward_map_with_time(status):
     """The frame that moves with the free particle: K = 0."""
     claim = 'kind = "new_hamiltonian"\nK = "{}"'

@@ -54,6 +54,12 @@ def test_values_of_parameters(ask):
     assert found["brackets"] == {"{Q, P}": "a*b*q**(2*a)/q"}
 
 
+def test_nothing_is_divided_by_zero(ask):
+    found = lesson(ask, "q", "p*(cos(a)**2 + sin(a)**2 - 1)", symbols='a = "real"')
+    assert "repair" not in found
+    assert "scale" not in found
+
+
 def test_a_map_that_nothing_simple_repairs(ask):
     found = lesson(ask, "q", "q")
     assert found["brackets"] == {"{Q, P}": "0"}

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
     from canon.decide.region import Region
 
-SECONDS = 0.4
+SECONDS = 0.6
 MOST_BRACKETS = 6
-MOST_CANDIDATES = 40
+MOST_CANDIDATES = 24
 
 
 def lesson(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:

@@ -15,8 +15,8 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
+from canon.sign import Reality, known_sign
 from canon.sign import is_complex as _is_complex
-from canon.sign import known_sign
 from canon.special import JacobiCN, JacobiDN, JacobiSN
 
 Test = Callable[[Any], bool]
@@ -91,7 +91,7 @@ def describe(kind: ConditionKind, *terms: str) -> str:
 
 def positive(expression: Any, text: str = "", *, is_complex: Test = _is_complex) -> tuple[Condition, ...]:
     """`expression` is real and positive; of a complex one, that it isn't in (−∞, 0]."""
-    sign = known_sign(expression)
+    sign = known_sign(expression, is_complex=is_complex)
     if sign == "positive":
         return ()
     kind: ConditionKind = "slit" if is_complex(expression) else "positive"
@@ -103,7 +103,7 @@ def positive(expression: Any, text: str = "", *, is_complex: Test = _is_complex)
 
 def nonzero(expression: Any, text: str = "", *, is_complex: Test = _is_complex) -> tuple[Condition, ...]:
     """`expression` doesn't vanish."""
-    sign = known_sign(expression)
+    sign = known_sign(expression, is_complex=is_complex)
     if sign in ("positive", "negative", "nonzero"):
         return ()
     if sign == "zero":
@@ -117,7 +117,10 @@ def uncut(
     """atan2(y, x) is smooth: not (y = 0 and x ≤ 0)."""
     if is_complex(y) or is_complex(x):
         raise InputError(f"atan2({y_text or y}, {x_text or x}) is for real arguments only")
-    if known_sign(y) in ("positive", "negative", "nonzero") or known_sign(x) == "positive":
+    if (
+        known_sign(y, is_complex=is_complex) in ("positive", "negative", "nonzero")
+        or known_sign(x, is_complex=is_complex) == "positive"
+    ):
         return ()
     if y.is_zero:
         return positive(x, x_text, is_complex=is_complex)
@@ -199,7 +202,8 @@ def conditions_of(expression: Any) -> tuple[Condition, ...]:
     **Raises:** `InputError` if that is nowhere, or if the expression isn't in the language: floats (write an exact
     `Rational`), noncommutative symbols, `Piecewise`, integrals, infinities and so on.
     """
-    return unique(condition for node in _nodes(expression) for condition in _node_conditions(node))
+    reality = Reality()
+    return unique(condition for node in _nodes(expression) for condition in _node_conditions(node, reality))
 
 
 def _nodes(expression: Any) -> Iterator[Any]:
@@ -229,10 +233,12 @@ def _nodes_to_substitute(node: Any) -> list[Any]:
     return [inner.doit().xreplace(dict(zip(node.variables, node.point, strict=True)))]
 
 
-def _node_conditions(node: Any) -> tuple[Condition, ...]:
+def _node_conditions(node: Any, is_complex: Test) -> tuple[Condition, ...]:
+    if isinstance(node, (sp.Add, sp.Mul, sp.Rational)):
+        return ()
     if isinstance(node, sp.Float):
         raise InputError(f"{node} is a floating-point number: write an exact one, such as Rational(1, 10)")
-    if node in (sp.oo, -sp.oo, sp.zoo, sp.nan):
+    if node.is_Atom and node in (sp.oo, sp.S.NegativeInfinity, sp.zoo, sp.nan):
         raise InputError(f"the expression contains {node}: it is undefined everywhere")
     if isinstance(node, sp.Symbol) and not node.is_commutative:
         raise InputError(f"{node} is noncommutative")
@@ -243,9 +249,9 @@ def _node_conditions(node: Any) -> tuple[Condition, ...]:
             return ()
         raise InputError(f"{node} is not an expression of the language")
     if isinstance(node, sp.Pow):
-        return power_conditions(node.base, node.exp)
+        return power_conditions(node.base, node.exp, is_complex=is_complex)
     if isinstance(node, AppliedUndef):
         return ()
     if isinstance(node, sp.Function):
-        return function_conditions(node.func, node.args)
+        return function_conditions(node.func, node.args, is_complex=is_complex)
     raise InputError(f"{type(node).__name__} is not in the language")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Final, Literal
 
 import sympy as sp
@@ -18,7 +19,30 @@ def is_complex(expression: Any) -> bool:
     return expression.has(sp.I) or any(symbol.is_real is not True for symbol in expression.free_symbols)
 
 
-def known_sign(expression: Any, depth: int = 8) -> Sign | None:
+class Reality:
+    """`is_complex` that looks at each subexpression once, for the many questions about one formula."""
+
+    def __init__(self) -> None:
+        self._known: dict[Any, bool] = {}
+
+    def __call__(self, expression: Any) -> bool:
+        """Whether `expression` contains i or a name that isn't known to be real."""
+        known = self._known
+        stack = [expression]
+        while stack:
+            node = stack[-1]
+            if node in known:
+                stack.pop()
+            elif not node.args or isinstance(node, (sp.Derivative, sp.Subs)):
+                known[stack.pop()] = is_complex(node)
+            elif missing := [part for part in node.args if part not in known]:
+                stack.extend(missing)
+            else:
+                known[stack.pop()] = any([known[part] for part in node.args])
+        return known[expression]
+
+
+def known_sign(expression: Any, depth: int = 8, *, is_complex: Callable[[Any], bool] = is_complex) -> Sign | None:
     """The sign that `expression` has wherever it is defined, as far as its outermost `depth` levels show it.
 
     "nonnegative" and "nonpositive" include that it may vanish; "nonzero" may be complex; None where nothing shows.
@@ -35,11 +59,11 @@ def known_sign(expression: Any, depth: int = 8) -> Sign | None:
     if depth == 0:
         return None
     if expression.is_Add:
-        return _sum_sign([known_sign(term, depth - 1) for term in expression.args])
+        return _sum_sign([known_sign(term, depth - 1, is_complex=is_complex) for term in expression.args])
     if expression.is_Mul:
-        return _product_sign([known_sign(factor, depth - 1) for factor in expression.args])
+        return _product_sign([known_sign(factor, depth - 1, is_complex=is_complex) for factor in expression.args])
     if expression.is_Pow:
-        return _power_sign(expression, depth)
+        return _power_sign(expression, depth, is_complex)
     if isinstance(expression, (sp.exp, sp.cosh)):
         real = not is_complex(expression)
         return "positive" if real else "nonzero" if isinstance(expression, sp.exp) else None
@@ -85,8 +109,8 @@ def _product_sign(signs: list[Sign | None]) -> Sign | None:
     return "nonpositive" if flips else "nonnegative"
 
 
-def _power_sign(power: Any, depth: int) -> Sign | None:
-    base, exponent = known_sign(power.base, depth - 1), power.exp
+def _power_sign(power: Any, depth: int, is_complex: Callable[[Any], bool]) -> Sign | None:
+    base, exponent = known_sign(power.base, depth - 1, is_complex=is_complex), power.exp
     if base == "positive" and not is_complex(exponent):
         return "positive"
     if base in ("positive", "negative", "nonzero") and exponent.is_Integer:

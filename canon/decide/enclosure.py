@@ -115,14 +115,13 @@ def _product(factors: Sequence[tuple[Node, int]], ball: Mapping[Node, Ball]) -> 
 def _sum(constant: Any, terms: Sequence[tuple[Node, Any]], ball: Mapping[Node, Ball]) -> Ball:
     value = arb(rational(constant)) if constant else None
     for node, coefficient in terms:
-        term = ball[node]
-        if coefficient == -1:
+        term, numerator, denominator = ball[node], coefficient.numerator, coefficient.denominator
+        if numerator == -1:
             term = -term
-        elif coefficient.denominator == 1:
-            if coefficient != 1:
-                term = term * coefficient.numerator
-        else:
-            term = term * coefficient.numerator / coefficient.denominator
+        elif numerator != 1:
+            term = term * numerator
+        if denominator != 1:
+            term = term / denominator
         value = term if value is None else value + term
     return value
 

@@ -14,6 +14,7 @@ from canon.decide.ring import Polynomial, Ring
 from canon.decide.tape import ONE, ZERO
 
 Element = tuple[Polynomial, dict[int, int]]
+MOST_REMEMBERED = 400
 
 
 class FractionField:
@@ -25,6 +26,7 @@ class FractionField:
         self.factors: list[Polynomial] = []
         self.root_of: list[tuple[Polynomial, int, int]] = []
         self._powers: dict[tuple[int, int], Polynomial] = {}
+        self._split: dict[int, tuple[Polynomial, Fraction, dict[int, int]]] = {}
         self._free: dict[int, bool] = {}
 
     def relate(self, generator: int, degree: int, lower: Polynomial) -> None:
@@ -32,6 +34,11 @@ class FractionField:
         relation = self.ring.generators[generator] ** degree - lower
         self.relations.append((generator, degree, lower, relation))
         self.relations.sort(key=lambda entry: entry[0])
+
+    def take_root(self, f: Polynomial, generator: int, degree: int) -> None:
+        """From now on the factor f of a denominator is generator ** degree."""
+        self.root_of = [*(entry for entry in self.root_of if entry[0] != f), (f, generator, degree)]
+        self._split.clear()
 
     # -- numerators -------------------------------------------------------------------------------
 
@@ -71,7 +78,18 @@ class FractionField:
         return known
 
     def split_denominator(self, p: Polynomial) -> tuple[Fraction, dict[int, int]]:
-        """p as constant · Π factor ** exponent, exactly (modulo the relations)."""
+        """p as constant · Π factor ** exponent, exactly (modulo the relations).
+
+        The answer is remembered for this very polynomial (by its identity: polynomials have no hash).
+        """
+        if len(p) > MOST_REMEMBERED:
+            return self._split_anew(p)
+        known = self._split.get(id(p))
+        if known is None:
+            known = self._split[id(p)] = (p, *self._split_anew(p))
+        return known[1], dict(known[2])
+
+    def _split_anew(self, p: Polynomial) -> tuple[Fraction, dict[int, int]]:
         ring = self.ring
         if p.is_constant():
             return ring.leading(p), {}

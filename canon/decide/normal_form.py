@@ -29,7 +29,7 @@ def reduce_to_zero(
     """
     zero: set[Node] = set()
     nonzero: dict[Node, Element] = {}
-    field, _ = tower.compact(sizes[0], budget)
+    field = tower.field
     left = list(nodes)
     divides = bool(tower.field.factors) or _divides(tower)
     for size in sizes:

@@ -80,8 +80,7 @@ def root_generator(tower: Tower, f: Polynomial, prime: int, height: int) -> Gene
     made = tower.generator("root", "pos", ("chain", f, prime, height), relation=(prime, lower), constant=constant)
     tower.memory["roots"].append((f, prime, height, made))
     if not f.is_constant() and tower.ring.leading(f) == 1:
-        kept = [entry for entry in tower.field.root_of if entry[0] != f]
-        tower.field.root_of = [*kept, (f, made.index, prime**height)]
+        tower.field.take_root(f, made.index, prime**height)
     return made
 
 

@@ -80,6 +80,8 @@ class Ring:
 
     def factor(self, p: Polynomial) -> tuple[Fraction, list[tuple[Polynomial, int]]]:
         """Content and irreducible factors over Q."""
+        if p.total_degree() == 1 and len(p) > 1:
+            return Fraction(1), [(p, 1)]
         self.charge(20.0 * len(p))
         content, factors = p.factor()
         return Fraction(int(content.p), int(content.q)), [(f, int(e)) for f, e in factors]

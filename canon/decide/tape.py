@@ -45,6 +45,7 @@ class Tape:
         self.loaded: dict[sp.Basic, Node] = {}
         self.derivatives: dict[Node, dict[Node, Node]] = {}
         self._memo: dict[tuple[Any, ...], Node] = {}
+        self._arguments: list[tuple[Node, ...]] = []
         self._symbol_node: dict[sp.Symbol, Node] = {}
         self._support: dict[Node, frozenset[Node]] = {}
         self._complex: dict[Node, bool] = {}
@@ -59,12 +60,13 @@ class Tape:
         if node is None:
             node = len(self.ops)
             self.ops.append(key)
+            self._arguments.append(_arguments(key))
             self._memo[key] = node
         return node
 
     def number(self, value: Fraction | int) -> Node:
         """A rational number."""
-        return self.make(("n", Fraction(value)))
+        return self.make(("n", value if type(value) is Fraction else Fraction(value)))
 
     def symbol(self, symbol: sp.Symbol) -> Node:
         """A variable, parameter or time."""
@@ -92,46 +94,50 @@ class Tape:
 
     def add(self, terms: Iterable[tuple[Node, Fraction | int]], constant: Fraction | int = 0) -> Node:
         """The linear combination constant + Σ coefficient · node."""
-        constant = Fraction(constant)
-        merged: dict[Node, Fraction] = {}
+        ops = self.ops
+        merged: dict[Node, Fraction | int] = {}
         for node, coefficient in terms:
-            op = self.ops[node]
-            if op[0] == "n":
-                constant += coefficient * op[1]
+            op = ops[node]
+            kind = op[0]
+            if kind == "n":
+                constant = constant + (op[1] if coefficient is ONE else coefficient * op[1])
                 continue
-            if op[0] == "+" and len(op[2]) == 1 and not op[1]:
+            if kind == "+" and len(op[2]) == 1 and not op[1]:
                 node, inner = op[2][0]
-                coefficient = coefficient * inner
-            merged[node] = merged.get(node, ZERO) + coefficient
-        kept = tuple(sorted((node, Fraction(c)) for node, c in merged.items() if c))
+                coefficient = inner if coefficient is ONE else coefficient * inner
+            known = merged.get(node)
+            merged[node] = coefficient if known is None else known + coefficient
+        kept = [(node, c if type(c) is Fraction else Fraction(c)) for node, c in merged.items() if c]
         if not kept:
             return self.number(constant)
         if len(kept) == 1 and not constant and kept[0][1] == 1:
             return kept[0][0]
-        return self.make(("+", constant, kept))
+        kept.sort()
+        return self.make(("+", constant if type(constant) is Fraction else Fraction(constant), tuple(kept)))
 
     def mul(self, factors: Iterable[tuple[Node, int]], coefficient: Fraction | int = 1) -> Node:
         """The power product coefficient · Π node ** exponent (integer exponents).
 
         Raises InputError for a division by an expression that is the number zero.
         """
-        coefficient = Fraction(coefficient)
+        ops = self.ops
         merged: dict[Node, int] = {}
         pending = list(factors)
         while pending:
             node, exponent = pending.pop()
             if not exponent:
                 continue
-            op = self.ops[node]
-            if op[0] == "n":
+            op = ops[node]
+            kind = op[0]
+            if kind == "n":
                 if op[1] == 0 and exponent < 0:
                     raise InputError("a denominator is zero everywhere")
-                coefficient *= op[1] ** exponent
-            elif op[0] == "+" and len(op[2]) == 1 and not op[1]:
+                coefficient = coefficient * (op[1] if exponent == 1 else op[1] ** exponent)
+            elif kind == "+" and len(op[2]) == 1 and not op[1]:
                 inner, factor = op[2][0]
-                coefficient *= factor**exponent
+                coefficient = coefficient * (factor if exponent == 1 else factor**exponent)
                 pending.append((inner, exponent))
-            elif op[0] == "*":
+            elif kind == "*":
                 for inner, power in op[1]:
                     merged[inner] = merged.get(inner, 0) + exponent * power
             elif op == ("c", "I"):
@@ -147,10 +153,11 @@ class Tape:
             unit, sign = divmod(merged[imaginary] % 4, 2)
             coefficient *= -1 if unit else 1
             merged[imaginary] = sign
-        kept = tuple(sorted((node, e) for node, e in merged.items() if e))
+        kept = [(node, e) for node, e in merged.items() if e]
         if not kept:
             return self.number(coefficient)
-        product = kept[0][0] if len(kept) == 1 and kept[0][1] == 1 else self.make(("*", kept))
+        kept.sort()
+        product = kept[0][0] if len(kept) == 1 and kept[0][1] == 1 else self.make(("*", tuple(kept)))
         return product if coefficient == 1 else self.add(((product, coefficient),))
 
     def plus(self, *nodes: Node) -> Node:
@@ -223,29 +230,18 @@ class Tape:
 
     def arguments(self, node: Node) -> tuple[Node, ...]:
         """The nodes that this one is computed from."""
-        op = self.ops[node]
-        kind = op[0]
-        if kind == "+":
-            return tuple(inner for inner, _ in op[2])
-        if kind == "*":
-            return tuple(inner for inner, _ in op[1])
-        if kind == "r":
-            return (op[1],)
-        if kind == "f":
-            return op[2]
-        if kind == "u":
-            return op[3]
-        return ()
+        return self._arguments[node]
 
     def reach(self, targets: Iterable[Node]) -> list[Node]:
         """Every node needed for the targets, in an order of evaluation."""
-        seen: set[Node] = set()
-        stack = list(targets)
+        arguments = self._arguments
+        seen = set(targets)
+        stack = list(seen)
         while stack:
-            node = stack.pop()
-            if node not in seen:
-                seen.add(node)
-                stack.extend(self.arguments(node))
+            for inner in arguments[stack.pop()]:
+                if inner not in seen:
+                    seen.add(inner)
+                    stack.append(inner)
         return sorted(seen)
 
     def support(self, node: Node) -> frozenset[Node]:
@@ -285,3 +281,17 @@ class Tape:
         from canon.decide.load import unload
 
         return unload(self, node)
+
+
+def _arguments(op: tuple[Any, ...]) -> tuple[Node, ...]:
+    """The nodes that an operation is applied to."""
+    kind = op[0]
+    if kind == "+":
+        return tuple([inner for inner, _ in op[2]])
+    if kind == "*":
+        return tuple([inner for inner, _ in op[1]])
+    if kind == "r":
+        return (op[1],)
+    if kind == "f":
+        return op[2]
+    return op[3] if kind == "u" else ()

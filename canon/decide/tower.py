@@ -240,7 +240,7 @@ class Tower:
         field = FractionField(ring)
 
         def carried(p: Polynomial) -> Polynomial:
-            return ring.polynomial({m[:size]: c for m, c in self.ring.terms(p).items()}) if p else ring.zero
+            return p.project_to_context(ring.context)  # of generators that were never made nothing is dropped
 
         for generator, degree, lower, _ in self.field.relations:
             field.relate(generator, degree, carried(lower))

@@ -19,6 +19,7 @@ from canon.budget import Budget
 from canon.decide.arbitrary import ChosenFunction, choose_functions, rational
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
 from canon.decide.region import Region, Requirement, admits, bounds, holds
+from canon.decide.relaxation import relax
 from canon.decide.tape import Node, Tape, Unsupported
 
 Coordinate = Fraction | tuple[Fraction, Fraction]
@@ -134,7 +135,7 @@ class Finder:
         """A random value that satisfies the symbol's assumptions and its own bounds."""
         symbol, rng = self.tape.symbol_at(node), self.rng
         if symbol.is_integer:
-            return self._integer(symbol)
+            return self._integer(node, symbol)
         low, high = self.bounds.get(node, (-math.inf, math.inf))
         if symbol.is_nonnegative:
             low = max(low, 0.0)
@@ -154,15 +155,24 @@ class Finder:
             return Fraction(high).limit_denominator(64) - size
         return size if rng.getrandbits(1) else -size
 
-    def _integer(self, symbol: sp.Symbol) -> Fraction:
-        value = Fraction(self.rng.randrange(1, 9))
-        if symbol.is_even:
-            value *= 2
-        if symbol.is_odd:
-            value = 2 * value - 1
+    def _integer(self, node: Node, symbol: sp.Symbol) -> Fraction:
+        """A random integer within the symbol's assumptions and its own bounds."""
+        low, high = self.bounds.get(node, (-math.inf, math.inf))
         if symbol.is_nonnegative:
-            return value
-        return -value if symbol.is_nonpositive or self.rng.getrandbits(1) else value
+            low = max(low, 0.0 if symbol.is_positive else -1.0)
+        if symbol.is_nonpositive:
+            high = min(high, 0.0 if symbol.is_negative else 1.0)
+        step = self.rng.randrange(1, 9)
+        if low > -math.inf:
+            value = math.floor(low) + step
+            value = min(value, math.ceil(high) - 1) if high < math.inf else value
+        elif high < math.inf:
+            value = math.ceil(high) - step
+        else:
+            value = step if self.rng.getrandbits(1) else -step
+        if symbol.is_even or symbol.is_odd:
+            value += (value + bool(symbol.is_odd)) % 2
+        return Fraction(value)
 
     # -- repair ---------------------------------------------------------------------------------
 
@@ -207,7 +217,9 @@ class Finder:
             new_score, new_missed = self.violation(trial, functions)
             if new_score <= score:
                 best, score, missed = trial, new_score, new_missed
-        return best if not missed else self.across_the_edge(best, missed, functions)
+        if not missed:
+            return best
+        return relax(self, best, functions) or self.across_the_edge(best, missed, functions)
 
     def across_the_edge(
         self, point: Mapping[Node, Coordinate], missed: Sequence[Requirement], functions: Mapping[str, ChosenFunction]

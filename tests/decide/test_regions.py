@@ -1,0 +1,37 @@
+"""Points are found in thin, bounded and far-away regions; where there are none, that is said."""
+
+import pytest
+
+from canon.claims.reader import read_text
+from canon.claims.verify import verify
+from canon.errors import InputError
+
+REGIONS = [
+    ('n = "integer"', ["n > 20"]),
+    ('n = ["integer", "negative"]', ["n < -100"]),
+    ('n = "integer"', ["5 < n < 7"]),
+    ('n = "real"', ["100 < n < 100.001"]),
+    ('n = "real"', ["n**5 - n - 1 > 0", "n < 1.168"]),
+    ('n = "real"\nm = "real"', ["m > n**2", "m < n**2 + 1e-8"]),
+    ('n = "real"\nm = "real"', ["m**2 + n**2 < 1", "m**2 + n**2 > 1 - 1e-6"]),
+    ('n = "real"\nm = "real"\nk = "real"', ["n + m + k > 3", "n < 1", "m < 1", "k < 1.0001"]),
+    ('n = "real"', ["sin(n) > 0.9999"]),
+    ('n = "positive"', ["n < 1e-20"]),
+    ('n = "positive"', ["n > 1e30"]),
+    ('c = "positive"\nn = "real"', ["299792457 < c < 299792459", "n > 0.999*c", "n**2 < c**2"]),
+]
+FILE = '[phase_space]\nq = ["a"]\np = ["b"]\n[symbols]\n{}\n[domain]\nwhere = {}\n[[claim]]\nkind = "identity"\n{}'
+
+
+@pytest.mark.parametrize(("symbols", "where"), REGIONS)
+def test_a_point_is_found_and_lies_inside(symbols: str, where: list[str]):
+    text = FILE.format(symbols, [*where], 'lhs = "n + 1e-40"\nrhs = "n"')
+    verdict = verify(read_text(text).claims[0], budget=20)
+    assert verdict.status == "refuted"
+
+
+@pytest.mark.parametrize("where", [["5 < n < 6"], ["n > 2", "n < 1"]])
+def test_no_point_is_an_input_error(where: list[str]):
+    text = FILE.format('n = "integer"', where, 'lhs = "n"\nrhs = "n"')
+    with pytest.raises(InputError, match="no point of the domain"):
+        verify(read_text(text).claims[0], budget=20)

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from canon.claims.constant import constant_of
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import FAILURES, is_short
-from canon.decide.derivative import poisson_bracket, substitute
+from canon.decide.derivative import poisson_bracket
 from canon.decide.tape import Node
 from canon.domain import Condition
 from canon.errors import InputError
@@ -240,40 +240,9 @@ def _candidate(question: Question, region: Region, brackets: Brackets, first: No
         return (tape.one, unit) if unit.status in ("proved", "supported") else (None, unit)
     if not tape.support(first) & variables and not tape.functions_of([first]):
         return first, question.decide([Residual(f"{label} is constant", tape.zero)], region)
-    point = unit.failed.answer.witness.coordinates
-    outcome = unit
-    for constant in _values_at(question, first, point, variables):
-        same = question.decide([Residual(f"{label} is constant", tape.minus(first, constant))], region)
-        if same.status == "proved":
-            if tape.value(constant) == 0:
-                reason = "a scale is not zero"
-                return None, question.refuted_exactly(region, reason, fails=label, brackets={label: "0"})
-            return constant, same
-        outcome = same
-    return None, outcome.with_detail(fails=f"{label} is not constant") if outcome.status == "refuted" else outcome
-
-
-def _values_at(question: Question, node: Node, point: Mapping[str, Any], variables: set[Node]) -> Iterator[Node]:
-    """The node's value at a point, parameters left free: guessed as a simple number first, then as it is."""
-    tape = question.tape
-    values: dict[Node, Node] = {}
-    for place in variables:
-        value = point.get(str(tape.symbol_at(place)))
-        if isinstance(value, Mapping):
-            unit = tape.constant("I")
-            values[place] = tape.add([(tape.one, Fraction(value["re"])), (unit, Fraction(value["im"]))])
-        elif value is not None:
-            values[place] = tape.number(Fraction(value))
-    if not (tape.support(node) & variables) <= set(values) or tape.functions_of([node]):
-        return
-    exactly = substitute(tape, node, values)
-    if not is_short(tape, exactly):
-        yield exactly
-        return
-    expression = tape.to_sympy(exactly)
-    if not expression.free_symbols and not tape.is_complex(exactly):
-        near = Fraction(str(sp.N(expression, 30))).limit_denominator(10_000)
-        if abs(sp.N(expression - sp.Rational(near.numerator, near.denominator), 30)) < 1e-20:
-            yield tape.number(near)
-            return
-    yield exactly
+    constant, same = constant_of(question, region, first, variables, unit.failed.answer.witness, label)
+    if constant is not None:
+        if tape.value(constant) == 0 and same.status == "proved":
+            return None, question.refuted_exactly(region, "a scale is not zero", fails=label, brackets={label: "0"})
+        return constant, same
+    return None, same.with_detail(fails=f"{label} is not constant") if same.status == "refuted" else same

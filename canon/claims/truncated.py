@@ -16,7 +16,7 @@ from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.scale import Brackets
 from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node, Tape
-from canon.domain import Condition, Domain
+from canon.domain import Condition, Domain, conditions_of
 from canon.errors import InputError
 
 if TYPE_CHECKING:
@@ -117,11 +117,20 @@ def region_at_zero(question: Question, parameter: sp.Symbol, *formulas: Formula)
     kept = Domain(tuple(c for c in asked.conditions if not _bounds_only(c, parameter)), asked.surface)
     for formula in (*question.sections(), *formulas):
         kept = kept & Domain(conditions=formula.conditions)
-    for condition in kept.conditions:
+    for condition in (*kept.conditions, *_granted(parameter, *question.sections(), *formulas)):
         if _fails_at_zero(condition, parameter):
             raise InputError(f"not analytic at {parameter} = 0, where the claim is made: {condition} fails there")
     tape = question.tape
     return question.region(images={tape.symbol(parameter): tape.zero}, domain=kept, assumed=False, regular=False)
+
+
+def _granted(parameter: sp.Symbol, *formulas: Formula) -> Iterator[Condition]:
+    """What the formulas require and what is assumed of the parameter's sign grants, though not at 0: eps > 0 in √eps."""
+    if parameter.is_nonnegative or parameter.is_nonpositive or parameter.is_zero is False:
+        plain = sp.Symbol(parameter.name, real=True)
+        for formula in formulas:
+            for condition in conditions_of(formula.expr.xreplace({parameter: plain})):
+                yield condition.substitute({plain: parameter})
 
 
 def _bounds_only(condition: Condition, parameter: sp.Symbol) -> bool:

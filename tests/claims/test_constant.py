@@ -1,0 +1,79 @@
+"""Scales that are constant though they don't look it: found, and never refuted by a wrong or approximate constant."""
+
+import pytest
+
+NEW = 'kind = "new_hamiltonian"\nK = "{}"'
+
+
+def test_a_constant_that_is_nearly_a_simple_number(status):
+    near = "(1/2 + 1e-25)"
+    verdict = status(
+        NEW.format(f"{near}*P**2/2"),
+        hamiltonian='H = "p**2/2"',
+        transformation=f'Q = ["{near}*q*(sin(p)**2 + cos(p)**2)"]\nP = ["p"]',
+    )
+    assert verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    "transformation",
+    [
+        'Q = ["2*q*(V(p) + 1)**2/(V(p)**2 + 2*V(p) + 1)"]\nP = ["p"]',
+        'Q = ["2*(q + W(p - V(q)))"]\nP = ["p - V(q)"]',
+    ],
+)
+def test_a_constant_among_arbitrary_functions(status, transformation):
+    verdict = status(
+        NEW.format("2*P"),
+        symbols='V = "function"\nW = "function"',
+        hamiltonian='H = "p"' if "W" not in transformation else 'H = "p - V(q)"',
+        transformation=transformation,
+    )
+    assert verdict == "proved"
+
+
+def test_a_constant_on_a_surface_whose_points_are_known_approximately(status):
+    verdict = status(
+        NEW.format("0"),
+        symbols='a = "positive"',
+        domain='on = ["q**2 + p**2 - 2"]',
+        hamiltonian='H = "0"',
+        transformation='Q = ["a*q**3/3 + a*q*p**2"]\nP = ["p"]',
+    )
+    assert verdict == "proved"
+
+
+def test_a_constant_on_each_side_of_an_absolute_value(status):
+    """Q = 2q wherever a·q > 0; the value at one point, with another sign of a, is another one."""
+    verdict = status(
+        NEW.format("2*P"),
+        symbols='a = "real"',
+        domain='where = ["a*q > 0"]',
+        hamiltonian='H = "p"',
+        transformation='Q = ["2*a*abs(q)/abs(a)"]\nP = ["p"]',
+    )
+    assert verdict == "proved"
+
+
+@pytest.mark.parametrize("Q", ["q*abs(q)", "2*abs(q)", "q**2", "a*q**2", "q*V(q)"])
+def test_no_constant(status, Q):
+    verdict = status(
+        NEW.format("P"),
+        symbols='a = "real"\nV = "function"',
+        hamiltonian='H = "p"',
+        transformation=f'Q = ["{Q}"]\nP = ["p"]',
+    )
+    assert verdict == "refuted"
+
+
+@pytest.mark.parametrize("Q", ["q*(1 + sqrt(eps))", "q*(1 + eps*log(eps))"])
+def test_what_is_assumed_of_a_small_parameter_hides_no_singularity(ask, Q):
+    """√eps is no O(eps), though its value at 0 is 0."""
+    from canon.errors import InputError
+
+    with pytest.raises(InputError, match="not analytic"):
+        ask(
+            'kind = "canonical"\norder = ["eps", 0]',
+            symbols='eps = "positive"',
+            transformation=f'Q = ["{Q}"]\nP = ["p"]',
+        )

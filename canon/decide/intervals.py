@@ -46,10 +46,12 @@ class Edge:
         """The floor of edge / π."""
         if not self.rational:
             return self.pi.numerator // self.pi.denominator
-        guess = int(float(self.rational) / 3.141592653589793 + float(self.pi)) - 2
-        while Edge(Fraction(0), Fraction(guess + 1)).compare(self) <= 0:
-            guess += 1
-        return guess
+        for bits in (64, 256, 4096):
+            with precision(bits):
+                value = (arb(rational(self.rational)) / arb.pi() + arb(rational(self.pi))).floor()
+                if value.is_exact() and value.is_integer():
+                    return int(value.unique_fmpz())
+        raise ArithmeticError("a number too close to a multiple of pi")
 
 
 ORIGIN = Edge()

@@ -135,6 +135,14 @@ def _strict(tower: Tower, f) -> bool:
     return sign_of(tower, f) in ("pos", "neg")
 
 
+def _below_one(tower: Tower, m: Element) -> bool:
+    """m < 1 on the region: dn then has no zero; for m > 1 it changes its sign."""
+    from canon.decide.signs import classify
+
+    sign, _, _, unknown = classify(tower, tower.field.combine([(-ONE, m)], ONE))
+    return sign > 0 and not unknown
+
+
 def _jacobi(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
     """sn, cn, dn with cn² = 1 − sn² and dn² = 1 − m·sn² (DLMF 22.6.1)."""
     field, _ring = tower.field, tower.ring
@@ -150,7 +158,7 @@ def _jacobi(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
     lower = field.combine([(-ONE, field.product([factor, field.power(sn, 2)]))], ONE)
     if lower[1]:
         raise Unsupported("Jacobi's functions of a fractional parameter")
-    sign = "real" if name == "jacobi_cn" else "pos"
+    sign = "pos" if name == "jacobi_dn" and _below_one(tower, arguments[1]) else "real"
     made = tower.generator(name, sign, tuple(arguments), relation=(2, lower[0]))
     tower.memory["kernels"].append((name, tuple(arguments), made))
     return tower.element(made)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import random
 from collections.abc import Iterable, Sequence
+from typing import NoReturn
 
 from canon.budget import Budget, BudgetExceeded
 from canon.decide import modular, sampling
@@ -22,7 +23,7 @@ from canon.decide.normal_form import FIRST, LARGER, reduce_to_zero
 from canon.decide.on_surface import vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
-from canon.decide.search import Sample, evaluate_again, samples
+from canon.decide.search import Sample, evaluate_again, extended, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
 from canon.errors import InputError
@@ -46,18 +47,20 @@ def vanish(
     budget: Budget,
     seed: int = 0,
     first_refutation: bool = True,
+    known: Sequence[Sample] = (),
 ) -> list[Answer]:
     """Is each node the zero function on the region?
 
     Arguments:
       nodes: the residuals.
       first_refutation: stop at the first residual that is refuted; the others may then be `undecided`.
+      known: certified points of the region to begin with (of `look`).
     Returns: one answer a node.
     Raises: InputError where no point of the region could be found.
     """
     answers: Answers = {}
     open_nodes = list(dict.fromkeys(nodes))
-    ladder = _Ladder(tape, region, budget, random.Random(seed))
+    ladder = _Ladder(tape, region, budget, random.Random(seed), known)
     with contextlib.suppress(BudgetExceeded):
         ladder.run(open_nodes, answers, first_refutation)
     for node in open_nodes:
@@ -65,6 +68,22 @@ def vanish(
             tried = ", ".join(ladder.tried) or "nothing yet"
             answers[node] = Answer("undecided", "", f"the budget ended; tried: {tried}")
     return [answers[node] for node in nodes]
+
+
+def look(
+    tape: Tape, nodes: Sequence[Node], region: Region, *, budget: Budget, seed: int = 0, known: Sequence[Sample] = ()
+) -> tuple[list[Sample], bool]:
+    """The first rung alone: two certified points with the nodes' balls there, and whether one of them refutes.
+
+    Raises: InputError where no point of the region could be found.
+    """
+    answers: Answers = {}
+    ladder = _Ladder(tape, region, budget, random.Random(seed), known)
+    try:
+        ladder.witnesses(nodes, answers)
+    except BudgetExceeded:
+        return [], False
+    return ladder.points, bool(answers)
 
 
 def nonvanishing(tape: Tape, node: Node, region: Region, *, budget: Budget, seed: int = 0) -> Answer:
@@ -82,8 +101,11 @@ def nonvanishing(tape: Tape, node: Node, region: Region, *, budget: Budget, seed
 class _Ladder:
     """One run of the ladder over residuals of one region."""
 
-    def __init__(self, tape: Tape, region: Region, budget: Budget, rng: random.Random) -> None:
+    def __init__(
+        self, tape: Tape, region: Region, budget: Budget, rng: random.Random, known: Sequence[Sample] = ()
+    ) -> None:
         self.tape, self.region, self.budget, self.rng = tape, region, budget, rng
+        self.known = known
         self.points: list[Sample] = []
         self.tried: list[str] = []
         self.evidence: dict[Node, float] = {}
@@ -119,6 +141,11 @@ class _Ladder:
     def witnesses(self, nodes: Sequence[Node], answers: Answers) -> None:
         """Two certified points: the region isn't empty, and most of what is false ends here."""
         self.tried.append("balls at two points")
+        self.points = extended(self.tape, nodes, self.known)
+        for sample in self.points:
+            self.refute(nodes, sample, sample.balls, answers, 64)
+        if self.points:
+            return
         try:
             for sample in samples(
                 self.tape, nodes, self.region, self.rng, count=2, tries=60, budget=self.budget, nice=True
@@ -134,7 +161,7 @@ class _Ladder:
         """The region by itself has a point, or the claim is ill-posed."""
         try:
             for sample in samples(
-                self.tape, [], self.region, self.rng, count=1, bits=256, tries=400, budget=self.budget
+                self.tape, [], self.region, self.rng, count=1, bits=256, tries=120, budget=self.budget
             ):
                 self.points.append(sample)
                 return
@@ -142,6 +169,9 @@ class _Ladder:
             return
         except BudgetExceeded:
             pass
+        self._nowhere()
+
+    def _nowhere(self) -> NoReturn:
         words = [requirement.text for requirement in self.region.requirements]
         raise InputError(
             "no point of the domain was found, it seems empty"

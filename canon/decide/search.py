@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 import sympy as sp
@@ -23,6 +23,7 @@ from canon.decide.relaxation import relax
 from canon.decide.tape import Node, Tape, Unsupported
 
 Coordinate = Fraction | tuple[Fraction, Fraction]
+REPAIRS = 24
 NICE = [Fraction(n, d) for d in (1, 2, 3, 4, 5) for n in range(1, 12) if math.gcd(n, d) == 1]
 
 
@@ -79,6 +80,21 @@ def evaluate_again(tape: Tape, nodes: Sequence[Node], sample: Sample, bits: int)
         return evaluate(tape, tape.reach(nodes), ball_point(sample.point, sample.solved), sample.functions)
 
 
+def extended(tape: Tape, nodes: Sequence[Node], known: Sequence[Sample]) -> list[Sample]:
+    """The samples with balls of these nodes too; none at all if they aren't defined at one of them."""
+    order = tape.reach(nodes)
+    out = []
+    for sample in known:
+        balls = dict(sample.balls)
+        try:
+            with precision(64):
+                evaluate(tape, order, ball_point(sample.point, sample.solved), sample.functions, balls)
+        except (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError, KeyError):
+            return []
+        out.append(replace(sample, balls=balls))
+    return out
+
+
 class Finder:
     """The search for points of one region at which the targets are defined."""
 
@@ -104,7 +120,7 @@ class Finder:
             exact, solved = placed
             return self.certify(exact, solved, functions, bits)
         sample = self.certify(point, {}, functions, bits)
-        if sample is not None or not self.region.requirements:
+        if sample is not None or not self.region.requirements or (effort >= REPAIRS and effort % 8):
             return sample
         repaired = self.repair(point, functions)
         return None if repaired is None else self.certify(repaired, {}, functions, bits)

@@ -17,6 +17,7 @@ from canon.claims.show import shown
 from canon.decide import ladder
 from canon.decide.derivative import substitute
 from canon.decide.region import Region, Requirement
+from canon.decide.search import Sample
 from canon.decide.tape import Node, Tape
 from canon.domain import Domain
 from canon.errors import InputError
@@ -190,25 +191,42 @@ class Question:
     # -- deciding -----------------------------------------------------------------------------
 
     def decide(self, residuals: Iterable[Residual], region: Region, *, budget: Budget | None = None) -> Outcome:
-        """Do all residuals vanish on the region? They are built in batches; a refutation builds no more."""
+        """Do all residuals vanish on the region?
+
+        They are built in batches and looked at with balls; a refutation builds no more. What no ball refutes is
+        decided together, in one tower.
+        """
         stream = iter(residuals)
         time_left = budget or self.budget
-        outcomes: list[Outcome] = []
+        if self.method == "numeric":
+            return self._sampled_in_batches(stream, region, time_left)
+        seen: list[Residual] = []
+        points: list[Sample] = []
         size = FIRST_BATCH
         while batch := list(islice(stream, size)):
-            outcomes.append(self._decide_batch(batch, region, time_left))
+            points, refuted = ladder.look(
+                self.tape, _nodes(batch), region, budget=time_left, seed=self.seed, known=points
+            )
+            if refuted:
+                return self._decide_batch(batch, region, time_left, points)
+            seen.extend(batch)
+            size *= 4
+        return self._decide_batch(seen or [Residual("0", self.tape.zero)], region, time_left, points)
+
+    def _sampled_in_batches(self, stream: Iterator[Residual], region: Region, budget: Budget) -> Outcome:
+        outcomes: list[Outcome] = []
+        size = FIRST_BATCH
+        while batch := list(islice(stream, size)) or ([] if outcomes else [Residual("0", self.tape.zero)]):
+            outcomes.append(self.sampled(batch, region, SAMPLE_POINTS, budget))
             if outcomes[-1].status == "refuted":
                 break
             size *= 4
-        if not outcomes:
-            outcomes.append(self._decide_batch([Residual("0", self.tape.zero)], region, time_left))
         return combined(outcomes)
 
-    def _decide_batch(self, batch: Sequence[Residual], region: Region, budget: Budget) -> Outcome:
-        if self.method == "numeric":
-            return self.sampled(batch, region, SAMPLE_POINTS, budget)
-        nodes = [residual.node for residual in batch]
-        answers = ladder.vanish(self.tape, nodes, region, budget=budget, seed=self.seed)
+    def _decide_batch(
+        self, batch: Sequence[Residual], region: Region, budget: Budget, points: Sequence[Sample]
+    ) -> Outcome:
+        answers = ladder.vanish(self.tape, _nodes(batch), region, budget=budget, seed=self.seed, known=points)
         findings = [Finding(residual, answer) for residual, answer in zip(batch, answers, strict=False)]
         outcome = combined(self._outcome_of(finding) for finding in findings)
         if self.method == "all" and outcome.status != "refuted":
@@ -286,6 +304,10 @@ class Question:
     def show(self, node: Node, *, shorten: bool = True) -> str:
         """A node as a formula for people."""
         return shown(self.tape, node, shorten=shorten)
+
+
+def _nodes(residuals: Iterable[Residual]) -> list[Node]:
+    return [residual.node for residual in residuals]
 
 
 def _assumption(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:

@@ -10,6 +10,7 @@ from typing import Any
 from canon.claims import document
 from canon.claims.document import Table, key
 from canon.claims.keys import Side
+from canon.claims.reality import complex_variables
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary, read
 from canon.measure import Measure
@@ -108,6 +109,7 @@ def read_names(tables: Table) -> Names:
     declared = _phase_space(tables)
     words = _symbols(tables.get("symbols", {}), declared)
     definitions = document.table(tables.get("definitions", {}), "[definitions]")
+    words |= {name: ["complex"] for name in complex_variables(tables, words)}
     taken = {**dict.fromkeys(words, "[symbols]"), **declared}
     time = next((name for name, place in declared.items() if place == "[phase_space], time"), None)
     hidden = time is None and ("t" in declared or "t" in definitions or "function" in words.get("t", ()))

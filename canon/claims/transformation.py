@@ -12,11 +12,14 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from canon.claims.chart import Chart
+from canon.claims.independence import MEROMORPHIC, not_zero_for_any_parameters
 from canon.claims.outcome import Outcome, combined, exact
 from canon.claims.scale import Brackets, scale_of
 from canon.claims.shears import by_shears
 from canon.claims.truncated import checked_order, truncated
-from canon.decide.tape import Node
+from canon.decide.cells import cells_of
+from canon.decide.region import Region
+from canon.decide.tape import Node, Tape
 from canon.errors import InputError
 from canon.mechanics.formulas import replaced
 
@@ -99,7 +102,8 @@ def canonical_when(question: Question) -> Outcome:
 def _fails_generically(question: Question, names: set[sp.Symbol]) -> Outcome:
     """The map isn't canonical at generic values of these parameters.
 
-    One failure is enough where the bracket is an analytic function of them: not if they occur in absolute values.
+    One failure is enough where the bracket is an analytic function of them on a connected domain: not if they occur
+    in absolute values. It must not hang on special values of the other parameters, nor on the choice of a function.
     """
     tape = question.tape
     named = ", ".join(sorted(map(str, names)))
@@ -110,14 +114,35 @@ def _fails_generically(question: Question, names: set[sp.Symbol]) -> Outcome:
     if generic.status != "refuted" or generic.failed is None:
         return Outcome("undecided", note=f"not shown to fail at generic values of {named}")
     residual = generic.failed.residual
-    sides = any(tape.ops[i][:2] == ("f", "abs") and tape.symbols_of(i) & names for i in tape.reach([residual.node]))
+    shown = _shown_generically(question, residual.node, region, names)
     return Outcome(
-        "supported" if sides else "proved",
+        "proved" if shown else "supported",
         method=generic.method,
         arguments=({"fails generically": residual.label, "at": dict(generic.witness or {})},),
         detail={"generic_failure": residual.label},
-        note=f"fails at one point; values of {named} on other sides of absolute values were not tried" if sides else "",
+        note="" if shown else f"fails at one point; that it does at almost all values of {named} is not shown",
     )
+
+
+def _shown_generically(question: Question, node: Node, region: Region, names: set[sp.Symbol]) -> bool:
+    """A node that isn't 0 at one point isn't 0 at almost all values of these parameters, whatever the others are."""
+    tape = question.tape
+    if tape.functions_of([node]):
+        return False
+    others = frozenset(tape.symbol(s) for s in question.space.parameters if s not in names) & tape.support(node)
+    if not_zero_for_any_parameters(tape, node, others, question.domain().conditions):
+        return True
+    if others:
+        return False
+    if all(_meromorphic(tape, i) or not tape.symbols_of(i) & names for i in tape.reach([node])):
+        return True
+    cells = cells_of(tape, region, [node], question.budget)
+    return cells is not None and len(cells) == 1 and cells[0].connected
+
+
+def _meromorphic(tape: Tape, node: Node) -> bool:
+    op = tape.ops[node]
+    return op[0] in "nsc+*" or (op[0] == "f" and op[1] in MEROMORPHIC)
 
 
 def _generated_at_all_values(question: Question) -> Outcome:

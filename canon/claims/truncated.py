@@ -125,7 +125,7 @@ def region_at_zero(question: Question, parameter: sp.Symbol, *formulas: Formula)
 
 
 def _granted(parameter: sp.Symbol, *formulas: Formula) -> Iterator[Condition]:
-    """What the formulas require and what is assumed of the parameter's sign grants, though not at 0: eps > 0 in √eps."""
+    """What the formulas require and the parameter's assumed sign grants, though not at 0: eps > 0 in √eps."""
     if parameter.is_nonnegative or parameter.is_nonpositive or parameter.is_zero is False:
         plain = sp.Symbol(parameter.name, real=True)
         for formula in formulas:

@@ -92,12 +92,17 @@ class Verdict:
     def _repr_markdown_(self) -> str:
         first, *rest = str(self).split("\n")
         status, _, remainder = first.partition(": ")
-        items = "".join(f"\n- {line.strip()}" for line in rest)
-        return f"**{status}**: {remainder}" + (f"\n{items}" if items else "")
+        items = "".join(f"\n- {_escaped(line.strip())}" for line in rest)
+        return f"**{status}**: {_escaped(remainder)}" + (f"\n{items}" if items else "")
 
     def _repr_latex_(self) -> str:
         words = self.kind.replace("_", r"\ ")
         return rf"$\textbf{{{self.status}}}\colon\ \mathrm{{{words}}}$"
+
+
+def _escaped(text: str) -> str:
+    """Markdown without accidental emphasis: products and powers keep their stars."""
+    return text.replace("*", r"\*").replace("_", r"\_")
 
 
 def _duration(seconds: float) -> str:

@@ -107,7 +107,8 @@ def _answer(entry: Entry, settings: Settings, recorder: Recorder) -> Record:
     try:
         verdict = verify(claim, budget=budget, seed=settings.seed, method=settings.method)
     except InputError as error:
-        where = error.where or f"claim {entry.index + 1}"
+        own = f"claim {entry.index + 1}"
+        where = error.where if error.where.startswith("claim ") else error.at(own).where
         return {"error": {"file": entry.file, "where": where, "message": error.message}, "retire": False}
     except MemoryError:
         retire = True

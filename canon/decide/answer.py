@@ -43,7 +43,7 @@ class Witness:
 def show_ball(ball: Ball) -> str:
     """A ball's middle to the digits that are certain."""
     if isinstance(ball, acb):
-        return f"{ball.real.str(12, radius=False)} + {ball.imag.str(12, radius=False)}*I"
+        return f"{ball.real.str(12, radius=False)} + {ball.imag.str(12, radius=False)}*1j"
     return ball.str(12, radius=False)
 
 

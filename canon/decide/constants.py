@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import itertools
+import math
+from fractions import Fraction
 
 from flint import arb, fmpq, fmpq_mat
 
@@ -134,13 +136,22 @@ def _by_turning(tape: Tape, node: Node, budget: Budget) -> bool | None:
     """x = 0 where cos(kx) = 1 and |kx| < 2π: it turns inverse functions of algebraic numbers into algebraic numbers."""
     if tape.is_complex(node) or not _contains(tape, node, ("atan", "asin", "acos", "atan2")):
         return None
-    for k in (1, 2):
+    for k in multiples(tape, node):
         turned = tape.add(((tape.call("cos", tape.scaled(node, k)), 1),), -1)
         with precision(64):
             circle = 2 * arb.pi()
         if _algebraic(tape, turned, budget) and _smaller_than(tape, tape.scaled(node, k), circle, 128):
             return True
     return None
+
+
+def multiples(tape: Tape, node: Node) -> tuple[Fraction, ...]:
+    """Factors k for which k·x may be a sum of whole or half inverse functions: 1, 2, and what clears coefficients."""
+    op = tape.ops[node]
+    if op[0] != "+":
+        return Fraction(1), Fraction(2)
+    cleared = Fraction(math.lcm(*(c.denominator for _, c in op[2])), math.gcd(*(c.numerator for _, c in op[2])))
+    return tuple(dict.fromkeys((Fraction(1), Fraction(2), cleared, 2 * cleared)))
 
 
 def _exponential_minus_one(tape: Tape, node: Node, k: int) -> Node:

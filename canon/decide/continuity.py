@@ -16,7 +16,7 @@ from flint import arb
 from canon.budget import Budget
 from canon.decide.arbitrary import rational
 from canon.decide.cells import Cell, cells_of
-from canon.decide.constants import number_is_zero
+from canon.decide.constants import multiples, number_is_zero
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import OutOfDomain, excludes_zero, precision
 from canon.decide.fraction_field import Element, FractionField
@@ -106,12 +106,12 @@ def _refuted(tape: Tape, node: Node, point: Sample) -> bool:
 
 def _turns(tape: Tape, node: Node, cell: Cell, point: Sample, budget: Budget) -> bool:
     """cos(k·x) = 1 on the cell puts k·x into 2πZ; a ball within the circle at one point makes it 0."""
-    for k in (1, 2):
+    for k in multiples(tape, node):
         turned = tape.add(((tape.call("cos", tape.scaled(node, k)), 1),), -1)
         reduced = _reduce(tape, turned, cell, budget)
         if reduced is not None and reduced[0]:
             with precision(64):
-                return bool(abs(point.balls[node]) * k < 2 * arb.pi())
+                return bool(abs(point.balls[node]) * arb(rational(k)) < 2 * arb.pi())
     return False
 
 

@@ -106,6 +106,7 @@ class Finder:
         self.symbols = sorted(node for node in inside if tape.ops[node][0] == "s")
         self.bounds = bounds(tape, region)
         self.orders = {r: tape.reach(r.nodes) for r in region.requirements}
+        self.signs: dict[Node, bool] = {}
 
     def attempt(self, bits: int, *, nice: bool, effort: int) -> Sample | None:
         """One proposal, repaired if need be; None where it could not be certified."""
@@ -143,6 +144,7 @@ class Finder:
                 return None
             if not all(holds(requirement, balls) for requirement in self.region.requirements):
                 return None
+        self.signs = self.signs or {n: v > 0 for n, v in point.items() if isinstance(v, Fraction)}
         return Sample(dict(point), dict(solved), functions, balls)
 
     # -- proposals ------------------------------------------------------------------------------
@@ -169,7 +171,9 @@ class Finder:
             return Fraction(low).limit_denominator(64) + size
         if high < math.inf:
             return Fraction(high).limit_denominator(64) - size
-        return size if rng.getrandbits(1) else -size
+        opposite = node in self.signs and rng.random() < 0.8
+        positive = not self.signs[node] if opposite else bool(rng.getrandbits(1))
+        return size if positive else -size
 
     def _integer(self, node: Node, symbol: sp.Symbol) -> Fraction:
         """A random integer within the symbol's assumptions and its own bounds."""

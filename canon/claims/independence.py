@@ -179,7 +179,24 @@ def not_zero_for_any_parameters(
     except Unsupported:
         return False
     variables = sorted(tape.support(node) - parameters)
+    if len(branches) == 1 and _has_a_constant_coefficient(tape, node, variables, conditions):
+        return True
     return any(all(_never_zero_at(tape, b, variables, place, conditions) for b in branches) for place in PLACES)
+
+
+def _has_a_constant_coefficient(
+    tape: Tape, node: Node, variables: Sequence[Node], conditions: Sequence[Condition]
+) -> bool:
+    """A polynomial (or its numerator) in the variables, one coefficient of which is never zero."""
+    if not variables or not is_short(tape, node):
+        return False
+    symbols = [tape.symbol_at(x) for x in variables]
+    try:
+        numerator = sp.fraction(sp.together(tape.to_sympy(node)))[0]
+        coefficients = sp.Poly(sp.expand(numerator), *symbols).coeffs()
+    except sp.PolynomialError:
+        return False
+    return any(never_zero(c, conditions) for c in coefficients)
 
 
 def _never_zero_at(

@@ -24,6 +24,16 @@ DOWN = ("neg", "nonpos")
 
 def sign_of(tower: Tower, p: Polynomial) -> str | None:
     """ "pos", "neg", "nonneg" or "nonpos" where known on the whole region, else None."""
+    state = len(tower.facts), len(tower.generators)
+    remembered = tower.signs.get(id(p))
+    if remembered is not None and remembered[1] == state:
+        return remembered[2]
+    sign = _sign_anew(tower, p)
+    tower.signs[id(p)] = p, state, sign
+    return sign
+
+
+def _sign_anew(tower: Tower, p: Polynomial) -> str | None:
     for known, sign in tower.facts:
         if known == p:
             return sign

@@ -56,12 +56,17 @@ def verdict(case: Case) -> tuple[str, str]:
 
 
 def fresh(build: Callable[[], Case]) -> Case:
-    """The case, with its expressions built anew: sympy's cache is cleared, so no earlier run has warmed anything."""
+    """The case, with its expressions built anew: sympy's cache is cleared, so no earlier run has warmed anything.
+
+    What is there already is frozen, so that garbage collection looks at nothing but what the run itself makes.
+    """
+    gc.unfreeze()
     clear_cache()
     case = build()
     if case.map is None or case.more:
         _ = case.residuals
     gc.collect()
+    gc.freeze()
     return case
 
 
@@ -87,8 +92,10 @@ def canon_phases(build: Callable[[], Case]) -> dict[str, float]:
 
 def simplify_time(build: Callable[[], Case]) -> dict[str, Any]:
     """CPU seconds that `sympy.simplify` takes for all residuals, and how many of them it leaves nonzero."""
-    clear_cache()
-    residuals = build().residuals
+    case = fresh(build)
+    residuals = case.residuals
+    gc.collect()
+    gc.freeze()
     start = time.process_time()
     left = sum(1 for residual in residuals if sp.simplify(residual) != 0)
     return {"seconds": time.process_time() - start, "residuals": len(residuals), "left": left}

@@ -11,6 +11,7 @@ from flint import arb, fmpq, fmpq_mat
 from canon.budget import Budget
 from canon.decide.enclosure import OutOfDomain, evaluate, excludes_zero, precision
 from canon.decide.fraction_field import FractionField
+from canon.decide.generator_values import GeneratorBalls
 from canon.decide.normal_form import reduce_to_zero
 from canon.decide.ring import Polynomial, TooCostly
 from canon.decide.tape import Node, Tape, Unsupported
@@ -71,15 +72,17 @@ def _algebraic(tape: Tape, node: Node, budget: Budget) -> bool | None:
     bound = _root_bound(field, nonzero[node][0], budget)
     if bound is None:
         return None
-    under = field.ring.one
-    for k, e in nonzero[node][1].items():
-        under = under * field.factors[k] ** e
-    scaled = tape.scaled(node, 1)
+    terms = field.ring.terms(nonzero[node][0])
     for bits in BITS:
-        if _excluded(tape, scaled, bits):
-            return False
-        if under.is_constant() and _smaller_than(tape, scaled, bound, bits):
-            return True
+        with precision(bits):
+            try:
+                ball = GeneratorBalls(tower, {}).value_of_terms(terms)
+            except (OutOfDomain, Unsupported, ZeroDivisionError):
+                return None
+            if excludes_zero(ball):
+                return False
+            if ball.abs_upper() < bound:
+                return True
     return None
 
 

@@ -152,20 +152,9 @@ def _conjugates(form: Element, field: FractionField, tower: Tower, point: Sample
     with precision(512):
         try:
             balls = GeneratorBalls(tower, ball_point(point.point, point.solved))
-            return all(excludes_zero(_polynomial_value(balls, ring.terms(p))) for p in others)
+            return all(excludes_zero(balls.value_of_terms(ring.terms(p))) for p in others)
         except (OutOfDomain, Unsupported, ZeroDivisionError):
             return False
-
-
-def _polynomial_value(balls: GeneratorBalls, terms: dict) -> arb:
-    total = arb(0)
-    for monomial, coefficient in terms.items():
-        term = arb(rational(coefficient))
-        for k, e in enumerate(monomial):
-            if e:
-                term = term * balls.generator(k) ** e
-        total = total + term
-    return total
 
 
 def _contains(tape: Tape, node: Node, names: Sequence[str]) -> bool:

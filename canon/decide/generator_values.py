@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from flint import acb, arb
@@ -10,7 +11,7 @@ from flint import acb, arb
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import REAL, Ball, OutOfDomain, off_the_slit, precision
 from canon.decide.fraction_field import Element
-from canon.decide.ring import Polynomial
+from canon.decide.ring import Monomial, Polynomial
 from canon.decide.tape import Node, Unsupported
 
 if TYPE_CHECKING:
@@ -28,8 +29,12 @@ class GeneratorBalls:
 
     def polynomial(self, p: Polynomial) -> Ball:
         """The value of a polynomial in the generators."""
+        return self.value_of_terms(self.tower.ring.terms(p))
+
+    def value_of_terms(self, terms: Mapping[Monomial, Fraction]) -> Ball:
+        """The value of a polynomial given by its terms, which may come from another ring of the same generators."""
         total = arb(0)
-        for monomial, coefficient in self.tower.ring.terms(p).items():
+        for monomial, coefficient in terms.items():
             term = arb(rational(coefficient))
             for k, e in enumerate(monomial):
                 if e:

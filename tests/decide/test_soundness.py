@@ -90,6 +90,8 @@ def test_the_modular_bound_is_enforced():
         (sp.log(2 + sp.sqrt(3)) + sp.log(2 - sp.sqrt(3)), True),
         (sp.exp(sp.pi * sp.sqrt(163)) - 262537412640768744, False),
         (sp.sin(1) ** 2 + sp.cos(1) ** 2 - 1, True),
+        (sp.tan(3 * sp.pi / 11) + 4 * sp.sin(2 * sp.pi / 11) - sp.sqrt(11), True),
+        (sp.tan(3 * sp.pi / 11) + 4 * sp.sin(2 * sp.pi / 11) - sp.sqrt(11) - sp.Rational(1, 10**40), False),
     ],
 )
 def test_exact_constants(number: sp.Expr, zero: bool):

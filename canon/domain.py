@@ -122,7 +122,7 @@ def uncut(
         or known_sign(x, is_complex=is_complex) == "positive"
     ):
         return ()
-    if y.is_zero:
+    if known_sign(y, is_complex=is_complex) == "zero":
         return positive(x, x_text, is_complex=is_complex)
     return (Condition("uncut", (y, x), y_text and describe("uncut", y_text, x_text)),)
 

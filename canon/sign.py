@@ -9,9 +9,15 @@ import sympy as sp
 
 Sign = Literal["positive", "negative", "zero", "nonnegative", "nonpositive", "nonzero", "real"]
 
-_SYMBOL_SIGNS: Final[tuple[tuple[str, Sign], ...]] = (
-    ("is_positive", "positive"), ("is_negative", "negative"), ("is_zero", "zero"),
-)  # fmt: skip
+_SYMBOL_SIGNS: Final[tuple[Sign, ...]] = ("positive", "negative", "zero", "nonnegative", "nonpositive")
+
+
+def declared(symbol: sp.Symbol) -> dict[str, bool]:
+    """What is assumed of a symbol, with all that follows from it; a word that isn't there is unknown.
+
+    The same answers as `symbol.is_positive` and its like, which search anew for what can't be known of a new symbol.
+    """
+    return symbol.assumptions0
 
 
 def is_complex(expression: Any) -> bool:
@@ -38,7 +44,7 @@ class Reality:
             elif missing := [part for part in node.args if part not in known]:
                 stack.extend(missing)
             else:
-                known[stack.pop()] = any([known[part] for part in node.args])
+                known[stack.pop()] = any(known[part] for part in node.args)
         return known[expression]
 
 
@@ -71,16 +77,13 @@ def known_sign(expression: Any, depth: int = 8, *, is_complex: Callable[[Any], b
 
 
 def _symbol_sign(symbol: Any) -> Sign | None:
-    for attribute, sign in _SYMBOL_SIGNS:
-        if getattr(symbol, attribute):
+    facts = declared(symbol)
+    for sign in _SYMBOL_SIGNS:
+        if facts.get(sign):
             return sign
-    if symbol.is_nonnegative:
-        return "nonnegative"
-    if symbol.is_nonpositive:
-        return "nonpositive"
-    if symbol.is_zero is False:
+    if facts.get("zero") is False:
         return "nonzero"
-    return "real" if symbol.is_real else None
+    return "real" if facts.get("real") else None
 
 
 def _sum_sign(signs: list[Sign | None]) -> Sign | None:

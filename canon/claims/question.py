@@ -22,6 +22,7 @@ from canon.decide.tape import Node, Tape
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.sign import declared
 from canon.verdict import Status
 
 if TYPE_CHECKING:
@@ -312,9 +313,10 @@ def _nodes(residuals: Iterable[Residual]) -> list[Node]:
 
 def _assumption(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:
     """What is assumed of a variable must hold of its image: the domain of a map ends where it doesn't."""
-    if symbol.is_nonnegative:
+    facts = declared(symbol)
+    if facts.get("nonnegative"):
         yield Requirement("positive", (image,), f"{symbol} > 0 (pulled back)")
-    elif symbol.is_nonpositive:
+    elif facts.get("nonpositive"):
         yield Requirement("positive", (tape.negative(image),), f"{symbol} < 0 (pulled back)")
-    elif symbol.is_zero is False:
+    elif facts.get("zero") is False:
         yield Requirement("nonzero", (image,), f"{symbol} != 0 (pulled back)")

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from flint import arb
 
+from canon import sign
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import precision
 from canon.decide.region import Region
@@ -135,10 +136,10 @@ def half_line(constant: Edge, slope: Fraction) -> Interval:
 
 def declared(tape: Tape, node: Node) -> Interval:
     """The interval that a symbol's assumptions allow."""
-    symbol = tape.symbol_at(node)
-    if symbol.is_nonnegative:
+    facts = sign.declared(tape.symbol_at(node))
+    if facts.get("nonnegative"):
         return Interval(low=ORIGIN)
-    return Interval(high=ORIGIN) if symbol.is_nonpositive else Interval()
+    return Interval(high=ORIGIN) if facts.get("nonpositive") else Interval()
 
 
 def intervals_of(tape: Tape, region: Region) -> dict[Node, Interval]:

@@ -12,6 +12,7 @@ from flint import acb, arb
 from canon.decide.enclosure import Ball, certainly_positive, excludes_zero, off_the_slit
 from canon.decide.tape import Node, Tape
 from canon.domain import Domain
+from canon.sign import declared
 
 
 @dataclass(frozen=True)
@@ -93,21 +94,22 @@ def holds(requirement: Requirement, balls: Mapping[Node, Ball]) -> bool:
 
 def admits(symbol: sp.Symbol, ball: Ball) -> bool:
     """True when the ball certainly satisfies the symbol's assumptions."""
-    if symbol.is_real and isinstance(ball, acb):
+    facts = declared(symbol)
+    if facts.get("real") and isinstance(ball, acb):
         return False
-    if symbol.is_integer and not (ball.is_exact() and ball.is_integer()):
+    if facts.get("integer") and not (ball.is_exact() and ball.is_integer()):
         return False
-    if symbol.is_rational and not symbol.is_integer and not ball.is_exact():
+    if facts.get("rational") and not facts.get("integer") and not ball.is_exact():
         return False
-    if symbol.is_positive and not ball > 0:
+    if facts.get("positive") and not ball > 0:
         return False
-    if symbol.is_negative and not ball < 0:
+    if facts.get("negative") and not ball < 0:
         return False
-    if symbol.is_nonnegative and not symbol.is_positive and not ball >= 0:
+    if facts.get("nonnegative") and not facts.get("positive") and not ball >= 0:
         return False
-    if symbol.is_nonpositive and not symbol.is_negative and not ball <= 0:
+    if facts.get("nonpositive") and not facts.get("negative") and not ball <= 0:
         return False
-    return not (symbol.is_nonzero and not symbol.is_positive and not symbol.is_negative and ball.contains(0))
+    return not (facts.get("nonzero") and not facts.get("positive") and not facts.get("negative") and ball.contains(0))
 
 
 def bounds(tape: Tape, region: Region) -> dict[Node, tuple[float, float]]:

@@ -12,7 +12,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-import sympy as sp
 from flint import acb, arb
 
 from canon.budget import Budget
@@ -21,6 +20,7 @@ from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
 from canon.decide.region import Region, Requirement, admits, bounds, holds
 from canon.decide.relaxation import relax
 from canon.decide.tape import Node, Tape, Unsupported
+from canon.sign import declared
 
 Coordinate = Fraction | tuple[Fraction, Fraction]
 REPAIRS = 24
@@ -151,18 +151,18 @@ class Finder:
 
     def propose(self, node: Node, nice: bool, effort: int) -> Coordinate:
         """A random value that satisfies the symbol's assumptions and its own bounds."""
-        symbol, rng = self.tape.symbol_at(node), self.rng
-        if symbol.is_integer:
-            return self._integer(node, symbol)
+        facts, rng = declared(self.tape.symbol_at(node)), self.rng
+        if facts.get("integer"):
+            return self._integer(node, facts)
         low, high = self.bounds.get(node, (-math.inf, math.inf))
-        if symbol.is_nonnegative:
+        if facts.get("nonnegative"):
             low = max(low, 0.0)
-        if symbol.is_nonpositive:
+        if facts.get("nonpositive"):
             high = min(high, 0.0)
         size = rng.choice(NICE) if nice else Fraction(rng.randrange(1, 400), rng.randrange(97, 211))
         if effort % 3 == 2:
             size *= Fraction(rng.choice((1, 2, 3, 5, 8, 40)), rng.choice((1, 2, 4, 7, 16, 300)))
-        if not symbol.is_real:
+        if not facts.get("real"):
             other = rng.choice(NICE) if nice else Fraction(rng.randrange(-400, 400), rng.randrange(97, 211))
             return (size if rng.getrandbits(1) else -size, other)
         if low > -math.inf and high < math.inf:
@@ -175,13 +175,13 @@ class Finder:
         positive = not self.signs[node] if opposite else bool(rng.getrandbits(1))
         return size if positive else -size
 
-    def _integer(self, node: Node, symbol: sp.Symbol) -> Fraction:
+    def _integer(self, node: Node, facts: Mapping[str, bool]) -> Fraction:
         """A random integer within the symbol's assumptions and its own bounds."""
         low, high = self.bounds.get(node, (-math.inf, math.inf))
-        if symbol.is_nonnegative:
-            low = max(low, 0.0 if symbol.is_positive else -1.0)
-        if symbol.is_nonpositive:
-            high = min(high, 0.0 if symbol.is_negative else 1.0)
+        if facts.get("nonnegative"):
+            low = max(low, 0.0 if facts.get("positive") else -1.0)
+        if facts.get("nonpositive"):
+            high = min(high, 0.0 if facts.get("negative") else 1.0)
         step = self.rng.randrange(1, 9)
         if low > -math.inf:
             value = math.floor(low) + step
@@ -190,8 +190,8 @@ class Finder:
             value = math.ceil(high) - step
         else:
             value = step if self.rng.getrandbits(1) else -step
-        if symbol.is_even or symbol.is_odd:
-            value += (value + bool(symbol.is_odd)) % 2
+        if facts.get("even") or facts.get("odd"):
+            value += (value + bool(facts.get("odd"))) % 2
         return Fraction(value)
 
     # -- repair ---------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from canon.decide.fraction_field import Element, FractionField
 from canon.decide.intervals import Interval
 from canon.decide.ring import Polynomial, Ring
 from canon.decide.tape import Node, Tape
+from canon.sign import declared
 
 KERNELS = "rfu"
 
@@ -141,16 +142,16 @@ class Tower:
     # -- building -----------------------------------------------------------------------------------
 
     def _declared(self, node: Node) -> str:
-        symbol = self.tape.symbol_at(node)
-        if not symbol.is_real:
+        facts = declared(self.tape.symbol_at(node))
+        if not facts.get("real"):
             return "cplx"
-        if symbol.is_positive:
+        if facts.get("positive"):
             return "pos"
-        if symbol.is_negative:
+        if facts.get("negative"):
             return "neg"
-        if symbol.is_nonnegative:
+        if facts.get("nonnegative"):
             return "nonneg"
-        return "nonpos" if symbol.is_nonpositive else "real"
+        return "nonpos" if facts.get("nonpositive") else "real"
 
     def _build(self, slots: int) -> None:
         tape, ops = self.tape, self.tape.ops

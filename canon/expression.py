@@ -11,6 +11,7 @@ from typing import Any, Final
 
 import sympy as sp
 
+from canon.constants import check_constant_condition, check_constant_power
 from canon.domain import Condition, function_conditions, nonzero, positive, power_conditions, unique
 from canon.errors import InputError
 from canon.functions import FUNCTIONS, applied
@@ -156,6 +157,8 @@ class _Builder:
         return self.call(node, values)
 
     def add(self, conditions: tuple[Condition, ...]) -> None:
+        for condition in conditions:
+            check_constant_condition(condition)
         self.conditions.update(dict.fromkeys(conditions))
 
     def name(self, node: Name) -> Any:
@@ -214,6 +217,7 @@ class _Builder:
             self.measure.spend_on((base,) if exponent.is_Rational else (base, exponent, exponent))
         self.add(power_conditions(base, exponent, text, is_complex=self.measure.is_complex))
         check_power(base, exponent)
+        check_constant_power(base, exponent)
         return base**exponent
 
     def call(self, node: Call, values: list[Any]) -> Any:

@@ -6,6 +6,7 @@ from typing import Any, Final
 
 import sympy as sp
 
+from canon.constants import constant, is_constant
 from canon.errors import InputError
 from canon.measure import check_exponential
 from canon.special import JacobiCN, JacobiDN, JacobiSN
@@ -38,7 +39,7 @@ def applied(function: Any, values: list[Any], is_complex: bool) -> Any:
         raise InputError(f"gamma of a number above {_GAMMA_LIMIT}")
     if function is sp.atan2 and values[0].is_zero:
         return sp.Integer(0)
-    value = function(*values)
+    value = constant(function, *values) if is_constant(values) else function(*values)
     if is_complex and function is sp.Abs and value.has(sp.Abs, sp.re, sp.im, sp.arg, sp.conjugate):
         raise InputError("abs of this complex expression: write sqrt(re**2 + im**2) with its two parts")
     return value

@@ -155,7 +155,7 @@ def check_power(base: Any, exponent: Any) -> None:
     **Raises:** `InputError`.
     """
     if exponent.is_Rational:
-        if base.is_Rational and _height(exponent) > 64:
+        if base.is_Rational and exponent.q > 1_000:
             raise InputError("an exponent of too many digits")
         steepness = abs(exponent)
         factors = base.args if base.is_Mul else (base,)

@@ -95,6 +95,20 @@ def value(node: Node, point):
     return function(node.name, arguments[0])
 
 
+def constant(chance: random.Random, depth: int) -> str:
+    """A formula without names, often with a sign or a root that sympy evaluates."""
+    if depth <= 0:
+        return chance.choice(
+            ["2", "3", "pi", "1/3", "-1", "907894/3", "288865/7", "-10001/10", "350000370081/350000000000"]
+        )
+    kind = chance.random()
+    if kind < 0.3:
+        return f"({constant(chance, depth - 1)}){chance.choice('+-*/')}({constant(chance, depth - 1)})"
+    if kind < 0.5:
+        return f"{chance.choice(['abs', 'sign', 'sqrt', 'log'])}({constant(chance, depth - 1)})"
+    return f"{chance.choice(FUNCTIONS)}({constant(chance, depth - 1)})"
+
+
 def formula(chance: random.Random, depth: int, is_complex: bool) -> str:
     if depth <= 0 or chance.random() < 0.12:
         leaves = ["x", "y", "a", "b", "c", "n", "x", "y", "2", "3", "1/2", "pi", "0.5", "-1"]
@@ -132,11 +146,12 @@ def point(chance: random.Random):
     }
 
 
-def compared(seed: int, count: int) -> int:
-    """Read `count` random formulas and compare their values; the number of points compared."""
+def compared(seed: int, count: int, constants: bool = False) -> int:
+    """Read `count` random formulas, or constants, and compare their values; the number of points compared."""
     chance, points = random.Random(seed), 0
     for _ in range(count):
-        text = formula(chance, chance.randint(1, 4), chance.random() < 0.35)
+        depth = chance.randint(1, 4)
+        text = constant(chance, depth) if constants else formula(chance, depth, chance.random() < 0.35)
         tree = parse(text)
         try:
             expression = read(text, WORDS).expr
@@ -162,8 +177,22 @@ def test_values_agree():
         assert compared(seed=20, count=250) > 400
 
 
+def test_values_of_constants_agree():
+    with mpmath.workdps(60):
+        assert compared(seed=21, count=200, constants=True) > 100
+
+
+@pytest.mark.parametrize(
+    "text", ["sign(sec(288865/7))", "sign(acosh(350000370081/350000000000))", "sign(acos(tanh(9)))"]
+)
+def test_signs_that_two_digits_get_wrong(text):
+    assert read(text, WORDS).expr == 1
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("seed", range(10))
 def test_values_agree_at_length(seed):
     with mpmath.workdps(40):
         assert compared(seed, count=3000) > 5000
+    with mpmath.workdps(100):
+        assert compared(seed, count=3000, constants=True) > 1000

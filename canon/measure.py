@@ -87,7 +87,7 @@ class Measure:
             if any(_height(number) > LONG for number in argument.atoms(sp.Rational)):
                 raise InputError(f"a number of more than {LONG} bits in an argument")
             numeric = 0 if argument.free_symbols else 1_000 if size == 1 else 8_000
-            self.spend(600 + size + numeric)
+            self.spend(800 + size + numeric)
 
     def admit(self, expression: Any) -> Any:
         """The expression itself.

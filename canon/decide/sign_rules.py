@@ -20,9 +20,18 @@ MOST_TERMS, MOST_DEGREE, MOST_QUADRATIC = 30, 8, 6
 
 def sign_by_rules(tower: Tower, p: Polynomial) -> str | None:
     """The sign of p on the region by the first rule that shows it, else None."""
-    if len(p) > MOST_TERMS:
+    if len(p) > MOST_TERMS or any(g.sign == "cplx" for g in tower.used(p)):
         return None
-    for rule in (constant_sign, _affine, _bounded_pair, _against_one, _on_box, _by_real_roots, _quadratic):
+    for rule in (
+        constant_sign,
+        _affine,
+        _bounded_pair,
+        _against_one,
+        _on_box,
+        _by_real_roots,
+        _quadratic,
+        _against_root,
+    ):
         sign = rule(tower, p)
         if sign is not None:
             return sign
@@ -183,6 +192,35 @@ def _quadratic(tower: Tower, p: Polynomial) -> str | None:
             return leading
         if bound == "nonpos":
             return "nonneg" if leading == "pos" else "nonpos"
+    return None
+
+
+def _against_root(tower: Tower, p: Polynomial) -> str | None:
+    """a + b·g with a positive square root g: b's sign where a² ≤ b²g², a's where a² ≥ b²g²."""
+    from canon.decide.signs import sign_of
+
+    ring = tower.ring
+    if len(p) > MOST_QUADRATIC:
+        return None
+    for k, degree in enumerate(ring.degrees(p)):
+        made = tower.generators[k] if degree else None
+        if made is None or degree != 1 or made.degree != 2 or made.kind != "root" or made.sign != "pos":
+            continue
+        a, b = ring.zero, ring.zero
+        for monomial, c in ring.terms(p).items():
+            if monomial[k]:
+                b = b + ring.polynomial({(*monomial[:k], 0, *monomial[k + 1 :]): c})
+            else:
+                a = a + ring.polynomial({monomial: c})
+        difference = tower.field.normal(a * a - b * b * made.lower)
+        if not a or not difference or len(difference) > MOST_TERMS:
+            continue
+        larger = _sign_of_product(tower, difference)
+        side = None if larger is None else sign_of(tower, b if larger in ("neg", "nonpos") else a)
+        if side is not None:
+            strict = larger in ("pos", "neg") and side in ("pos", "neg")
+            positive = side in ("pos", "nonneg")
+            return ("pos" if strict else "nonneg") if positive else ("neg" if strict else "nonpos")
     return None
 
 

@@ -10,6 +10,7 @@ from sympy.simplify.fu import TR5, TR6
 from canon.decide.tape import Node, Tape
 
 SHORT = 40
+STEEP = 40
 LONG = "a long formula"
 FAILURES = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError, sp.PolynomialError)
 """What sympy raises where it can't help; nothing rests on its help here."""
@@ -17,7 +18,7 @@ FAILURES = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeErro
 
 def neat(expression: sp.Expr) -> sp.Expr:
     """A shorter form of a small expression; a large one is left as it is."""
-    if sp.count_ops(expression) > SHORT or expression.has(sp.Derivative, sp.Subs):
+    if sp.count_ops(expression) > SHORT or expression.has(sp.Derivative, sp.Subs) or _is_steep(expression):
         return expression
     forms: list[Any] = [expression]
     try:
@@ -30,6 +31,12 @@ def neat(expression: sp.Expr) -> sp.Expr:
     except FAILURES:
         pass
     return min(forms, key=sp.count_ops)
+
+
+def _is_steep(expression: sp.Expr) -> bool:
+    """True where an exponent has a long number in it: as a polynomial, the expression would have that degree."""
+    exponents = [power.exp for power in expression.atoms(sp.Pow)] + [e.args[0] for e in expression.atoms(sp.exp)]
+    return any(abs(r.p) > STEEP or r.q > STEEP for e in exponents for r in e.atoms(sp.Rational))
 
 
 def _powers(expression: sp.Expr) -> Any:

@@ -76,7 +76,9 @@ def _in_ideal(tower: Tower, numerator: Polynomial, equations: list[Polynomial], 
     used = sorted({k for p in polynomials for k, e in enumerate(tower.ring.degrees(p)) if e > 0})
     names = sp.symbols([f"g{k}" for k in used])
     budget.check()
-    basis = sp.groebner([_sympy(tower.ring, p, used, names) for p in [*equations, *relations]], *names, order="grevlex")
+    basis = sp.groebner(
+        [_sympy(tower.ring, p, used, names) for p in [*equations, *relations]], *names, order="grevlex", domain=sp.QQ
+    )
     budget.check()
     return basis.reduce(_sympy(tower.ring, numerator, used, names))[1] == 0
 

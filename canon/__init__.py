@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from canon.claim import Claim
+    from canon.claims.audit import AuditFailed, AuditReport, audit
     from canon.claims.verify import verify
     from canon.domain import (
         Condition,
@@ -74,6 +75,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claim": ("Claim",),
     "canon.domain": ("Condition", "Domain"),
     "canon.expression": ("Formula",),
+    "canon.claims.audit": ("AuditFailed", "AuditReport", "audit"),
     "canon.claims.verify": ("verify",),
     "canon.mechanics.phase_space": ("PhaseSpace",),
     "canon.mechanics.subject": ("Subject",),
@@ -114,6 +116,8 @@ __all__ = [
     "GOLDSTEIN",
     "LANDAU_LIFSHITZ",
     "SICM",
+    "AuditFailed",
+    "AuditReport",
     "CanonError",
     "Claim",
     "ClaimFailed",
@@ -132,6 +136,7 @@ __all__ = [
     "Transformation",
     "Verdict",
     "__version__",
+    "audit",
     "bracket",
     "bracket_matrix",
     "closed_lie_series",

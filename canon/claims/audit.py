@@ -1,0 +1,92 @@
+"""The audit of a map by numbers: symplectic condition, brackets, volume and invariants, each beside its rounding."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from canon.claims.audit_report import AuditFailed, AuditReport
+from canon.claims.audit_run import BLOCK, AuditRun
+from canon.claims.audit_subject import AuditSubject, formulas_as_map
+from canon.errors import InputError
+from canon.numeric.points import DEFAULT, points_of
+
+if TYPE_CHECKING:
+    from canon.mechanics.phase_space import PhaseSpace
+    from canon.mechanics.transformation import Transformation
+
+__all__ = ["AuditFailed", "AuditReport", "audit"]
+
+Array = np.ndarray
+
+
+def audit(
+    map: Transformation | Callable[..., Any],  # noqa: A002 - the field's own word
+    *,
+    dimension: int | None = None,
+    space: PhaseSpace | None = None,
+    domain: Any = None,
+    samples: int = 1000,
+    seed: int = 0,
+    scale: float = 1.0,
+    parameters: Mapping[str, float] | None = None,
+) -> AuditReport:
+    """Numerical evidence on whether a map is symplectic: M J Mᵀ = scale J for its Jacobian M, at many points.
+
+    **Arguments:**
+
+    - `map`: a `Transformation` given by formulas, or a Python function of one phase point z = (q₁…q_n, p₁…p_n) of
+      shape (2n,), of a pair (q, p), or of points (…, 2n), which returns the same. A function that jax can trace has
+      derivatives by forward-mode AD; any other has them by the complex step or by extrapolated differences.
+    - `dimension`: 2n, for a function; or `space`, whose variables' names the report then uses.
+    - `domain`: where to sample: (low, high) for all variables, one such pair for each, a table by name, or an array
+      of points (N, 2n). Default: (−1, 1), and (0.1, 2) for variables assumed positive.
+    - `samples`, `seed`: how many random points, and which.
+    - `scale`: the valence that is expected.
+    - `parameters`: values of a transformation's parameters, by name.
+
+    **Returns:** an `AuditReport`. Its verdict is `refuted` only for formulas whose failure balls confirm at an exact
+    point: a black box that fails plainly is `undecided`, with the evidence in `failures`.
+
+    **Raises:** `InputError` where there is no map to audit: a wrong shape, complex values, an exception or no finite
+    value at every point tried, a parameter without a value.
+    """
+    from canon.mechanics.transformation import Transformation
+
+    start = time.monotonic()
+    if samples < 1:
+        raise InputError("at least one sample is needed", "samples")
+    if not (np.isfinite(scale) and scale != 0):
+        raise InputError("a finite scale other than 0 is needed", "scale")
+    if isinstance(map, Transformation):
+        subject = formulas_as_map(map, parameters or {}, scale)
+    else:
+        if parameters:
+            raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
+        names = variables(dimension, space)
+        subject = AuditSubject(map, names, [DEFAULT] * len(names), scale)
+    where = points_of(domain, subject.names, subject.defaults)
+    run = AuditRun(subject, where)
+    for block in where.blocks(samples, BLOCK, seed):
+        run.add(block)
+    return run.report(samples if where.given is None else len(where.given), seed, start)
+
+
+def variables(dimension: int | None = None, space: PhaseSpace | None = None) -> tuple[str, ...]:
+    """The names of the entries of a phase point: the space's own, or q1, …, p1, … (q, p in two dimensions).
+
+    **Raises:** `InputError` where neither gives an even dimension, or they contradict each other.
+    """
+    size = 2 * space.n if space is not None and dimension is None else dimension
+    if size is None:
+        raise InputError("the dimension of phase space is needed: audit(map, dimension=2n)", "dimension")
+    if size < 2 or size % 2:
+        raise InputError(f"a phase space has an even dimension 2n, not {size}", "dimension")
+    if space is not None and size != 2 * space.n:
+        raise InputError(f"{size} is not the dimension {2 * space.n} of the space", "dimension")
+    if space is not None:
+        return tuple(symbol.name for symbol in space.old)
+    return ("q", "p") if size == 2 else tuple(f"{x}{k}" for x in "qp" for k in range(1, size // 2 + 1))

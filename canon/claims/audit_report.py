@@ -1,0 +1,161 @@
+"""What an audit of a map found: evidence beside its rounding bounds, and a verdict that claims no more than that."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from canon.errors import CanonError
+from canon.numeric.worst import Defect
+
+
+class AuditFailed(CanonError):
+    """A map that was required to pass its audit did not: `report` says where, and by how much."""
+
+    def __init__(self, report: AuditReport) -> None:
+        super().__init__(report)
+        self.report = report
+
+    def __str__(self) -> str:
+        return str(self.report)
+
+
+@dataclass(frozen=True)
+class AuditReport:
+    """The numerical evidence on M J Mᵀ = scale J for one map.
+
+    **Fields:**
+
+    - `verdict`: `supported`, if no residual exceeds its bound; `refuted`, if the map is given by formulas and balls
+      confirm a residual at an exact point (`witness`); otherwise `undecided`, damning evidence or not (`failures`).
+    - `map`: "formulas", "jax function" or "numpy function"; `derivatives`: how M was found; `errors`: whether the
+      bounds on M are running bounds ("bound") or estimates ("estimate").
+    - `brackets`: the worst of {Q,Q}, {P,P} and {Q,P}, each apart; `symplectic`: the worst of M J Mᵀ − c J with the
+      fitted `valence` c; `volume`: |det M| − |scale|ⁿ; `invariants`: the integral invariants of orders 1 to n.
+    - `determinant`: the least and the largest det M; `condition`: the largest condition number of M,
+      with each variable in units of the length over which it is sampled.
+    - `samples`, `audited`: points tried, and points at which everything was finite; `unresolved`: those of the latter
+      whose bound on {Q,P} is too large to tell anything.
+    - `failures`: brackets that exceed their bounds; `doubts`: other reasons why the verdict isn't `supported` (hidden
+      state, wrong derivatives, too few points); `notes`: what else was noticed.
+    """
+
+    verdict: Literal["supported", "refuted", "undecided"]
+    map: str
+    dimension: int
+    scale: float
+    derivatives: str
+    errors: str
+    domain: str
+    seed: int
+    samples: int
+    audited: int
+    unresolved: int
+    valence: float
+    valence_range: tuple[float, float]
+    symplectic: Defect
+    brackets: Mapping[str, Defect]
+    volume: Defect
+    determinant: tuple[float, float]
+    condition: float
+    invariants: tuple[Defect, ...]
+    variables: tuple[str, ...]
+    failures: tuple[str, ...] = ()
+    doubts: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    witness: Mapping[str, Any] | None = None
+    seconds: float = field(default=0.0, compare=False)
+
+    @property
+    def worst(self) -> Defect:
+        """The bracket that exceeds its bound by the largest factor."""
+        return max(self.brackets.values(), key=lambda d: d.size / d.bound if d.bound else math.inf if d.size else 0.0)
+
+    def __bool__(self) -> bool:
+        """False if refuted; evidence is no truth value otherwise. **Raises:** `TypeError` then."""
+        if self.verdict == "refuted":
+            return False
+        raise TypeError(f"the map is {self.verdict}, which is neither true nor false: look at .verdict, or .require()")
+
+    def require(self) -> AuditReport:
+        """This report, if its verdict is `supported`; **raises** `AuditFailed` otherwise."""
+        if self.verdict != "supported":
+            raise AuditFailed(self)
+        return self
+
+    def at(self, defect: Defect) -> str:
+        """Where a defect is worst, by the variables' names."""
+        return ", ".join(f"{name} = {x:.6g}" for name, x in zip(self.variables, defect.point, strict=True))
+
+    def __str__(self) -> str:
+        scale = "" if self.scale == 1 else f" with valence {self.scale:g}"
+        kind = "rounding bounds" if self.errors == "bound" else "estimated errors"
+        lines = [
+            f"{self.verdict}: symplectic{scale}, dimension {self.dimension}, "
+            f"at {self.audited} of {self.samples} points in {self.domain}",
+            f"  {self.map}, {self.derivatives}, {kind}",
+            *(f"  fails: {text}" for text in self.failures),
+            *(f"  in doubt: {text}" for text in self.doubts),
+        ]
+        if self.witness is not None:
+            place = ", ".join(f"{key} = {value}" for key, value in self.witness.items())
+            lines.append(f"  confirmed in balls at {place}")
+        lines += [f"  {defect}" for defect in self.brackets.values()]
+        lines.append(f"  valence   {self.valence:.12g}, at single points {_span(self.valence_range, '.12g')}")
+        lines.append(f"  det M     {_span(self.determinant, '.12g')}  (bound {self.volume.bound:.2g})")
+        lines.append(f"  condition of M at most {self.condition:.3g}")
+        if self.invariants:
+            shown = ", ".join(f"{d.size:.2g} (bound {d.bound:.2g})" for d in self.invariants)
+            lines.append(f"  integral invariants of orders 1 to {len(self.invariants)}: {shown}")
+        lines += [f"  note: {text}" for text in self.notes]
+        return "\n".join(lines)
+
+    def as_record(self) -> dict[str, Any]:
+        """The report as data for JSON: numbers that are not finite are text."""
+        return {
+            "verdict": self.verdict,
+            "map": self.map,
+            "dimension": self.dimension,
+            "scale": self.scale,
+            "derivatives": self.derivatives,
+            "errors": self.errors,
+            "domain": self.domain,
+            "seed": self.seed,
+            "samples": self.samples,
+            "audited": self.audited,
+            "unresolved": self.unresolved,
+            "valence": {"fitted": _number(self.valence), "range": [_number(x) for x in self.valence_range]},
+            "symplectic": self._defect(self.symplectic),
+            "brackets": {name: self._defect(defect) for name, defect in self.brackets.items()},
+            "volume": self._defect(self.volume),
+            "determinant": [_number(x) for x in self.determinant],
+            "condition": _number(self.condition),
+            "invariants": [self._defect(defect) for defect in self.invariants],
+            "failures": list(self.failures),
+            "doubts": list(self.doubts),
+            "notes": list(self.notes),
+            "witness": None if self.witness is None else {key: str(value) for key, value in self.witness.items()},
+            "seconds": round(self.seconds, 6),
+        }
+
+    def _defect(self, defect: Defect) -> dict[str, Any]:
+        return {
+            "entry": defect.label,
+            "residual": _number(defect.size),
+            "bound": _number(defect.bound),
+            "at": {name: _number(x) for name, x in zip(self.variables, defect.point, strict=True)},
+            "largest": _number(defect.largest),
+            "typical": _number(defect.typical),
+            "typical_bound": _number(defect.typical_bound),
+        }
+
+
+def _number(x: float) -> float | str:
+    return x if math.isfinite(x) else str(x)
+
+
+def _span(ends: tuple[float, float], form: str) -> str:
+    low, high = (format(x, form) for x in ends)
+    return low if low == high else f"{low} to {high}"

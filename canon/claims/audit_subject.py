@@ -1,0 +1,105 @@
+"""What an audit is of: a function of points with names for their entries, made of formulas if need be."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.numeric.lower import lower_map
+from canon.numeric.points import DEFAULT, DEFAULT_POSITIVE
+from canon.numeric.precision import double
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+    from canon.domain import Condition
+    from canon.mechanics.transformation import Transformation
+
+Array = np.ndarray
+
+
+@dataclass(frozen=True)
+class AuditSubject:
+    """A map of points, the names and default ranges of their entries, and the scale that M J Mᵀ = scale J expects.
+
+    For a map given by formulas: the `transformation`, its `parameters`, and the `conditions` of its domain.
+    """
+
+    function: Callable[..., Any]
+    names: Sequence[str]
+    defaults: Sequence[tuple[float, float]]
+    scale: float
+    kind: str = ""
+    transformation: Transformation | None = None
+    parameters: Mapping[sp.Symbol, float] = field(default_factory=dict)
+    conditions: Sequence[Condition] = ()
+    symbols: Sequence[sp.Symbol] = ()
+    exact_scale: Fraction = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "exact_scale", Fraction(self.scale))
+
+    def admits(self, points: Array) -> Array:
+        """Which points (N, 2n) satisfy the conditions of the formulas, as far as floats tell."""
+        inside = np.ones(len(points), dtype=bool)
+        for condition in self.conditions:
+            with double():
+                terms = lower_map(condition.terms, self.symbols, self.parameters)(np.asarray(points.T))
+                values = np.asarray(terms)
+            first = values[0]
+            if condition.kind == "positive":
+                inside &= first > 0
+            elif condition.kind == "nonzero":
+                inside &= first != 0
+            elif condition.kind == "uncut":
+                inside &= (first != 0) | (values[1] > 0)
+        return inside
+
+
+def formulas_as_map(transformation: Transformation, parameters: Mapping[str, float], scale: float) -> AuditSubject:
+    """The map of a transformation's formulas at values of its parameters, lowered to jax.
+
+    A backward map is audited as it is written, (q, p) as functions of (Q, P), where the scale is 1/scale.
+
+    **Raises:** `InputError` for an implicit map, a parameter that is unknown or has no value, or a formula that has no
+    numerical form.
+    """
+    if transformation.direction == "implicit":
+        raise InputError("an implicit transformation has no formulas to audit: pass its .forward() or .backward()")
+    space, arguments = transformation.space, transformation.arguments
+    if len(transformation.formulas) != len(arguments):
+        raise InputError("a map with as many new variables as old ones is needed")
+    known = {symbol.name: symbol for symbol in (*space.parameters, space.t)}
+    values: dict[Any, float] = {}
+    for name, value in parameters.items():
+        if str(name) not in known:
+            near = get_close_matches(str(name), known, 1)
+            raise InputError(
+                f"{str(name)!r} is no parameter" + (f"; did you mean {near[0]!r}?" if near else ""), "parameters"
+            )
+        values[known[str(name)]] = float(value)
+    usable = {*arguments, *values}
+    conditions = dict.fromkeys((*space.domain.conditions, *(c for f in transformation.formulas for c in f.conditions)))
+    stated = [
+        condition
+        for condition in conditions
+        if condition.kind in ("positive", "nonzero", "uncut")
+        and {symbol for term in condition.terms for symbol in term.free_symbols} <= usable
+    ]
+    return AuditSubject(
+        function=lower_map(transformation.expressions, arguments, values),
+        names=tuple(symbol.name for symbol in arguments),
+        defaults=[DEFAULT_POSITIVE if symbol.is_positive else DEFAULT for symbol in arguments],
+        scale=scale if transformation.direction == "forward" else 1 / scale,
+        kind="formulas",
+        transformation=transformation,
+        parameters=values,
+        conditions=stated,
+        symbols=arguments,
+    )

@@ -1,0 +1,1 @@
+"""Numbers: formulas lowered to jax, derivatives beside their rounding, residuals and loops. Never verdicts."""

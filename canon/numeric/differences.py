@@ -1,0 +1,108 @@
+"""Derivatives of functions that can only be evaluated: the complex step, and Richardson's extrapolation.
+
+Squire and Trapp, SIAM Review 40 (1998) 110; Ridders, Advances in Engineering Software 4 (1982) 75.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from typing import Final
+
+import numpy as np
+
+from canon.numeric.map_shape import PointMap
+from canon.numeric.precision import double
+
+Array = np.ndarray
+
+LEVELS: Final = 8
+FIRST_STEP: Final = 0.05
+"""The longest step, as a fraction of the length over which a variable ranges; each next one is half of it."""
+
+SAFETY: Final = 4.0
+TINY_STEP: Final = 1e-30
+ULPS: Final = 8
+
+
+def central_differences(
+    evaluate: Callable[[Array], Array], points: Array, lengths: Array, unit: float
+) -> tuple[Array, Array]:
+    """(M, E) at points (N, m): central differences at `LEVELS` steps, extrapolated to step 0 entry by entry.
+
+    M and E are (N, k, m) for a function that takes points (N, m) to values (N, k).
+    The estimate E is what the best two neighbours in Neville's table differ by, times a safety factor, plus the
+    function's rounding over the step.
+    """
+    columns: list[tuple[Array, Array]] = []
+    with np.errstate(all="ignore"):
+        for k in range(points.shape[1]):
+            best: Array | float = np.nan
+            error: Array | float = np.inf
+            above: list[Array] = []
+            for level in range(LEVELS):
+                ahead, behind = points.copy(), points.copy()
+                ahead[:, k] += FIRST_STEP * lengths[k] / 2**level
+                behind[:, k] -= FIRST_STEP * lengths[k] / 2**level
+                width = (ahead[:, k] - behind[:, k])[:, None]
+                high, low = evaluate(ahead), evaluate(behind)
+                row = [(high - low) / width]
+                noise = 2 * unit * (np.abs(high) + np.abs(low)) / width
+                for j, old in enumerate(above, 1):
+                    row.append(row[-1] + (row[-1] - old) / (4.0**j - 1))
+                    spread = np.maximum(np.abs(row[-1] - row[-2]), np.abs(row[-1] - old))
+                    estimate = SAFETY * spread + SAFETY * noise
+                    better = estimate < error
+                    best, error = np.where(better, row[-1], best), np.where(better, estimate, error)
+                above = row
+            columns.append((np.asarray(best), np.asarray(error)))
+    return np.stack([best for best, _ in columns], axis=2), np.stack([error for _, error in columns], axis=2)
+
+
+def complex_step(mapped: PointMap, points: Array) -> Array:
+    """Im f(z + ih e_k)/h at points (N, 2n), exact to rounding for an analytic f; nan where f does not take that."""
+    count, size = points.shape
+    M = np.empty((count, size, size))
+    with double(), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for k in range(size):
+            moved = points.astype(complex)
+            moved[:, k] += 1j * TINY_STEP
+            M[:, :, k] = np.imag(_complex_values(mapped, moved)) / TINY_STEP
+    return M
+
+
+def _complex_values(mapped: PointMap, points: Array) -> Array:
+    """Values at complex points, nan where the function raises."""
+    if mapped.many is not None:
+        try:
+            return np.asarray(mapped.many(points))
+        except Exception:  # then point by point, to see where
+            pass
+    values = np.full(points.shape, complex(np.nan, np.nan))
+    for k, point in enumerate(points):
+        try:
+            values[k] = mapped.one(point)
+        except Exception:  # a user's function may raise anything when it is given complex numbers
+            continue
+    return values
+
+
+def neighbours(jacobian: Callable[[Array], Array], unit: float) -> Callable[[Array], tuple[Array, Array]]:
+    """The Jacobian with an estimate of its error: how much it differs at two points a few roundings away.
+
+    That shows how the conditioning of the program at the point amplifies rounding; `ULPS` roundings of the entry itself
+    are added.
+    """
+
+    def linearise(points: Array) -> tuple[Array, Array]:
+        M = jacobian(points)
+        rng = np.random.default_rng(0)
+        spread = np.zeros_like(M)
+        with np.errstate(all="ignore"):
+            for _ in range(2):
+                moved = points * (1 + 4 * unit * rng.choice([-1.0, 1.0], points.shape))
+                spread = np.maximum(spread, np.abs(jacobian(moved) - M))
+        return M, ULPS * unit * np.abs(M) + SAFETY * spread
+
+    return linearise

@@ -1,0 +1,202 @@
+"""In which form a function takes phase points: one point z, a pair (q, p), or many points at once."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.numeric.precision import double
+
+Array = np.ndarray
+TRIALS: Final = 16
+ENOUGH: Final = 3
+"""So many values of a function tell in which form it takes points."""
+
+_THREE: Final = np.ones((3, 1))
+EXPECTED: Final = "a map takes and returns one phase point z = (q_1…q_n, p_1…p_n), or a pair (q, p), or points (…, 2n)"
+
+
+class _WrongShape(Exception):
+    """A value that is no phase point."""
+
+
+@dataclass(frozen=True)
+class PointMap:
+    """A function as a map of phase points: `one` of a single point, `evaluate` of points (N, 2n), nan where it raises.
+
+    `single` says that it computes in float32, `steady` that a second evaluation gave what the first gave; `usable` are
+    the indices of the tried points at which it has a value; `form` says how it takes points; `many` evaluates them at
+    once, if it can; `said` tells what it raised first.
+    """
+
+    one: Callable[[Any], Any]
+    evaluate: Callable[[Array], Array]
+    single: bool
+    steady: bool
+    usable: Array
+    form: str
+    many: Callable[[Array], Array] | None
+    said: Callable[[], str]
+
+
+def point_map(function: Callable[..., Any], points: Array) -> PointMap:
+    """The map of points that a function stands for; it is tried at a few of `points` (N, 2n).
+
+    **Raises:** `InputError` where it raises at every point tried, or returns a wrong shape or complex numbers.
+    """
+    if not callable(function):
+        raise InputError(f"a map is a function or a transformation, not {type(function).__name__}. {EXPECTED}")
+    size = points.shape[1]
+    trial = points[:TRIALS]
+    reasons: list[Exception] = []
+    form, one, results = "", function, []
+    for form, one in _forms(function, size):  # noqa: B007 - the first that works is kept
+        results, reason = _tried(one, trial)
+        if reason is not None:
+            reasons.append(reason)
+        usable = [k for k, value in enumerate(results) if value is not None and np.all(np.isfinite(value))]
+        if any(value is not None for value in results):
+            break
+    else:
+        wrong = next((reason for reason in reasons if isinstance(reason, _WrongShape)), None)
+        if wrong is not None:
+            raise InputError(f"{wrong}. {EXPECTED}") from wrong
+        shown = f"{type(reasons[0]).__name__}: {reasons[0]}"
+        raise InputError(f"the map raises at every point tried, for instance at {_shown(trial[0])}: {shown}")
+    if not usable:
+        raise InputError(f"the map has no finite value at any of {len(trial)} points tried, as at {_shown(trial[0])}")
+    found = [np.asarray(results[k]) for k in usable]
+    if any(np.iscomplexobj(value) for value in found):
+        raise InputError("the map returns complex numbers: an audit is of a real map")
+    steady = all(_repeats(one, points[k], value) for k, value in zip(usable, found, strict=True))
+    single = any(value.dtype == np.float32 for value in found)
+    many = _vectorised(function, points[usable], np.stack(found)) if len(usable) > 1 else None
+    first: list[str] = []
+
+    def evaluate(z: Array) -> Array:
+        with double():
+            if many is not None:
+                try:
+                    return np.asarray(many(z), dtype=float)
+                except Exception as reason:  # then point by point, to see where
+                    first.append(f"{type(reason).__name__}: {reason}")
+            values = np.full(z.shape, np.nan)
+            for k, point in enumerate(z):
+                try:
+                    values[k] = one(point)
+                except Exception as reason:  # a user's function may raise anything
+                    first.append(f"{type(reason).__name__}: {reason}")
+            del first[1:]
+            return values
+
+    return PointMap(one, evaluate, single, steady, np.array(usable), form, many, lambda: first[0] if first else "")
+
+
+def _forms(function: Callable[..., Any], size: int) -> list[tuple[str, Callable[[Any], Any]]]:
+    """The ways in which the function may take a point, likely ones first."""
+    n = size // 2
+
+    def of_pair(z: Any) -> Any:
+        return _point(function(z[:n], z[n:]), size)
+
+    def of_point(z: Any) -> Any:
+        return _point(function(z), size)
+
+    def of_tuple(z: Any) -> Any:
+        return _point(function((z[:n], z[n:])), size)
+
+    def of_points(z: Any) -> Any:
+        rows = function(z[None, :] * _THREE)
+        if getattr(rows, "shape", None) != (3, size):
+            raise _WrongShape("the map returns no points for points")
+        return _point(rows[0], size)
+
+    if _required(function) == 2:
+        return [("(q, p)", of_pair)]
+    return [("z", of_point), ("((q, p))", of_tuple), ("(…, 2n)", of_points)]
+
+
+def _required(function: Callable[..., Any]) -> int:
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        return 1
+    positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    return sum(p.kind in positional and p.default is inspect.Parameter.empty for p in parameters)
+
+
+def _point(value: Any, size: int) -> Any:
+    """A returned value as one point of shape (2n,)."""
+    if isinstance(value, (tuple, list)):
+        if not value:
+            raise _WrongShape("the map returns nothing")
+        if any(type(part).__module__.startswith("jax") for part in value):
+            import jax.numpy as numbers
+        else:
+            numbers = np
+        value = numbers.concatenate([numbers.ravel(numbers.asarray(part)) for part in value])
+    if getattr(value, "shape", None) != (size,):
+        shape = getattr(value, "shape", None)
+        what = f"an array of shape {shape}" if shape is not None else f"a {type(value).__name__}"
+        raise _WrongShape(f"the map returns {what} for a point of shape ({size},)")
+    if getattr(value, "dtype", None) == np.dtype(object):
+        raise _WrongShape("the map returns an array of objects")
+    return value
+
+
+def _tried(one: Callable[[Any], Any], trial: Array) -> tuple[list[Any], Exception | None]:
+    results: list[Any] = []
+    first: Exception | None = None
+    with double():
+        for point in trial:
+            try:
+                results.append(np.asarray(one(point.copy())))
+            except Exception as reason:  # a user's function may raise anything
+                results.append(None)
+                first = first or reason
+            if sum(value is not None and bool(np.all(np.isfinite(value))) for value in results) == ENOUGH:
+                break
+    return results, first
+
+
+def _repeats(one: Callable[[Any], Any], point: Array, value: Array) -> bool:
+    """Whether the function has the same value at a point once more."""
+    with double():
+        try:
+            return np.array_equal(np.asarray(one(point.copy())), value, equal_nan=True)
+        except Exception:  # a function with a memory may raise the second time
+            return False
+
+
+def _vectorised(function: Callable[..., Any], points: Array, expected: Array) -> Callable[[Array], Array] | None:
+    """The function applied to many points at once, if that gives what it gives one by one."""
+    count, size = points.shape
+    if _required(function) == 2 or count == size:
+        return None
+
+    def rows(z: Array) -> Array:
+        return np.asarray(function(z))
+
+    def columns(z: Array) -> Array:
+        value = function(z.T)
+        parts = [np.atleast_2d(part) for part in value] if isinstance(value, tuple) else [value]
+        return np.concatenate(parts).T
+
+    for many in (rows, columns):
+        try:
+            with double():
+                value = many(points.copy())
+        except Exception:  # not made for that
+            continue
+        if value.shape == expected.shape and np.allclose(value, expected, rtol=1e-13, atol=0):
+            return many
+    return None
+
+
+def _shown(point: Array) -> str:
+    return "(" + ", ".join(f"{x:.6g}" for x in point) + ")"

@@ -1,0 +1,290 @@
+"""Audits of maps: known integrators and maps get their known answers, and bad input a clear message."""
+
+import json
+from collections.abc import Callable
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from canon import AuditFailed, AuditReport, GeneratingFunction, InputError, PhaseSpace, Transformation, audit
+
+Array = np.ndarray
+H = 0.1
+
+
+def leapfrog(q: Any, p: Any) -> Any:
+    """Kick, drift, kick of two pendulums."""
+    p = p - H / 2 * np.sin(q)
+    q = q + H * p
+    return q, p - H / 2 * np.sin(q)
+
+
+def mistaken_leapfrog(q: Any, p: Any) -> Any:
+    """The second kick with the force at the old positions."""
+    half = p - H / 2 * np.sin(q)
+    return q + H * half, half - H / 2 * np.sin(q)
+
+
+def field(z: Array) -> Array:
+    return np.array([z[1], -np.sin(z[0])])
+
+
+def rk4(z: Array) -> Array:
+    a = field(z)
+    b = field(z + H / 2 * a)
+    c = field(z + H / 2 * b)
+    d = field(z + H * c)
+    return z + H / 6 * (a + 2 * b + 2 * c + d)
+
+
+def velocity_verlet(z: Array) -> Array:
+    q, v = z
+    moved = q + H * v - H**2 / 2 * np.sin(q)
+    return np.array([moved, v - H / 2 * (np.sin(q) + np.sin(moved))])
+
+
+def implicit_midpoint(z: Array) -> Array:
+    y = z
+    for _ in range(40):
+        y = z + H * field((z + y) / 2)
+    return y
+
+
+def symplectic_euler(z: Array) -> Array:
+    p = z[1] - H * np.sin(z[0])
+    return np.array([z[0] + H * p, p])
+
+
+def standard_map(z: Array) -> Array:
+    p = z[1] + 0.9 * np.sin(z[0])
+    return np.array([np.mod(z[0] + p, 2 * np.pi), p])
+
+
+def henon_map(z: Array) -> Array:
+    """The area-preserving one: a shear, then a rotation."""
+    c, s = np.cos(0.5), np.sin(0.5)
+    kicked = z[1] - z[0] ** 2
+    return np.array([c * z[0] - s * kicked, s * z[0] + c * kicked])
+
+
+def henon_attractor(z: Array) -> Array:
+    """Hénon's dissipative map, det M = −0.3."""
+    return np.array([1 - 1.4 * z[0] ** 2 + z[1], 0.3 * z[0]])
+
+
+@pytest.mark.parametrize("step", [velocity_verlet, implicit_midpoint, symplectic_euler, standard_map, henon_map])
+def test_symplectic_maps_are_supported(step: Callable[[Array], Array]) -> None:
+    report = audit(step, dimension=2)
+    assert report.verdict == "supported", str(report)
+    assert report.require() is report
+    assert report.audited == 1000
+    assert abs(report.valence - 1) < 1e-12
+    assert not report.volume.exceeds
+    assert not any(order.exceeds for order in report.invariants)
+
+
+def test_runge_kutta_is_not_symplectic() -> None:
+    report = audit(rk4, dimension=2)
+    assert report.verdict == "undecided"  # a black box is never refuted
+    assert report.worst.label == "{Q1,P1}"
+    assert 1e-9 < report.worst.size < 1e-7
+    assert report.worst.bound < 1e-13
+    assert report.volume.exceeds
+
+
+def test_leapfrog_passes_and_a_mistaken_one_fails_with_bracket_point_and_size() -> None:
+    assert audit(leapfrog, dimension=4).verdict == "supported"
+    report = audit(mistaken_leapfrog, dimension=4)
+    assert report.verdict == "undecided"
+    (failure,) = report.failures
+    worst = report.worst
+    assert failure.startswith(f"{worst.label} is off by {worst.size:.3g}, bound {worst.bound:.2g}, at q1 = ")
+    q, p = np.array(worst.point[:2]), np.array(worst.point[2:])
+    k = int(worst.label[2]) - 1
+    moved = q + H * (p - H / 2 * np.sin(q))
+    assert np.all(np.isfinite(moved))
+    assert worst.size == pytest.approx(H**2 / 2 * np.cos(q[k]), rel=1e-6)
+    with pytest.raises(AuditFailed, match="fails: "):
+        report.require()
+    with pytest.raises(TypeError, match="neither true nor false"):
+        bool(report)
+
+
+def test_brackets_of_momenta_are_looked_at_apart() -> None:
+    """P1 = p1 + q2 keeps every {Q_i,P_j}: a check of these alone passes it."""
+    report = audit(lambda z: np.array([z[0], z[1], z[2] + z[1], z[3]]), dimension=4)
+    assert report.verdict == "undecided"
+    assert not report.brackets["{Q,P}"].exceeds
+    assert not report.brackets["{Q,Q}"].exceeds
+    assert report.brackets["{P,P}"].label == "{P1,P2}"
+    assert report.brackets["{P,P}"].size == 1
+    assert not report.volume.exceeds
+    assert [order.exceeds for order in report.invariants] == [True, False]
+
+
+def test_the_valence_is_fitted() -> None:
+    report = audit(henon_attractor, dimension=2)
+    assert report.verdict == "undecided"
+    assert report.valence == pytest.approx(-0.3, abs=1e-14)
+    assert "all brackets agree with valence -0.3 instead of 1" in report.notes
+    assert report.determinant == pytest.approx((-0.3, -0.3))
+    assert audit(henon_attractor, dimension=2, scale=-0.3).verdict == "supported"
+
+
+@pytest.mark.parametrize("size", [1e-3, 1e-6, 1e-9])
+def test_mutants_are_caught(size: float) -> None:
+    report = audit(lambda z: symplectic_euler(z) * np.array([1 + size, 1]), dimension=2)
+    assert report.verdict == "undecided"
+    assert report.worst.size == pytest.approx(size, rel=1e-4)
+
+
+def test_badly_scaled_units_are_no_alarm_and_no_hiding_place() -> None:
+    """An electron in SI units: a drift, and a drift that loses 1e-9 of the momentum."""
+    domain = [(-1e-10, 1e-10), (-1e-24, 1e-24)]
+    drift = audit(lambda z: np.array([z[0] + 1e-17 * z[1] / 9.1e-31, z[1]]), dimension=2, domain=domain)
+    assert drift.verdict == "supported"
+    lossy = audit(lambda z: np.array([z[0] + 1e-17 * z[1] / 9.1e-31, z[1] * (1 - 1e-9)]), dimension=2, domain=domain)
+    assert lossy.verdict == "undecided"
+    assert lossy.worst.size == pytest.approx(1e-9, rel=1e-5)
+
+
+def test_a_jax_function_has_running_bounds() -> None:
+    def step(q: Any, p: Any) -> Any:
+        p = p - H * jnp.sin(q)
+        return q + H * p, p
+
+    report = audit(step, dimension=2, samples=50)
+    assert report.verdict == "supported"
+    assert (report.derivatives, report.errors) == ("forward-mode AD", "bound")
+    assert not jax.config.jax_enable_x64  # the host's own setting is left alone
+
+
+SPACE = PhaseSpace("q1 q2", "p1 p2", new=("Q1 Q2", "P1 P2"), real="h")
+q1, q2, p1, p2, h = SPACE.symbols("q1 q2 p1 p2 h")
+
+
+def test_formulas_are_refuted_by_balls_only() -> None:
+    shear = Transformation(SPACE, Q=(q1, q2), P=(p1 + h * q2, p2))
+    report = audit(shear, parameters={"h": 0.1}, samples=50)
+    assert report.verdict == "refuted"
+    assert not report
+    assert report.witness is not None
+    assert set(report.witness) >= {"h"}
+    assert (report.map, report.errors) == ("formulas", "bound")
+    with pytest.raises(InputError, match="no value is given for h"):
+        audit(shear)
+    with pytest.raises(InputError, match="did you mean 'h'"):
+        audit(shear, parameters={"hh": 1.0})
+
+
+def test_formulas_outside_their_domain_are_left_out() -> None:
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    q, p = space.symbols("q p")
+    report = audit(Transformation(space, Q=q**3, P=p / (3 * q**2)), domain={"q": (0.5, 2)}, samples=50)
+    assert report.verdict == "supported"
+    half = Transformation(space.where(q > 0), Q=q, P=p)
+    assert any("outside the domain" in note for note in audit(half, samples=50).notes)
+    implicit = GeneratingFunction(space, type=2, F=q * space.symbol("P")).transformation()
+    with pytest.raises(InputError, match="implicit"):
+        audit(implicit)
+
+
+def test_a_report_is_data() -> None:
+    record = json.loads(json.dumps(audit(rk4, dimension=2, samples=20).as_record()))
+    assert record["verdict"] == "undecided"
+    assert set(record["brackets"]) == {"{Q,Q}", "{P,P}", "{Q,P}"}
+    assert set(record["brackets"]["{Q,P}"]["at"]) == {"q", "p"}
+
+
+def test_an_audit_is_repeatable() -> None:
+    first, second = (audit(rk4, dimension=2, samples=20, seed=3) for _ in range(2))
+    assert isinstance(first, AuditReport)
+    assert first == second
+    assert first != audit(rk4, dimension=2, samples=20, seed=4)
+
+
+# -- bad input ------------------------------------------------------------------------------------
+
+
+def test_nan_on_part_of_the_domain_is_reported_and_the_rest_audited() -> None:
+    report = audit(lambda z: np.array([np.sqrt(z[0]), 2 * np.sqrt(z[0]) * z[1]]), dimension=2, domain=(-0.5, 1.5))
+    assert report.verdict == "supported"
+    (note,) = report.notes
+    missing = report.samples - report.audited
+    assert f"no finite value at {missing} of 1000 points ({missing / 1000:.3g}), for instance at q = -" in note
+
+
+def test_exceptions_at_some_points_are_reported() -> None:
+    def fragile(z: Array) -> Array:
+        if z[0] > 0.5:
+            raise RuntimeError("too far")
+        return np.array([z[0] + z[1], z[1]])
+
+    report = audit(fragile, dimension=2, samples=100)
+    assert report.verdict == "supported"
+    assert "raises (RuntimeError: too far)" in report.notes[0]
+
+
+def test_hidden_state_is_noticed() -> None:
+    calls: list[int] = []
+
+    def remembers(z: Array) -> Array:
+        calls.append(1)
+        return np.array([z[0], z[1] + 1e-6 * len(calls)])
+
+    report = audit(remembers, dimension=2, samples=20)
+    assert report.verdict == "undecided"
+    assert any("hidden state" in doubt for doubt in report.doubts)
+
+
+def test_float32_is_said_and_paid_for() -> None:
+    report = audit(lambda z: np.array([z[0] + np.sin(z[1]), z[1]]).astype(np.float32), dimension=2, samples=50)
+    assert any("float32" in note for note in report.notes)
+    assert report.brackets["{Q,P}"].bound > 1e-8
+
+
+def test_derivatives_that_are_not_those_of_the_values_are_noticed() -> None:
+    def stopped(z: Any) -> Any:
+        return jnp.stack([z[0] + jax.lax.stop_gradient(z[1]), z[1]])
+
+    report = audit(stopped, dimension=2, samples=20)
+    assert report.verdict == "undecided"
+    assert any("derivatives are not those of the values" in doubt for doubt in report.doubts)
+
+
+@pytest.mark.parametrize(
+    ("bad", "message"),
+    [
+        (lambda z: z[:1], r"an array of shape \(1,\) for a point of shape \(2,\)"),
+        (lambda z: None, "a NoneType for a point"),
+        (lambda z: np.array([z[0], 1 / 0]), "raises at every point tried.*ZeroDivisionError"),
+        (lambda z: z * 1j, "complex"),
+        (lambda z: z * np.nan, "no finite value at any"),
+        (3, "a map is a function or a transformation, not int"),
+    ],
+)
+def test_what_is_no_map_is_an_input_error(bad: Any, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        audit(bad, dimension=2, samples=20)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({}, "dimension of phase space is needed"),
+        ({"dimension": 3}, "even dimension"),
+        ({"dimension": 2, "samples": 0}, "at least one sample"),
+        ({"dimension": 2, "domain": [(0, 1)]}, "a pair"),
+        ({"dimension": 2, "domain": (1, 0)}, "low <= high"),
+        ({"dimension": 2, "domain": {"x": (0, 1)}}, "'x' is none of q, p"),
+        ({"dimension": 2, "domain": np.zeros((3, 4))}, "shape"),
+        ({"dimension": 2, "scale": 0}, "scale"),
+        ({"dimension": 2, "parameters": {"h": 1}}, "for formulas"),
+    ],
+)
+def test_options_that_make_no_sense_are_input_errors(options: dict[str, Any], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        audit(symplectic_euler, **options)

@@ -1,0 +1,95 @@
+"""The assertions pass what is right, and say of what is wrong which bracket fails, where, and by how much."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from canon import InputError
+from canon.testing import (
+    assert_canonical,
+    assert_order,
+    assert_reversible,
+    assert_symplectic,
+    assert_volume_preserving,
+)
+
+Array = np.ndarray
+
+
+def force(q: Any) -> Any:
+    return -np.sin(q) - q**3
+
+
+def leapfrog(z: Array, h: float = 0.1) -> Array:
+    q, p = z[: len(z) // 2], z[len(z) // 2 :]
+    p = p + h / 2 * force(q)
+    q = q + h * p
+    return np.concatenate([q, p + h / 2 * force(q)])
+
+
+def symplectic_euler(z: Array, h: float = 0.1) -> Array:
+    q, p = z[: len(z) // 2], z[len(z) // 2 :]
+    p = p + h * force(q)
+    return np.concatenate([q + h * p, p])
+
+
+def rk4(z: Array, h: float = 0.1) -> Array:
+    def field(z: Array) -> Array:
+        n = len(z) // 2
+        return np.concatenate([z[n:], force(z[:n])])
+
+    a = field(z)
+    b = field(z + h / 2 * a)
+    c = field(z + h / 2 * b)
+    d = field(z + h * c)
+    return z + h / 6 * (a + 2 * b + 2 * c + d)
+
+
+def test_symplectic() -> None:
+    assert assert_symplectic(leapfrog, dimension=6, samples=200).verdict == "supported"
+    with pytest.raises(AssertionError) as failure:
+        assert_symplectic(rk4, dimension=2, samples=200)
+    first = str(failure.value).splitlines()[0]
+    assert first.startswith("rk4 is not symplectic: {Q1,P1} is off by ")
+    assert ", bound " in first
+    assert ", at q = " in first
+
+
+def test_canonical_with_a_valence() -> None:
+    assert_canonical(lambda q, p: (2 * q, 3 * p), dimension=2, scale=6, samples=20)
+    with pytest.raises(AssertionError, match=r"is not canonical: {Q1,P1} is off by 5"):
+        assert_canonical(lambda q, p: (2 * q, 3 * p), dimension=2, samples=20)
+
+
+def test_volume() -> None:
+    def sheared(z: Array) -> Array:
+        return np.array([z[0], z[1], z[2] + np.sin(z[1]), z[3]])
+
+    assert_volume_preserving(sheared, dimension=4, samples=50)
+    with pytest.raises(AssertionError, match=r"is not symplectic: {P1,P2}"):
+        assert_symplectic(sheared, dimension=4, samples=50)
+    with pytest.raises(AssertionError, match=r"rk4 does not preserve volume: \|det M\| is off by .* at q = "):
+        assert_volume_preserving(rk4, dimension=2, samples=50)
+
+
+def test_reversible() -> None:
+    assert_reversible(leapfrog, dimension=4, samples=200)
+    assert_reversible(lambda z: leapfrog(leapfrog(z)), dimension=2, samples=200)
+    with pytest.raises(AssertionError, match=r"symplectic_euler is not reversible: . comes back off by "):
+        assert_reversible(symplectic_euler, dimension=2, samples=200)
+    with pytest.raises(AssertionError, match="rk4 is not reversible"):
+        assert_reversible(rk4, dimension=2, samples=200)
+
+
+@pytest.mark.parametrize(("step", "order"), [(symplectic_euler, 1), (leapfrog, 2), (rk4, 4)])
+def test_orders_are_measured(step: Any, order: int) -> None:
+    measured = assert_order(step, order, start=[0.7, 0.3])
+    assert measured == pytest.approx(order, abs=0.25)
+    with pytest.raises(AssertionError, match=f"{step.__name__} has order .*, not {order + 1}: at halved steps"):
+        assert_order(step, order + 1, start=[0.7, 0.3])
+
+
+def test_an_order_below_the_plateau_is_not_guessed() -> None:
+    with pytest.raises(InputError, match="above the rounding plateau"):
+        assert_order(rk4, 4, start=[0.7, 0.3], duration=1e-3)

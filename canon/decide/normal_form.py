@@ -16,8 +16,8 @@ from canon.decide.ring import TooCostly
 from canon.decide.tape import Node
 from canon.decide.tower import Tower, combine
 
-# Two ways of adding fractions and three sizes; neither way dominates, so each size tries both.
-FIRST, LARGER = (2e6,), (4e7, 4e8)
+# Two ways of adding fractions and four sizes; neither way dominates, so each size tries both.
+FIRST, LARGER = (3e5, 6e6), (4e7, 4e8)
 
 
 def reduce_to_zero(

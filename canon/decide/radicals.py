@@ -102,14 +102,10 @@ def _alias(tower: Tower, f: Polynomial) -> Element | None:
             continue
         if not product or len(product) > 200:
             continue
-        content, pieces = ring.factor(product)
-        if content <= 0 or any(e % 2 for _, e in pieces):
+        side = ring.square_root(product)
+        if side is None:
             continue
-        numerator, denominator = math.isqrt(content.numerator), math.isqrt(content.denominator)
-        if numerator**2 != content.numerator or denominator**2 != content.denominator:
-            continue
-        side = [field.constant(Fraction(numerator, denominator))] + [field.power((h, {}), e // 2) for h, e in pieces]
-        element = field.product([absolute(tower, field.product(side)), field.inverse(tower.element(made))])
+        element = field.product([absolute(tower, (side, {})), field.inverse(tower.element(made))])
         tower.memory["aliases"].append((f, element))
         return element
     return None

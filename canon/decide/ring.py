@@ -11,11 +11,13 @@ from fractions import Fraction
 from typing import Any
 
 import flint
+from flint.utils.flint_exceptions import DomainError
 
 from canon.budget import Budget
 
 Polynomial = Any  # flint.fmpq_mpoly; the package has no type stubs
 Monomial = tuple[int, ...]
+FEW = 40
 
 
 class TooCostly(Exception):
@@ -83,8 +85,26 @@ class Ring:
         if p.total_degree() == 1 and len(p) > 1:
             return Fraction(1), [(p, 1)]
         self.charge(20.0 * len(p))
-        content, factors = p.factor()
+        content, factors = self._factors(p)
         return Fraction(int(content.p), int(content.q)), [(f, int(e)) for f, e in factors]
+
+    def _factors(self, p: Polynomial) -> tuple[Any, list[tuple[Polynomial, int]]]:
+        """FLINT's factors, found in a ring of no more generators than p contains: what isn't there costs too."""
+        used = [f"g{k}" for k, e in enumerate(self.degrees(p)) if e]
+        if 2 * len(used) > self.size or self.size < FEW:
+            return p.factor()
+        names = [f"g{k}" for k in range(len(used))]
+        small = flint.fmpq_mpoly_ctx.get(tuple(reversed(names)), flint.Ordering.lex)
+        content, factors = p.project_to_context(small, dict(zip(used, names, strict=True))).factor()
+        back = dict(zip(names, used, strict=True))
+        return content, [(f.project_to_context(self.context, back), e) for f, e in factors]
+
+    def square_root(self, p: Polynomial) -> Polynomial | None:
+        """A square root over Q where p is a square, else None: much quicker than the factors."""
+        try:
+            return p.sqrt()
+        except DomainError:
+            return None
 
     def quotient(self, a: Polynomial, b: Polynomial) -> Polynomial | None:
         """a / b where the division is exact, else None."""

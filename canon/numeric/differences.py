@@ -21,6 +21,9 @@ FIRST_STEP: Final = 0.05
 """The longest step, as a fraction of the length over which a variable ranges; each next one is half of it."""
 
 SAFETY: Final = 4.0
+NOISE: Final = 16.0
+"""How much of the function's rounding, over the step, is granted to an extrapolated difference."""
+
 TINY_STEP: Final = 1e-30
 ULPS: Final = 8
 
@@ -51,7 +54,7 @@ def central_differences(
                 for j, old in enumerate(above, 1):
                     row.append(row[-1] + (row[-1] - old) / (4.0**j - 1))
                     spread = np.maximum(np.abs(row[-1] - row[-2]), np.abs(row[-1] - old))
-                    estimate = SAFETY * spread + SAFETY * noise
+                    estimate = SAFETY * spread + NOISE * noise
                     better = estimate < error
                     best, error = np.where(better, row[-1], best), np.where(better, estimate, error)
                 above = row

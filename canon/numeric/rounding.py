@@ -76,7 +76,11 @@ def with_rounding(function: Callable[[Any], Any], example: Any) -> Callable[[Any
 
 
 def _is_float(x: Any) -> bool:
-    return np.issubdtype(np.result_type(x), np.floating)
+    return np.issubdtype(_dtype(x), np.floating)
+
+
+def _dtype(x: Any) -> np.dtype:
+    return x.dtype if hasattr(x, "dtype") else np.result_type(x)
 
 
 def _exact(x: Any) -> tuple[Any, Any]:
@@ -131,7 +135,7 @@ def _apply(equation: Any, operands: list[tuple[Any, Any]]) -> list[tuple[Any, An
     if name in _STEPS:
         error = operands[0][1] if name == "stop_gradient" else jnp.zeros_like(value)
         return [(value, error)]
-    unit = unit_of(np.result_type(value))
+    unit = unit_of(value.dtype)
     errors = [jnp.zeros_like(v, dtype=value.dtype) if e is None else e for v, e in operands]
     return [(value, _rule(name, equation.params, bind, values, errors, value, unit))]
 
@@ -153,7 +157,7 @@ def _rule(name: str, params: dict[str, Any], bind: Any, x: list[Any], e: list[An
     if name in ("max", "min"):
         return jnp.maximum(e[0], e[1])
     if name == "convert_element_type":
-        return e[0].astype(value.dtype) + (own if np.result_type(x[0]) != value.dtype else 0)
+        return e[0].astype(value.dtype) + (own if _dtype(x[0]) != value.dtype else 0)
     if name in ("rem", "clamp"):
         return e[1] + own if name == "clamp" else e[0] + jnp.abs(x[0] / x[1]) * e[1] + own
     if name == "scatter-add":

@@ -1,0 +1,1 @@
+"""Laws for all inputs, and campaigns that look for wrong verdicts."""

@@ -34,8 +34,24 @@ def test_the_claim_file_is_answered_as_shown(tmp_path: Path) -> None:
 
 
 def test_the_python_example_prints_what_is_shown(tmp_path: Path) -> None:
-    (program,) = blocks("python")
+    program = blocks("python")[0]
     assert timeless(run(sys.executable, "-c", program, cwd=tmp_path)) == timeless(blocks("text")[1])
+
+
+def without_rounding(text: str) -> list[str]:
+    """The lines of an audit; of all but what fails, without digits, which depend on the machine's rounding."""
+    return [line if "fails" in line else re.sub(r"\d+(?:\.\d+)?(?:e-\d+)?", "N", line) for line in text.splitlines()]
+
+
+def test_the_audit_passes_a_leapfrog_and_fails_a_mistaken_one(tmp_path: Path) -> None:
+    program = blocks("python")[1]
+    assert len([line for line in program.splitlines() if line]) == 8
+    shown, out = blocks("text")[2], run(sys.executable, "-c", program, cwd=tmp_path)
+    assert without_rounding(out) == without_rounding(shown)
+    first, second = (line for line in out.splitlines() if "symplectic, dimension" in line)
+    assert first.startswith("supported")
+    assert second.startswith("undecided")
+    assert "fails: {Q2,P2} is off by 0.005, bound 2." in out
 
 
 def test_there_are_two_set_up_commands() -> None:

@@ -103,7 +103,8 @@ class AuditReport:
             place = ", ".join(f"{key} = {value}" for key, value in self.witness.items())
             lines.append(f"  confirmed in balls at {place}")
         lines += [f"  {defect}" for defect in self.brackets.values()]
-        lines.append(f"  valence   {self.valence:.12g}, at single points {_span(self.valence_range, '.12g')}")
+        lines.append(f"  valence c {self.valence:.12g}, at single points {_span(self.valence_range, '.12g')}")
+        lines.append(f"  M J Mᵀ − c J {self.symplectic.size:.2g}  (bound {self.symplectic.bound:.2g})")
         lines.append(f"  det M     {_span(self.determinant, '.12g')}  (bound {self.volume.bound:.2g})")
         lines.append(f"  condition of M at most {self.condition:.3g}")
         if self.invariants:

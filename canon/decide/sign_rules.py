@@ -183,9 +183,18 @@ def _quadratic(tower: Tower, p: Polynomial) -> str | None:
         for monomial, c in ring.terms(p).items():
             without = (*monomial[:k], 0, *monomial[k + 1 :])
             parts[monomial[k]] = parts[monomial[k]] + ring.polynomial({without: c})
-        discriminant = parts[1] * parts[1] - ring.constant(4) * parts[2] * parts[0]
         leading = sign_of(tower, parts[2])
-        if leading not in ("pos", "neg") or len(discriminant) >= len(p) * len(p):
+        if leading not in ("pos", "neg"):
+            continue
+        if not parts[1] and parts[0]:
+            rest = _sign_of_product(tower, parts[0])
+            if rest == leading:
+                return leading
+            if rest == ("nonneg" if leading == "pos" else "nonpos"):
+                return rest
+            continue
+        discriminant = parts[1] * parts[1] - ring.constant(4) * parts[2] * parts[0]
+        if len(discriminant) >= len(p) * len(p):
             continue
         bound = _sign_of_product(tower, discriminant) if discriminant else "nonpos"
         if bound == "neg":
@@ -212,8 +221,10 @@ def _against_root(tower: Tower, p: Polynomial) -> str | None:
                 b = b + ring.polynomial({(*monomial[:k], 0, *monomial[k + 1 :]): c})
             else:
                 a = a + ring.polynomial({monomial: c})
+        if not a or (sign_of(tower, a) is None and sign_of(tower, b) is None):
+            continue
         difference = tower.field.normal(a * a - b * b * made.lower)
-        if not a or not difference or len(difference) > MOST_TERMS:
+        if not difference or len(difference) > MOST_TERMS:
             continue
         larger = _sign_of_product(tower, difference)
         side = None if larger is None else sign_of(tower, b if larger in ("neg", "nonpos") else a)

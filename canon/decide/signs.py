@@ -24,12 +24,15 @@ DOWN = ("neg", "nonpos")
 
 def sign_of(tower: Tower, p: Polynomial) -> str | None:
     """ "pos", "neg", "nonneg" or "nonpos" where known on the whole region, else None."""
-    state = len(tower.facts), len(tower.generators)
-    remembered = tower.signs.get(id(p))
-    if remembered is not None and remembered[1] == state:
-        return remembered[2]
+    state = len(tower.facts)
+    remembered = tower.signs.setdefault(len(p), [])
+    for entry in remembered:
+        if entry[0] == p:
+            if entry[1] not in ("pos", "neg") and entry[2] != state:
+                entry[1:] = _sign_anew(tower, p), state
+            return entry[1]
     sign = _sign_anew(tower, p)
-    tower.signs[id(p)] = p, state, sign
+    remembered.append([p, sign, state])
     return sign
 
 

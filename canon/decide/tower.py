@@ -159,7 +159,7 @@ class Tower:
         self.field = FractionField(self.ring)
         self.generators: list[Generator] = []
         self.facts: list[tuple[Polynomial, str]] = []
-        self.signs: dict[int, tuple[Polynomial, tuple[int, int], str | None]] = {}
+        self.signs: dict[int, list[list[Any]]] = {}
         self.memory: dict[str, list[Any]] = {}
         self.values: dict[Node, Element] = {}
         self.kernels: dict[Node, Element] = {}

@@ -85,16 +85,17 @@ def brackets(M: Array, E: Array) -> Brackets:
 
 
 def determinants(M: Array, E: Array, lengths: Array) -> tuple[Array, Array, Array]:
-    """det M, a bound on its error, and the condition number of M (2-norm), in units of `lengths` of the variables.
+    """det M, a bound on its error, and the condition number of M (1-norm), in units of `lengths` of the variables.
 
     The error is |det M| tr(|M⁻¹| E), with the factorisation's own rounding in E; it is infinite where M is singular.
     """
     size = M.shape[1]
     M, E = (array * lengths / lengths[:, None] for array in (M, E))
-    det, condition = np.linalg.det(M), np.linalg.cond(M)
+    det = np.linalg.det(M)
     inverse = np.full_like(M, np.inf)
-    for k in np.flatnonzero(det != 0):
-        inverse[k] = np.abs(np.linalg.inv(M[k]))
+    regular = np.isfinite(det) & (det != 0)
+    inverse[regular] = np.abs(np.linalg.inv(M[regular]))
+    condition = np.abs(M).sum(axis=1).max(axis=1) * inverse.sum(axis=1).max(axis=1)
     spread = np.abs(M) @ inverse @ np.abs(M)
     with np.errstate(all="ignore"):
         relative = np.einsum("bji,bij->b", inverse, E + 3 * size * UNIT * spread)

@@ -22,6 +22,8 @@ def sign_by_rules(tower: Tower, p: Polynomial) -> str | None:
     """The sign of p on the region by the first rule that shows it, else None."""
     if len(p) > MOST_TERMS or any(g.sign == "cplx" for g in tower.used(p)):
         return None
+    if len(p) == 1 and _says_nothing(tower, p):
+        return None
     for rule in (
         constant_sign,
         _affine,
@@ -36,6 +38,11 @@ def sign_by_rules(tower: Tower, p: Polynomial) -> str | None:
         if sign is not None:
             return sign
     return None
+
+
+def _says_nothing(tower: Tower, p: Polynomial) -> bool:
+    """True for a product of symbols that no interval bounds: their own signs are all there is."""
+    return all(made.kind == "symbol" and made.data not in tower.intervals for made in tower.used(p))
 
 
 def _interval(tower: Tower, made: Generator) -> Interval | None:
@@ -221,7 +228,7 @@ def _against_root(tower: Tower, p: Polynomial) -> str | None:
                 b = b + ring.polynomial({(*monomial[:k], 0, *monomial[k + 1 :]): c})
             else:
                 a = a + ring.polynomial({monomial: c})
-        if not a or (sign_of(tower, a) is None and sign_of(tower, b) is None):
+        if not a or _undecidable(tower, (a, sign_of(tower, a)), (b, sign_of(tower, b)), made.lower):
             continue
         difference = tower.field.normal(a * a - b * b * made.lower)
         if not difference or len(difference) > MOST_TERMS:
@@ -233,6 +240,29 @@ def _against_root(tower: Tower, p: Polynomial) -> str | None:
             positive = side in ("pos", "nonneg")
             return ("pos" if strict else "nonneg") if positive else ("neg" if strict else "nonpos")
     return None
+
+
+def _undecidable(
+    tower: Tower, a: tuple[Polynomial, str | None], b: tuple[Polynomial, str | None], lower: Polynomial
+) -> bool:
+    """True where a + b·g takes both signs: the part whose sign would have to win is bounded, the other isn't."""
+    if a[1] is None and b[1] is None:
+        return True
+    opposite = a[1] is not None and b[1] is not None and a[1][:3] != b[1][:3]
+    if b[1] is None or (opposite and _grows(tower, a[0], (b[0], lower))):
+        return _grows(tower, b[0], (a[0],))
+    return a[1] is None and _grows(tower, a[0], (b[0], lower))
+
+
+def _grows(tower: Tower, f: Polynomial, others: tuple[Polynomial, ...]) -> bool:
+    """True when f contains an unbounded symbol that the others don't."""
+    elsewhere = {made.index for p in others for made in tower.used(p)}
+    for made in tower.used(f):
+        if made.kind == "symbol" and made.index not in elsewhere:
+            interval = _interval(tower, made)
+            if interval is None or interval.low is None or interval.high is None:
+                return True
+    return False
 
 
 def _sign_of_product(tower: Tower, p: Polynomial) -> str | None:

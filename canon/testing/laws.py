@@ -1,0 +1,146 @@
+"""The laws of brackets, transformations and generating functions, as data: what must vanish for each.
+
+A law is checked of objects of one's own by `assert_law(law, space, f, g)`; the residuals are there for other uses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from canon.claims.verify import verify
+from canon.mechanics.composition import compose, identity_transformation
+from canon.mechanics.generating_function import GeneratingFunction
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.poisson import jacobi_sum, poisson_bracket
+from canon.mechanics.statements import identity
+from canon.mechanics.transformation import Transformation
+
+
+@dataclass(frozen=True)
+class Law:
+    """A law.
+
+    **Arguments:** its `name`; what it `says`; the kinds of objects that it `takes`, after a phase space; `residuals`,
+    a function of the space and these objects, of what must vanish.
+    """
+
+    name: str
+    says: str
+    takes: tuple[str, ...]
+    residuals: Callable[..., Iterable[sp.Expr]]
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.says}"
+
+
+def assert_law(law: Law, space: PhaseSpace, *objects: Any, budget: float = 10.0) -> None:
+    """Raise `AssertionError`, with the witness, unless the law is proved (at least supported) of these objects."""
+    for number, residual in enumerate(law.residuals(space, *objects), 1):
+        free: list[Any] = sorted(residual.free_symbols, key=str)
+        everywhere = PhaseSpace("z_1", "z_2", time="z_3", real=free, functions=space.functions, domain=space.domain)
+        verdict = verify(identity(everywhere, residual, 0), budget=budget)
+        if verdict.status not in ("proved", "supported"):
+            raise AssertionError(f"{law}\nresidual {number} = {residual}\n{verdict}")
+
+
+def _difference(one: Transformation, other: Transformation) -> list[sp.Expr]:
+    """The components of a difference of two maps in the same direction, in the arguments of the first."""
+    renamed = dict(zip(other.arguments, one.arguments, strict=True))
+    return [f - g.xreplace(renamed) for f, g in zip(one.expressions, other.expressions, strict=True)]
+
+
+def _chained(space: PhaseSpace, *maps: Transformation) -> Transformation:
+    """The maps one after another, each a map of `space`; new variables are renamed on the way."""
+    total = maps[0]
+    for step in maps[1:]:
+        total = compose(total, step)
+    return total
+
+
+def _brackets_of_map(space: PhaseSpace, made: Transformation) -> list[sp.Expr]:
+    residual = made.symplectic_residual()
+    entries: Any = residual
+    return [entries[i, j] for i in range(residual.rows) for j in range(i + 1, residual.cols)]
+
+
+def _there_and_back(space: PhaseSpace, F: GeneratingFunction) -> list[sp.Expr]:
+    """F less what F becomes by Legendre transforms to another type and back, up to a constant: its derivatives."""
+    turned = {1: 2, 2: 1, 3: 4, 4: 3}
+    other = F.converted(tuple(turned[kind] for kind in F.types))
+    back = other.converted(F.types)
+    return [(back.F.expr - F.F.expr).diff(u) for u in F.mixed]
+
+
+BRACKET_LAWS = (
+    Law(
+        "antisymmetry", "{f, g} = −{g, f}", ("function", "function"),
+        lambda s, f, g: [poisson_bracket(f, g, s) + poisson_bracket(g, f, s)],
+    ),
+    Law("no self-bracket", "{f, f} = 0", ("function",), lambda s, f: [poisson_bracket(f, f, s)]),
+    Law(
+        "linearity", "{2f + 3g, h} = 2{f, h} + 3{g, h}", ("function", "function", "function"),
+        lambda s, f, g, h: [
+            poisson_bracket(2 * f + 3 * g, h, s) - 2 * poisson_bracket(f, h, s) - 3 * poisson_bracket(g, h, s)
+        ],
+    ),
+    Law(
+        "Leibniz' rule", "{f g, h} = f {g, h} + {f, h} g", ("function", "function", "function"),
+        lambda s, f, g, h: [
+            poisson_bracket(f * g, h, s) - f * poisson_bracket(g, h, s) - poisson_bracket(f, h, s) * g
+        ],
+    ),
+    Law(
+        "Jacobi's identity", "{f, {g, h}} + {g, {h, f}} + {h, {f, g}} = 0", ("function", "function", "function"),
+        lambda s, f, g, h: [jacobi_sum(f, g, h, s)],
+    ),
+    Law(
+        "chain rule", "{sin f, g} = cos f {f, g}", ("function", "function"),
+        lambda s, f, g: [poisson_bracket(sp.sin(f), g, s) - sp.cos(f) * poisson_bracket(f, g, s)],
+    ),
+    Law(
+        "fundamental brackets", "{q_i, p_j} = δ_ij, the others vanish", (),
+        lambda s: [
+            poisson_bracket(x, y, s) - s.J[i, j] for i, x in enumerate(s.old) for j, y in enumerate(s.old)
+        ],
+    ),
+)  # fmt: skip
+
+GROUP_LAWS = (
+    Law("canonical", "M J Mᵀ = J", ("map",), _brackets_of_map),
+    Law(
+        "identity first", "f ∘ 1 = f", ("map",),
+        lambda s, f: _difference(_chained(s, identity_transformation(s), f), f),
+    ),
+    Law(
+        "identity last", "1 ∘ f = f", ("map",),
+        lambda s, f: _difference(_chained(s, f, identity_transformation(s)), f),
+    ),
+    Law(
+        "associativity", "(h ∘ g) ∘ f = h ∘ (g ∘ f)", ("map", "map", "map"),
+        lambda s, f, g, h: _difference(compose(compose(f, g), h), compose(f, compose(g, h))),
+    ),
+    Law(
+        "closure", "g ∘ f is canonical", ("map", "map"),
+        lambda s, f, g: _brackets_of_map(s, compose(f, g)),
+    ),
+    Law(
+        "inverse", "the inverse of a canonical map is canonical", ("map",),
+        lambda s, f: _brackets_of_map(s, f.inverse()),
+    ),
+)  # fmt: skip
+
+GENERATING_LAWS = (
+    Law(
+        "symplectic", "D_newᵀ J D_new = D_oldᵀ J D_old", ("generating function",),
+        lambda s, F: [*F.symplectic_residual()],
+    ),
+    Law("there and back", "type k → type l → type k is F again", ("generating function",), _there_and_back),
+    Law(
+        "inverse", "−F with old and new exchanged is symplectic too", ("generating function",),
+        lambda s, F: [*F.inverse().symplectic_residual()],
+    ),
+)  # fmt: skip

@@ -1,0 +1,192 @@
+"""Strategies of canonical maps, and of mutants of them that are known not to be canonical.
+
+Each factor is canonical by a theorem: linear symplectic maps, shears by potentials, exchanges, rotations, lifts of
+point transformations, action and angle, flows of quadratic Hamiltonians. A mutant has one factor S among them with
+S J Sᵀ ≠ J, and then A S B isn't canonical either, A and B being so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+from hypothesis import strategies as st
+
+from canon.mechanics.formulas import replaced
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.transformation import Transformation
+from canon.testing.strategies import functions, rationals
+
+Images = list[sp.Expr]
+Factor = Callable[[st.DrawFn, PhaseSpace], Images]
+LONGEST = 250
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A map that isn't canonical.
+
+    **Arguments:** the `transformation`; what was `changed`; the `witness`, a point at which it fails, as a table of
+    the variables' values.
+    """
+
+    transformation: Transformation
+    changed: str
+    witness: Mapping[sp.Symbol, sp.Rational]
+
+
+def canonical_maps(
+    space: PhaseSpace, *, max_factors: int = 3, factors: Sequence[Factor] | None = None
+) -> st.SearchStrategy[Transformation]:
+    """Maps (q, p) → (Q, P) that are canonical: compositions of `factors`, defined for almost all values.
+
+    A composition that grows too long to be written is cut.
+    """
+    return _canonical_maps(space, max_factors, tuple(factors or FACTORS))
+
+
+@st.composite
+def _canonical_maps(
+    draw: st.DrawFn, space: PhaseSpace, max_factors: int, factors: tuple[Factor, ...]
+) -> Transformation:
+    images: Images = list(space.old)
+    for factor in draw(st.lists(st.sampled_from(factors), min_size=1, max_size=max_factors)):
+        images = _composed(space, images, factor(draw, space))
+    return _transformation(space, images)
+
+
+@st.composite
+def mutants(draw: st.DrawFn, space: PhaseSpace, *, max_factors: int = 2) -> Mutant:
+    """Canonical maps with one factor spoiled: a sign, a factor, a term of 1/1000, an exchanged pair."""
+    before = draw(st.lists(st.sampled_from(POLYNOMIAL), max_size=max_factors))
+    after = draw(st.lists(st.sampled_from(POLYNOMIAL), max_size=max_factors))
+    images: Images = list(space.old)
+    for factor in before:
+        images = _composed(space, images, factor(draw, space))
+    spoiled, changed = draw(_spoiled(space))
+    images = [replaced(f, dict(zip(space.old, images, strict=True))) for f in spoiled]
+    for factor in after:
+        images = _composed(space, images, factor(draw, space))
+    witness = {x: draw(rationals(largest=3)) for x in (*space.old, *space.parameters)}
+    return Mutant(_transformation(space, images), changed, witness)
+
+
+@st.composite
+def _spoiled(draw: st.DrawFn, space: PhaseSpace) -> tuple[Images, str]:
+    """A map of one pair whose bracket is a constant other than 1."""
+    f: Images = list(space.old)
+    k = draw(st.integers(0, space.n - 1))
+    other = draw(st.sampled_from((k, k + space.n)))
+    kind = draw(st.sampled_from(("sign", "factor", "1/1000", "pair")))
+    if kind == "sign":
+        f[other] = -f[other]
+    elif kind == "factor":
+        f[other] = draw(rationals().filter(lambda c: c != 1)) * f[other]
+    elif kind == "1/1000":
+        f[other] = f[other] * sp.Rational(1001, 1000)
+    else:
+        f[k], f[k + space.n] = f[k + space.n], f[k]
+    return f, kind
+
+
+def _transformation(space: PhaseSpace, images: Images) -> Transformation:
+    return Transformation(space, Q=images[: space.n], P=images[space.n :])
+
+
+def _composed(space: PhaseSpace, first: Images, second: Images) -> Images:
+    """`second` after `first`, or `first` alone where that would be too long."""
+    composed = [replaced(f, dict(zip(space.old, first, strict=True))) for f in second]
+    return composed if sum(sp.count_ops(f) for f in composed) <= LONGEST else first
+
+
+# -- factors -----------------------------------------------------------------------------------------
+
+
+def kick(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """p → p − ∂V/∂q."""
+    V = draw(functions(space.q))
+    return [*space.q, *(p - V.diff(q) for q, p in zip(space.q, space.p, strict=True))]
+
+
+def drift(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """q → q + ∂T/∂p."""
+    T = draw(functions(space.p))
+    return [*(q + T.diff(p) for q, p in zip(space.q, space.p, strict=True)), *space.p]
+
+
+def polynomial_kick(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """p → p − ∂V/∂q with a polynomial V."""
+    V = draw(functions(space.q, transcendental=False))
+    return [*space.q, *(p - V.diff(q) for q, p in zip(space.q, space.p, strict=True))]
+
+
+def linear(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """q → A q, p → A⁻ᵀ p with a random triangular A."""
+    n = space.n
+    A = sp.Matrix(n, n, lambda i, j: draw(rationals(largest=3)) if i == j else draw(st.integers(-2, 2)) if i < j else 0)
+    q, p = A * sp.Matrix(space.q), A.inv().T * sp.Matrix(space.p)
+    return [*q, *p]
+
+
+def exchange(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """(q, p) → (p, −q) in one degree of freedom."""
+    f: Images = list(space.old)
+    k = draw(st.integers(0, space.n - 1))
+    f[k], f[k + space.n] = f[k + space.n], -f[k]
+    return f
+
+
+def rotation(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """The flow of an oscillator, by an angle that is a number, a parameter, or a function of the energy."""
+    f: Images = list(space.old)
+    k = draw(st.integers(0, space.n - 1))
+    x, y = f[k], f[k + space.n]
+    angles = [draw(rationals()), x**2 + y**2, *space.parameters]
+    angle = draw(st.sampled_from(angles))
+    f[k], f[k + space.n] = sp.cos(angle) * x + sp.sin(angle) * y, sp.cos(angle) * y - sp.sin(angle) * x
+    return f
+
+
+def hyperbolic(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """The flow of q·p, a squeeze, by a number or a parameter."""
+    f: Images = list(space.old)
+    k = draw(st.integers(0, space.n - 1))
+    s = draw(st.sampled_from([draw(rationals(largest=2)), *space.parameters]))
+    f[k], f[k + space.n] = sp.exp(s) * f[k], sp.exp(-s) * f[k + space.n]
+    return f
+
+
+def point(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """q → f(q), p → p/f′(q) with an increasing f."""
+    f: Images = list(space.old)
+    k = draw(st.integers(0, space.n - 1))
+    x = f[k]
+    image = draw(st.sampled_from((sp.exp(x), sp.sinh(x), x**3 + x, sp.atan(x), sp.log(1 + sp.exp(x)))))
+    f[k], f[k + space.n] = image, f[k + space.n] / image.diff(space.q[k])
+    return f
+
+
+def action(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """(q, p) → (atan2(q, p), (q² + p²)/2): the oscillator's angle and action."""
+    f: Images = list(space.old)
+    k = draw(st.integers(0, space.n - 1))
+    q, p = f[k], f[k + space.n]
+    f[k], f[k + space.n] = sp.atan2(q, p), (q**2 + p**2) / 2
+    return f
+
+
+def polar(draw: st.DrawFn, space: PhaseSpace) -> Images:
+    """Polar coordinates of a plane; where there is one degree of freedom only, its angle and action."""
+    if space.n < 2:
+        return action(draw, space)
+    f: Images = list(space.old)
+    i, j = draw(st.permutations(range(space.n)))[:2]
+    x, y, u, v = f[i], f[j], f[i + space.n], f[j + space.n]
+    r = sp.sqrt(x**2 + y**2)
+    f[i], f[j], f[i + space.n], f[j + space.n] = r, sp.atan2(y, x), (x * u + y * v) / r, x * v - y * u
+    return f
+
+
+POLYNOMIAL: tuple[Factor, ...] = (polynomial_kick, linear, exchange)
+FACTORS: tuple[Factor, ...] = (kick, drift, linear, exchange, rotation, hyperbolic, point, action, polar)

@@ -1,0 +1,45 @@
+"""The command `python -m properties.soundness`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from dataclasses import asdict
+from pathlib import Path
+
+from properties.soundness.campaign import run, summary
+
+
+def main() -> int:
+    """Run a campaign; exit status 1 if a verdict was wrong or something crashed."""
+    parser = argparse.ArgumentParser(prog="python -m properties.soundness", description=__doc__)
+    parser.add_argument("--maps", type=int, default=1000, help="how many random claims")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    parser.add_argument("--keep", type=Path, help="a file for what wasn't decided, one JSON record a line")
+    options = parser.parse_args()
+    start, records = time.monotonic(), []
+    for record in run(options.maps, options.seed, options.jobs):
+        records.append(record)
+        if record.wrong or record.outcome == "crash":
+            print(f"\n{record.wrong or 'crash'}: seed {record.seed}: {record.cause}\n{record.text}", file=sys.stderr)
+        if len(records) % 100 == 0:
+            print(f"\r{len(records)} of {options.maps}", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    figures = summary(records) | {"seed": options.seed, "wall_seconds": round(time.monotonic() - start, 1)}
+    if options.keep:
+        kept = [json.dumps(asdict(r)) for r in records if r.outcome not in ("proved", "refuted", "no claim") or r.wrong]
+        options.keep.write_text("\n".join(kept) + "\n")
+    if options.json:
+        print(json.dumps(figures, indent=2))
+    else:
+        for name, value in figures.items():
+            print(f"{name}: {value}")
+    return 1 if figures["wrong_proved"] or figures["wrong_refuted"] or figures["crashes"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

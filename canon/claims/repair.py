@@ -84,11 +84,17 @@ def _constant(question: Question, brackets: Brackets, scale: Node, region: Regio
 
 @dataclass(frozen=True)
 class Repair:
-    """A changed map with the words for the change."""
+    """A changed map with the words for the change: `before`, the formula `told` if there is one, `after`."""
 
-    words: str
+    before: str
     functions: tuple[Node, ...]
     divisor: Node | None = None
+    told: Node | None = None
+    after: str = ""
+
+    def words(self, question: Question) -> str:
+        """The change in words; formulas are put into a neat form only for the change that is offered."""
+        return self.before + ("" if self.told is None else question.show(self.told)) + self.after
 
 
 def _repaired(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:
@@ -105,7 +111,7 @@ def _repaired(question: Question, brackets: Brackets, scale: Node, region: Regio
         except CanonError:
             continue
         if verdict.status == "proved":
-            return {"repair": candidate.words}
+            return {"repair": candidate.words(question)}
     return {}
 
 
@@ -137,8 +143,8 @@ def _candidates(question: Question, brackets: Brackets, expected: Node, outcome:
             continue
         for node, coefficient in op[2]:
             flipped = tape.add([(functions[i], 1), (node, -2 * coefficient)])
-            term = question.show(tape.scaled(node, coefficient))
-            yield Repair(f"the sign of the term {term} in {names[i]}", changed(i, flipped))
+            term = tape.scaled(node, coefficient)
+            yield Repair("the sign of the term ", changed(i, flipped), None, term, f" in {names[i]}")
     for i in range(m):
         for j in range(i + 1, m):
             for shift in (0, m):
@@ -152,10 +158,9 @@ def _candidates(question: Question, brackets: Brackets, expected: Node, outcome:
         if tape.value(value) == 0:
             continue
         factor = tape.mul([(value, 1), (expected, -1)])
-        shown = question.show(factor)
         for k in (i + m, i):
             quotient = tape.mul([(functions[k], 1), (factor, -1)])
-            yield Repair(f"divide {names[k]} by {shown}", changed(k, quotient), factor)
+            yield Repair(f"divide {names[k]} by ", changed(k, quotient), factor, factor)
 
 
 def _parameters(

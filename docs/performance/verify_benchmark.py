@@ -87,7 +87,7 @@ def main(arguments: list[str]) -> None:
         report["cases"][name] = {**report["cases"].get(name, {}), **record}
         options.json.write_text(json.dumps(report, indent=1) + "\n")
         print(_line(name, report["cases"][name]), flush=True)
-    if not options.only:
+    if all("canon" in case for case in report["cases"].values()):
         target = options.json.with_suffix("")
         write_table(report, target.with_suffix(".md"))
         draw(report, target.with_suffix(".png"))

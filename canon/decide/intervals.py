@@ -49,9 +49,9 @@ class Edge:
             return self.pi.numerator // self.pi.denominator
         for bits in (64, 256, 4096):
             with precision(bits):
-                value = (arb(rational(self.rational)) / arb.pi() + arb(rational(self.pi))).floor()
-                if value.is_exact() and value.is_integer():
-                    return int(value.unique_fmpz())
+                whole = (arb(rational(self.rational)) / arb.pi() + arb(rational(self.pi))).floor().unique_fmpz()
+                if whole is not None:
+                    return int(whole)
         raise ArithmeticError("a number too close to a multiple of pi")
 
 

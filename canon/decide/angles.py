@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 Pair = tuple[Element, Element]
 HALF = Fraction(1, 2)
+MOST_TURNS = 400
 PEELED = ("atan", "asin", "acos", "atan2", "pi")
 
 
@@ -80,6 +81,8 @@ def _over_a_basis(tower: Tower, new: list[Element]) -> list[Pair]:
         for k, q in combination.items():
             if k in parts:
                 parts[k] = math.lcm(parts[k], q.denominator)
+    if any(abs(q * parts.get(k, 1)) > MOST_TURNS for combination in combinations for k, q in combination.items()):
+        raise Unsupported("multiples of an angle too high to compute with")
     pairs = {k: _angle(tower, field.combine([(Fraction(1, parts[k]), [*old, *new][k])])) for k in chosen}
     out = []
     for position, combination in enumerate(combinations):

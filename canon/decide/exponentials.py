@@ -19,6 +19,8 @@ from canon.decide.tape import ONE, Unsupported
 if TYPE_CHECKING:
     from canon.decide.tower import Generator, Tower
 
+STEEPEST = 400
+
 
 def logarithm(tower: Tower, x: Element) -> Element:
     """log x: split into the logarithms of positive factors, for x positive on the region (or complex, whole)."""
@@ -119,6 +121,8 @@ def _over_a_basis(tower: Tower, new: list[Element]) -> list[Element]:
         for k, q in combination.items():
             if k in parts:
                 parts[k] = math.lcm(parts[k], q.denominator)
+    if any(abs(q * parts.get(k, 1)) > STEEPEST for combination in combinations for k, q in combination.items()):
+        raise Unsupported("powers of an exponential too high to compute with")
     made: dict[int, Generator] = {}
     for k in chosen:
         b = field.combine([(Fraction(1, parts[k]), [*old, *new][k])])

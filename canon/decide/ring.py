@@ -18,6 +18,7 @@ from canon.budget import Budget
 Polynomial = Any  # flint.fmpq_mpoly; the package has no type stubs
 Monomial = tuple[int, ...]
 FEW = 40
+HIGHEST = 4000
 
 
 class TooCostly(Exception):
@@ -84,6 +85,8 @@ class Ring:
         """Content and irreducible factors over Q."""
         if p.total_degree() == 1 and len(p) > 1:
             return Fraction(1), [(p, 1)]
+        if p.total_degree() > HIGHEST:
+            raise TooCostly(f"a factorisation in degree {p.total_degree()}")
         self.charge(20.0 * len(p))
         content, factors = self._factors(p)
         return Fraction(int(content.p), int(content.q)), [(f, int(e)) for f, e in factors]

@@ -234,6 +234,24 @@ def wrapped(rng: random.Random, lhs: Formula, rhs: Formula, inner: Sequence[Form
     return lhs, rhs
 
 
+def _entangled(
+    rng: random.Random, name: str, template: Callable[..., tuple[Formula, Formula]], u: Formula, v: Formula
+) -> tuple[str, tuple[Formula, Formula]]:
+    """Two templates in one equation, which then share radicals, logarithms and angles: nested, added or multiplied."""
+    other, second = rng.choice(list(REAL.items()))
+    left, right = second(u, v)
+    kind = rng.randrange(4)
+    if kind == 0:
+        return f"{name} of {other}", template(left, v)
+    if kind == 1:
+        lhs, rhs = template(u, left)
+        return f"{name} beside {other}", (lhs, rhs)
+    lhs, rhs = template(u, v)
+    if kind == 2:
+        return f"{name} + {other}", (lhs + left, right + rhs)
+    return f"{name} * {other}", (lhs * right, rhs * left)
+
+
 def equation(rng: random.Random) -> Equation:
     """A random equation."""
     family = rng.choice(("real",) * 8 + ("integer", "complex"))
@@ -261,7 +279,11 @@ def equation(rng: random.Random) -> Equation:
             words["x"] = word
         if family == "integer":
             words["n"] = rng.choice(("integer", "integer", "integer positive", "integer nonnegative"))
-    lhs, rhs = wrapped(rng, *template(u, v), (u, v))
+    if family == "real" and rng.random() < 0.3:
+        name, (lhs, rhs) = _entangled(rng, name, template, u, v)
+    else:
+        lhs, rhs = template(u, v)
+    lhs, rhs = wrapped(rng, lhs, rhs, (u, v))
     if rng.random() < 0.15:
         rhs = rhs * rng.choice(NEAR)
     return Equation(lhs, rhs, words, box, positive, f"{family}: {name}")

@@ -11,7 +11,8 @@ from canon.budget import Budget
 from canon.claims.show import FAILURES, neat
 from canon.mechanics.formulas import replaced
 
-LONGEST = 200
+LONGEST = 100
+MOST_NAMES = 5
 DEPTH = 3
 MOST = 6
 
@@ -66,9 +67,11 @@ def _factors(expressions: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list
             continue
         variables = sorted((s for s in expression.free_symbols if s not in parameters), key=str)
         for candidate in (expression, *(sp.diff(expression, x) for x in variables[:3])):
-            if candidate == 0:
+            if candidate == 0 or sp.count_ops(candidate) > LONGEST:
                 continue
             numerator: Any = sp.fraction(sp.together(neat(candidate)))[0]
+            if sp.count_ops(numerator) > LONGEST or len(numerator.free_symbols) > MOST_NAMES:
+                continue
             try:
                 numerator = sp.factor(numerator)
             except FAILURES:

@@ -188,4 +188,5 @@ def _by_imaginary_unit(tower: Tower, x: Element) -> tuple[Element, Element | Non
 def _primes(value: Fraction) -> list[tuple[int, int]]:
     if value.numerator.bit_length() > 200 or value.denominator.bit_length() > 200:
         raise Unsupported("the logarithm of a number too long to factor")
-    return list(factorint(value.numerator).items()) + [(p, -e) for p, e in factorint(value.denominator).items()]
+    above, below = factorint(value.numerator), factorint(value.denominator)  # of large numbers not as Python's integers
+    return [(int(p), int(e)) for p, e in above.items()] + [(int(p), -int(e)) for p, e in below.items()]

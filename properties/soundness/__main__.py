@@ -9,7 +9,7 @@ import time
 from dataclasses import asdict
 from pathlib import Path
 
-from properties.soundness.campaign import run, summary
+from properties.soundness.campaign import limit_memory, run, summary
 
 
 def main() -> int:
@@ -21,6 +21,7 @@ def main() -> int:
     parser.add_argument("--json", action="store_true", help="one JSON object on standard output")
     parser.add_argument("--keep", type=Path, help="a file for what wasn't decided, one JSON record a line")
     options = parser.parse_args()
+    limit_memory()
     start, records = time.monotonic(), []
     for record in run(options.maps, options.seed, options.jobs):
         records.append(record)

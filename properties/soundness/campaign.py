@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
+import resource
 import signal
 import statistics
 import time
@@ -18,6 +19,7 @@ from properties.soundness.cases import Case, case
 
 BUDGET = 3.0
 HARD_LIMIT = 60
+MEMORY = 6 << 30
 
 
 @dataclass(frozen=True)
@@ -93,13 +95,18 @@ def judged(seed: int, found: Case) -> Record:
     )  # fmt: skip
 
 
+def limit_memory() -> None:
+    """Rather let one case fail than the machine."""
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
 def run(maps: int, seed: int, jobs: int) -> Iterator[Record]:
     """Records of `maps` cases, as they come."""
     seeds = range(seed * 1_000_000, seed * 1_000_000 + maps)
     if jobs <= 1:
         yield from map(run_one, seeds)
         return
-    with multiprocessing.get_context("spawn").Pool(jobs, maxtasksperchild=500) as pool:
+    with multiprocessing.get_context("spawn").Pool(jobs, limit_memory, maxtasksperchild=500) as pool:
         yield from pool.imap_unordered(run_one, seeds, chunksize=10)
 
 

@@ -6,10 +6,12 @@ defined and smooth everywhere, with derivatives in closed form, and generic enou
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 import flint
@@ -27,21 +29,24 @@ class ChosenFunction:
         """The partial derivative of these orders, at arguments given as balls."""
         total: Any = flint.arb(0)
         drop = sum(orders)
-        for coefficient, shift, slopes, power in self.terms:
+        for coefficient, shift, slopes, power in self._rationals:
             if drop > power:
                 continue
-            factor = coefficient
-            for k in range(drop):
-                factor *= power - k
+            factor = coefficient * math.perm(power, drop)
             for slope, order in zip(slopes, orders, strict=True):
-                factor *= slope**order
+                if order:
+                    factor = factor * slope**order
             if not factor:
                 continue
-            form: Any = rational(shift)
+            form: Any = shift
             for slope, argument in zip(slopes, arguments, strict=True):
-                form = form + rational(slope) * argument
-            total = total + rational(factor) * form ** (power - drop)
+                form = form + slope * argument
+            total = total + factor * form ** (power - drop)
         return total
+
+    @cached_property
+    def _rationals(self) -> list[tuple[Any, Any, list[Any], int]]:
+        return [(rational(c), rational(shift), [rational(s) for s in slopes], k) for c, shift, slopes, k in self.terms]
 
     def formula(self) -> str:
         """The function as text in a1, a2, … (one argument: a)."""

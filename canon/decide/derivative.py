@@ -45,10 +45,19 @@ def poisson_bracket(tape: Tape, f: Node, g: Node, q: Sequence[Node], p: Sequence
     in_f, in_g = tape.support(f), tape.support(g)
     for x, y in zip(q, p, strict=True):
         if x in in_f and y in in_g:
-            terms.append((tape.times(derivative(tape, f, x), derivative(tape, g, y)), ONE))
+            terms.append(_term(tape, derivative(tape, f, x), derivative(tape, g, y), ONE))
         if y in in_f and x in in_g:
-            terms.append((tape.times(derivative(tape, f, y), derivative(tape, g, x)), -ONE))
+            terms.append(_term(tape, derivative(tape, f, y), derivative(tape, g, x), -ONE))
     return tape.add(terms)
+
+
+def _term(tape: Tape, a: Node, b: Node, sign: Fraction) -> tuple[Node, Fraction]:
+    """sign · a · b as a node with its coefficient; no node is made for a product with a number."""
+    value = tape.value(a)
+    if value is not None:
+        return b, sign * value
+    value = tape.value(b)
+    return (tape.times(a, b), sign) if value is None else (a, sign * value)
 
 
 def substitute(tape: Tape, node: Node, mapping: Mapping[Node, Node]) -> Node:

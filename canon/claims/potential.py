@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from canon.decide.region import Region
 
 LONGEST = 100
-SECONDS = 0.5
+SECONDS = 1.5
 
 Late = Callable[[], bool]
 

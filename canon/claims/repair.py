@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
     from canon.decide.region import Region
 
-SECONDS = 0.6
+SECONDS = 1.5
 MOST_BRACKETS = 6
 MOST_CANDIDATES = 24
 

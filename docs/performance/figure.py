@@ -36,7 +36,7 @@ def _panel(axis: Any, title: str, cases: dict[str, Record], cap: float) -> None:
     for row, name in enumerate(ordered):
         case = cases[name]
         mine, other = case["canon"]["seconds"], case.get("simplify")
-        if other:
+        if other and other.get("given", 1):
             theirs = other.get("seconds", other.get("cap"))
             axis.plot([mine, theirs], [row, row], color=JOIN, linewidth=0.8, zorder=1)
             stopped = "stopped" in other
@@ -51,15 +51,10 @@ def _panel(axis: Any, title: str, cases: dict[str, Record], cap: float) -> None:
     axis.set_axisbelow(True)
     axis.axvline(cap, color=JOIN, linestyle=":", linewidth=0.9)
     axis.spines[["top", "right"]].set_visible(False)
-    axis.set_title(title, loc="left", fontsize=10)
-    top = ordered[-1]
+    axis.set_title(f"{title}, of simplify: ▷ stopped at its cap, □ nonzero residues left", loc="left", fontsize=9)
     place = {"xytext": (0, 7), "textcoords": "offset points", "ha": "center", "fontsize": 8}
-    axis.annotate("canon", (cases[top]["canon"]["seconds"], len(ordered) - 1), color=CANON, **place)
-    found = cases[top].get("simplify")
-    if found:
-        where = found.get("seconds", found.get("cap"))
-        axis.annotate("sympy.simplify", (where, len(ordered) - 1), color=SIMPLIFY, **place)
-    axis.annotate(
-        "> stopped at the cap;  open: nonzero residues left", (0.99, 0.01), xycoords="axes fraction", ha="right",
-        va="bottom", fontsize=7, color=SIMPLIFY,
-    )  # fmt: skip
+    axis.annotate("canon", (cases[ordered[-1]]["canon"]["seconds"], len(ordered) - 1), color=CANON, **place)
+    timed = [row for row, name in enumerate(ordered) if cases[name].get("simplify", {}).get("seconds", 0) > 0.01]
+    if timed:
+        where = cases[ordered[timed[-1]]]["simplify"]["seconds"]
+        axis.annotate("sympy.simplify", (where, timed[-1]), color=SIMPLIFY, **place)

@@ -30,6 +30,11 @@ def simplify_decides(case: Record) -> bool:
     return case["case"]["holds"] and "seconds" in found and not found["left"]
 
 
+def simplify_works(case: Record) -> bool:
+    """True where it decided, and the residuals were not all the number 0 before it began."""
+    return simplify_decides(case) and bool(case["simplify"]["given"])
+
+
 def ratio(case: Record) -> float | None:
     """Simplify's CPU time over canon's; where simplify was stopped, its cap over canon's: a lower bound."""
     found = case.get("simplify")

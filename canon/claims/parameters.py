@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from canon.budget import Budget
-from canon.claims.show import FAILURES, neat
+from canon.claims.show import FAILURES, is_steep, neat
 from canon.mechanics.formulas import replaced
 
 LONGEST = 100
@@ -67,7 +67,7 @@ def _factors(expressions: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list
             continue
         variables = sorted((s for s in expression.free_symbols if s not in parameters), key=str)
         for candidate in (expression, *(sp.diff(expression, x) for x in variables[:3])):
-            if candidate == 0 or sp.count_ops(candidate) > LONGEST:
+            if candidate == 0 or sp.count_ops(candidate) > LONGEST or is_steep(candidate):
                 continue
             numerator: Any = sp.fraction(sp.together(neat(candidate)))[0]
             if sp.count_ops(numerator) > LONGEST or len(numerator.free_symbols) > MOST_NAMES:

@@ -11,7 +11,7 @@ from sympy.core.function import AppliedUndef
 
 from canon.claims.constant import constant_of
 from canon.claims.outcome import Outcome, Residual, combined
-from canon.claims.show import FAILURES, is_short
+from canon.claims.show import FAILURES, is_short, is_steep
 from canon.decide.derivative import poisson_bracket
 from canon.decide.tape import Node
 from canon.domain import Condition
@@ -65,7 +65,7 @@ def _no_real_root(base: sp.Expr) -> bool:
 
 def _bases(expression: Any) -> Iterator[Any]:
     """The factors without their exponents."""
-    if sp.count_ops(expression) < 200 and not expression.has(AppliedUndef):
+    if sp.count_ops(expression) < 200 and not expression.has(AppliedUndef) and not is_steep(expression):
         try:
             expression = sp.factor(expression)
         except FAILURES:

@@ -18,7 +18,7 @@ FAILURES = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeErro
 
 def neat(expression: sp.Expr) -> sp.Expr:
     """A shorter form of a small expression; a large one is left as it is."""
-    if sp.count_ops(expression) > SHORT or expression.has(sp.Derivative, sp.Subs) or _is_steep(expression):
+    if sp.count_ops(expression) > SHORT or expression.has(sp.Derivative, sp.Subs) or is_steep(expression):
         return expression
     forms: list[Any] = [expression]
     try:
@@ -33,7 +33,7 @@ def neat(expression: sp.Expr) -> sp.Expr:
     return min(forms, key=sp.count_ops)
 
 
-def _is_steep(expression: sp.Expr) -> bool:
+def is_steep(expression: sp.Expr) -> bool:
     """True where an exponent has a long number in it: as a polynomial, the expression would have that degree."""
     exponents = [power.exp for power in expression.atoms(sp.Pow)] + [e.args[0] for e in expression.atoms(sp.exp)]
     return any(abs(r.p) > STEEP or r.q > STEEP for e in exponents for r in e.atoms(sp.Rational))

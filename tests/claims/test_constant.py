@@ -77,3 +77,16 @@ def test_what_is_assumed_of_a_small_parameter_hides_no_singularity(ask, Q):
             symbols='eps = "positive"',
             transformation=f'Q = ["{Q}"]\nP = ["p"]',
         )
+
+
+def test_the_lesson_of_a_refutation_keeps_to_its_time(ask):
+    """An exponent with a long number in it is no degree of a polynomial to be factored."""
+    near = "999999999999/1000000000000"
+    (verdict,) = ask(
+        'kind = "canonical"',
+        symbols='a = "real"',
+        transformation=f'Q = ["q*exp(a) + p/exp(a)"]\nP = ["p*exp(-a*{near}) - q*exp(a*{near})"]',
+        options={"budget": 3.0},
+    )
+    assert verdict.status == "refuted"
+    assert verdict.seconds < 10

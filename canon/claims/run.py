@@ -10,6 +10,7 @@ import json
 import multiprocessing
 import os
 import signal
+import sys
 import threading
 import time
 from collections import deque
@@ -182,7 +183,8 @@ class _Team:
 
 def _start_method() -> str:
     """Return "fork" where the platform has it and no other thread could hold a lock across it, else "spawn"."""
-    forkable = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1
+    alone = threading.active_count() == 1 and "jax" not in sys.modules  # jax has threads of its own
+    forkable = "fork" in multiprocessing.get_all_start_methods() and alone
     return "fork" if forkable else "spawn"
 
 

@@ -31,6 +31,9 @@ exit status of verify:
 """
 
 
+HUNG_UP = 141  # as the shell reports a program ended by SIGPIPE; 1 would say "refuted"
+
+
 def parser() -> argparse.ArgumentParser:
     """Return the parser of the command line."""
     top = Parser(
@@ -66,11 +69,14 @@ def entry() -> None:
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
     try:
-        status = main()
+        try:
+            status = main()
+        except SystemExit as done:  # --help and argument errors: what they printed may still be in the buffer
+            status = done.code
         sys.stdout.flush()
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        status = 1
+        status = HUNG_UP
     except KeyboardInterrupt:
         status = verify.INTERRUPTED
     sys.exit(status)

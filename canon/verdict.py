@@ -10,6 +10,9 @@ from canon.errors import ClaimFailed
 
 Status = Literal["proved", "refuted", "supported", "undecided"]
 
+GLANCES: Final = 2
+"""Every decision looks at so many points: they are worth a line only where nothing else was found."""
+
 STATUSES: Final[tuple[Status, ...]] = ("proved", "refuted", "supported", "undecided")
 
 
@@ -17,8 +20,9 @@ STATUSES: Final[tuple[Status, ...]] = ("proved", "refuted", "supported", "undeci
 class Evidence:
     """What sampling found: at `points` points in `bits` bits, the largest residual and its rounding bound.
 
-    `max_residual` is the largest absolute residual, `bound` the rounding error that it is to be measured
-    against at that same point.
+    `max_residual` is the largest absolute residual, `bound` the rounding error that it is to be measured against at
+    that same point: a residual above its bound is certainly not 0. Where the claim is that something is *not*
+    identically 0 (`independent`), it is that determinant.
     """
 
     points: int
@@ -27,10 +31,8 @@ class Evidence:
     bits: int = 53
 
     def __str__(self) -> str:
-        return (
-            f"{self.points} points in {self.bits} bits, largest residual {self.max_residual:.3g} "
-            f"against a rounding bound of {self.bound:.3g}"
-        )
+        counted = f"{self.points} point{'s' * (self.points != 1)} in {self.bits} bits"
+        return f"{counted}, largest residual {self.max_residual:.3g} against a rounding bound of {self.bound:.3g}"
 
 
 @dataclass(frozen=True)
@@ -85,7 +87,7 @@ class Verdict:
         if self.witness is not None:
             lines.append("  at " + ", ".join(f"{key} = {_value(value)}" for key, value in self.witness.items()))
         lines += [f"  {key.replace('_', ' ')}: {_value(value)}" for key, value in self.detail.items()]
-        if self.numeric is not None:
+        if self.numeric is not None and (self.status in ("supported", "undecided") or self.numeric.points > GLANCES):
             lines.append(f"  {self.numeric}")
         return "\n".join(lines)
 

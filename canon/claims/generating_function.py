@@ -9,6 +9,7 @@ Hessian ∂²F/∂a∂b is not singular (Goldstein, Poole and Safko 2002, sectio
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from canon.claims.outcome import Outcome, Residual, combined, exact
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from canon.expression import Formula
     from canon.mechanics import GeneratingFunction
 
+BY_THEOREM = "theorem on generating functions"
 THEOREM = "the map of a generating function is canonical with scale 1 where the mixed Hessian is not singular"
 
 
@@ -41,12 +43,12 @@ def hessian_outcome_of(question: Question, node: Node, region: Region) -> Outcom
         step = {"theorem": THEOREM, "mixed Hessian": shown, "is not 0 at": point}
         detail = {"mixed_hessian": shown, "scale": "1"}
         status = "supported" if question.method == "numeric" else "proved"
-        return Outcome(status, method="theorem on generating functions", arguments=(step,), detail=detail)
+        return Outcome(status, method=BY_THEOREM, arguments=(step,), detail=detail)
     if answer.status == "refuted":
-        return exact("refuted", "the mixed Hessian is identically zero: F defines no map", mixed_hessian="0")
-    return Outcome(
-        "undecided", method=answer.method, note=f"is the mixed Hessian {shown} identically zero? {answer.note}"
-    )
+        singular = exact("refuted", "the mixed Hessian is identically zero: F defines no map", mixed_hessian="0")
+        return replace(singular, numeric=answer.numeric)
+    note = f"is the mixed Hessian {shown} identically zero? {answer.note}"
+    return Outcome("undecided", method=answer.method, note=note)
 
 
 def canonical_of_generating_function(question: Question, scale: Formula | None) -> Outcome:

@@ -10,6 +10,7 @@ free of radicals up to sign and divisible by f; so f vanishes on no open set, wh
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, islice, product
 from typing import TYPE_CHECKING
@@ -18,7 +19,7 @@ import sympy as sp
 
 from canon.claims.bracket import keys_domain, tensor_of
 from canon.claims.determinant import determinant
-from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.claims.outcome import Outcome, Residual, combined, exact, merged
 from canon.claims.scale import never_zero
 from canon.claims.show import is_short
 from canon.decide.derivative import derivative, substitute
@@ -30,6 +31,7 @@ from canon.errors import InputError
 if TYPE_CHECKING:
     from canon.claims.chart import Chart
     from canon.claims.question import Question
+    from canon.decide.answer import Answer
     from canon.decide.region import Region
 
 MOST_MINORS = 400
@@ -87,7 +89,8 @@ def full_rank(
         pulled = chart.pull(minor)
         answer = question.not_identically_zero(pulled, region)
         if answer.status == "refuted":
-            vanishing.append(Outcome("proved", arguments=({"minor": name, "is": "0", "method": answer.method},)))
+            step = {"minor": name, "is": "0", "method": answer.method}
+            vanishing.append(Outcome("proved", numeric=answer.numeric, arguments=(step,)))
             continue
         if answer.status != "proved":
             open_questions.append(f"is the minor {name} identically zero?")
@@ -101,7 +104,7 @@ def full_rank(
     if open_questions or next(minors, None) is not None:
         return Outcome("undecided", note="; ".join(open_questions[:3]) or "too many minors")
     dependent = question.refuted_exactly(region, "all maximal minors of the Jacobian vanish identically")
-    return combined([dependent, *vanishing])
+    return replace(combined([dependent, *vanishing]), numeric=merged(o.numeric for o in (*vanishing, dependent)))
 
 
 def _dependent_somewhere(
@@ -131,25 +134,25 @@ def _dependent_somewhere(
 
 
 def _ranked(
-    question: Question, minor: Node, name: str, answer: object, region: Region, everywhere: Sequence[Node] | None
+    question: Question, minor: Node, name: str, answer: Answer, region: Region, everywhere: Sequence[Node] | None
 ) -> Outcome:
     """What a minor that doesn't vanish at one point says (`everywhere`: of the whole domain, in these variables)."""
-    tape = question.tape
-    witness = getattr(answer, "witness", None)
+    tape, witness = question.tape, answer.witness
+    numeric = answer.numeric if everywhere is not None else None
     point = witness.as_table() if witness is not None else {}
     detail = {"minor": f"det d(functions)/d({name})", "nonzero_at": point}
     step = {"minor": name, "value": question.show(minor), "is not 0 at": point}
     if question.method == "numeric":
-        return Outcome("supported", method="witness", detail=detail, arguments=(step,))
+        return Outcome("supported", method="witness", numeric=numeric, detail=detail, arguments=(step,))
     if region.surface and everywhere is not None:
         note = "full rank at one point of the surface; nothing is shown of its other components"
-        return Outcome("supported", method="witness", detail=detail, note=note)
+        return Outcome("supported", method="witness", numeric=numeric, detail=detail, note=note)
     parameters = {tape.symbol(s) for s in question.space.parameters} - set(everywhere or ())
     fixed = frozenset(tape.support(minor) & parameters)
     conditions = question.domain().conditions
-    proved = Outcome(
-        "proved", method="minor, analytic continuation", detail=detail, arguments=({**step, "theorem": THEOREM},)
-    )
+    arguments = ({**step, "theorem": THEOREM},)
+    method = "minor, analytic continuation"
+    proved = Outcome("proved", method=method, numeric=numeric, detail=detail, arguments=arguments)
     if not_zero_for_any_parameters(tape, minor, fixed, conditions):
         return proved
     free = not fixed and not tape.functions_of([minor])
@@ -158,7 +161,7 @@ def _ranked(
     gaps = ["on other components of the domain"] if everywhere is not None else []
     gaps += ["at special values of parameters"] if fixed else []
     note = f"full rank at one point; not shown {' or '.join(gaps)}"
-    return Outcome("supported", method="witness", detail=detail, note=note)
+    return Outcome("supported", method="witness", numeric=numeric, detail=detail, note=note)
 
 
 def _harmless(tape: Tape, minor: Node, fixed: frozenset[Node], conditions: Sequence[Condition]) -> bool:

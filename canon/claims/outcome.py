@@ -91,7 +91,7 @@ def combined(outcomes: Iterable[Outcome]) -> Outcome:
         method=", ".join(dict.fromkeys(methods)),
         findings=tuple(finding for part in parts for finding in part.findings),
         witness=refuted.witness if refuted else None,
-        numeric=merged(part.numeric for part in parts),
+        numeric=refuted.numeric if refuted else merged(part.numeric for part in parts),
         detail=detail,
         arguments=tuple(argument for part in parts for argument in part.arguments),
         note=refuted.note if refuted else "; ".join(dict.fromkeys(part.note for part in parts if part.note)),
@@ -99,9 +99,9 @@ def combined(outcomes: Iterable[Outcome]) -> Outcome:
 
 
 def merged(evidence: Iterable[Evidence | None]) -> Evidence | None:
-    """One account of several samplings: the fewest points, the residual worst against its own bound."""
+    """One account of several samplings: the fewest points, the largest residual with its own bound."""
     found = [item for item in evidence if item is not None]
     if not found:
         return None
-    worst = max(found, key=lambda item: item.max_residual / item.bound if item.bound else item.max_residual)
+    worst = max(found, key=lambda item: (item.max_residual, item.bound))
     return Evidence(min(item.points for item in found), worst.max_residual, worst.bound, worst.bits)

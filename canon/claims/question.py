@@ -254,6 +254,7 @@ class Question:
             method=answer.method,
             findings=(finding,),
             witness=answer.witness.as_table() if answer.status == "refuted" and answer.witness else None,
+            numeric=answer.numeric,
             detail=detail,
             arguments=arguments,
             note=note,
@@ -292,7 +293,7 @@ class Question:
             return ladder.nonvanishing(self.tape, node, region, budget=self.budget, seed=self.seed)
         outcome = self.sampled([Residual("0", node)], region, SUPPORT_POINTS)
         if outcome.failed is not None:
-            return ladder.Answer("proved", "nonzero at a point", witness=outcome.failed.answer.witness)
+            return replace(outcome.failed.answer, status="proved", method="nonzero at a point")
         return ladder.Answer("undecided", "sampling", "zero at every point tried")
 
     def refuted_exactly(self, region: Region, theorem: str, **detail: Any) -> Outcome:
@@ -300,7 +301,7 @@ class Question:
         (answer,) = ladder.vanish(self.tape, [self.tape.zero], region, budget=self.budget, seed=self.seed)
         if answer.status != "proved":
             return Outcome("undecided", note=f"{theorem}; but no point of the domain could be certified")
-        return exact("refuted", theorem, **detail)
+        return replace(exact("refuted", theorem, **detail), numeric=answer.numeric)
 
     def show(self, node: Node, *, shorten: bool = True) -> str:
         """A node as a formula for people."""

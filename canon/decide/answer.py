@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -12,6 +12,7 @@ from canon.decide.enclosure import Ball
 from canon.decide.region import Requirement
 from canon.decide.search import Sample
 from canon.decide.tape import Node, Tape
+from canon.verdict import Evidence
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,8 @@ class Answer:
 
     `status` is "proved", "refuted", "supported" or "undecided"; `conditions` are the side conditions that the
     argument used; `log2_error` bounds the probability that a `supported` by modular evaluation is wrong; `index` is
-    the position of the node that a sampling refuted.
+    the position of the node that a sampling refuted; `balls` are the node's at the certified points that were looked at
+    in `bits` bits: at the witness alone, where there is one.
     """
 
     status: str
@@ -64,6 +66,20 @@ class Answer:
     certificate: Mapping[str, Any] = field(default_factory=dict)
     log2_error: float | None = None
     index: int | None = None
+    balls: tuple[Ball, ...] = field(default=(), compare=False, repr=False)
+    bits: int = 64
+
+    @property
+    def numeric(self) -> Evidence | None:
+        """What the balls say, None without them: the largest residual with the radius of its own ball."""
+        if not self.balls:
+            return None
+        return Evidence(len(self.balls), *largest(self.balls), self.bits)
+
+
+def largest(balls: Iterable[Ball]) -> tuple[float, float]:
+    """The largest middle of the balls, and the radius that bounds its rounding."""
+    return max((float(abs(ball.mid())), float(ball.rad())) for ball in balls)
 
 
 Answers = dict[Node, Answer]

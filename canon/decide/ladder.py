@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import random
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import NoReturn
 
 from canon.budget import Budget, BudgetExceeded
@@ -17,7 +18,7 @@ from canon.decide.answer import Answer, Answers, Witness
 from canon.decide.certificate import Certificate, of_tower
 from canon.decide.constants import number_is_zero
 from canon.decide.continuity import vanishes_by_cells
-from canon.decide.enclosure import OutOfDomain, excludes_zero
+from canon.decide.enclosure import Ball, OutOfDomain, excludes_zero
 from canon.decide.intervals import intervals_of
 from canon.decide.normal_form import FIRST, LARGER, reduce_to_zero
 from canon.decide.on_surface import vanishes_on_surface
@@ -90,12 +91,11 @@ def nonvanishing(tape: Tape, node: Node, region: Region, *, budget: Budget, seed
     """Is the node not identically zero?  Proved by a point at which its ball excludes 0, refuted by a proof of 0."""
     answer = vanish(tape, [node], region, budget=budget, seed=seed)[0]
     if answer.status == "refuted":
-        return Answer("proved", f"nonzero at a point ({answer.method})", answer.note, answer.witness, answer.conditions)
+        method = f"nonzero at a point ({answer.method})"
+        return replace(answer, status="proved", method=method, certificate={})
     if answer.status == "proved":
-        return Answer(
-            "refuted", f"identically zero ({answer.method})", answer.note, None, answer.conditions, answer.certificate
-        )
-    return Answer("undecided", answer.method, answer.note)
+        return replace(answer, status="refuted", method=f"identically zero ({answer.method})")
+    return Answer("undecided", answer.method, answer.note, balls=answer.balls)
 
 
 class _Ladder:
@@ -122,7 +122,8 @@ class _Ladder:
         self.witnesses(nodes, answers)
         for node in nodes:
             if node not in answers and node == self.tape.zero:
-                answers[node] = Answer("proved", "identity", certificate={"argument": "the residual is the number 0"})
+                argument = {"argument": "the residual is the number 0"}
+                answers[node] = Answer("proved", "identity", certificate=argument, balls=self.seen(node))
         if done():
             return
         self.normal_forms(left(), answers)
@@ -184,7 +185,9 @@ class _Ladder:
         for node in nodes:
             if node not in answers and node in balls and excludes_zero(balls[node]):
                 witness = Witness.of(self.tape, sample, balls[node])
-                answers[node] = Answer("refuted", f"ball at {bits} bits", witness=witness)
+                answers[node] = Answer(
+                    "refuted", f"ball at {bits} bits", witness=witness, balls=(balls[node],), bits=bits
+                )
 
     def deeper_witnesses(self, nodes: Sequence[Node], answers: Answers, first_refutation: bool) -> None:
         """More points and more bits, for differences that hide below 64 bits."""
@@ -283,7 +286,9 @@ class _Ladder:
         if not self.points:
             answers[node] = Answer("supported", method, "an identity, but no point of the domain could be certified")
             return
-        answers[node] = Answer("proved", method, conditions=self.region.requirements, certificate=certificate)
+        answers[node] = Answer(
+            "proved", method, conditions=self.region.requirements, certificate=certificate, balls=self.seen(node)
+        )
 
     def leave(self, node: Node, answers: Answers) -> None:
         """What remains: supported by modular evaluation or by balls that all contain 0, else undecided."""
@@ -291,14 +296,17 @@ class _Ladder:
         log_error = self.evidence.get(node)
         if log_error is not None and self.points:
             note = f"zero over a random prime field, error below 2^{log_error:.0f}; tried: {tried}"
-            answers[node] = Answer("supported", "modular evaluation", note, log2_error=log_error)
+            answers[node] = Answer("supported", "modular evaluation", note, log2_error=log_error, balls=self.seen(node))
             return
-        balls = [sample.balls[node] for sample in self.points if node in sample.balls]
-        if balls and self.deep_zero(node):
+        if self.seen(node) and self.deep_zero(node):
             note = f"within 10^-200 of 0 at {len(self.points)} points; tried: {tried}"
-            answers[node] = Answer("supported", "balls at 1024 bits", note)
+            answers[node] = Answer("supported", "balls at 1024 bits", note, balls=self.seen(node))
             return
-        answers[node] = Answer("undecided", "", f"tried: {tried}")
+        answers[node] = Answer("undecided", "", f"tried: {tried}", balls=self.seen(node))
+
+    def seen(self, node: Node) -> tuple[Ball, ...]:
+        """The node's balls at the points where it was looked at first, in 64 bits."""
+        return tuple(sample.balls[node] for sample in self.points if node in sample.balls)
 
     def deep_zero(self, node: Node) -> bool:
         """Balls of 1024 bits at every known point lie within 1e-200 of 0."""

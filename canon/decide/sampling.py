@@ -6,8 +6,8 @@ import random
 from collections.abc import Sequence
 
 from canon.budget import Budget, BudgetExceeded
-from canon.decide.answer import Answer, Witness
-from canon.decide.enclosure import Ball, excludes_zero
+from canon.decide.answer import Answer, Witness, largest
+from canon.decide.enclosure import excludes_zero
 from canon.decide.region import Region
 from canon.decide.search import samples
 from canon.decide.tape import Node, Tape, Unsupported
@@ -26,10 +26,10 @@ def sample(
 ) -> tuple[Evidence | None, Answer | None]:
     """The largest residual over random points of the region, and a refutation if a ball excludes 0.
 
-    Returns: (evidence, refutation). The evidence's `bound` is the largest radius of a residual's ball, which is
+    Returns: (evidence, refutation). The evidence's `bound` is the radius of the largest residual's ball, which is
     its rigorous rounding bound; None where no point could be evaluated. The refutation's `index` says which node.
     """
-    largest = bound = 0.0
+    worst = (0.0, 0.0)
     found = 0
     try:
         for point in samples(tape, nodes, region, random.Random(seed), count=points, bits=bits, tries=8, budget=budget):
@@ -38,17 +38,10 @@ def sample(
                 ball = point.balls[node]
                 if excludes_zero(ball):
                     witness = Witness.of(tape, point, ball)
-                    return None, Answer("refuted", f"ball at {bits} bits", witness=witness, index=index)
-                largest = max(largest, _size(ball))
-                bound = max(bound, _radius(ball))
+                    return None, Answer(
+                        "refuted", f"ball at {bits} bits", witness=witness, index=index, balls=(ball,), bits=bits
+                    )
+                worst = max(worst, largest((ball,)))
     except (Unsupported, BudgetExceeded):
         pass
-    return (Evidence(found, largest, bound, bits) if found else None), None
-
-
-def _size(ball: Ball) -> float:
-    return float(abs(ball.mid()))
-
-
-def _radius(ball: Ball) -> float:
-    return float(ball.rad())
+    return (Evidence(found, *worst, bits) if found else None), None

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from canon.report.words import Record, duration, name, value, visible
+from canon.verdict import GLANCES
 
 FEW: Final = 12
 """Up to so many claims, refutations that were expected are explained too."""
@@ -30,12 +31,10 @@ def explanation(claim: Record) -> Iterator[str]:
             continue
         text = value(datum)
         yield f"  {text}" if key == "note" else f"  {visible(key.replace('_', ' '))}: {text}"
-    if claim["numeric"]:
-        numeric = claim["numeric"]
-        yield (
-            f"  {numeric['points']} sample points: largest residual {numeric['max_residual']}, "
-            f"rounding bound {numeric['bound']}"
-        )
+    numeric = claim["numeric"]
+    if numeric and (claim["verdict"] != "refuted" or numeric["points"] > GLANCES):
+        counted = f"{numeric['points']} sample point{'s' * (numeric['points'] != 1)}"
+        yield f"  {counted}: largest residual {numeric['max_residual']}, rounding bound {numeric['bound']}"
     if claim["verdict"] == "undecided":
         hint = "; a larger --budget may help" if "budget" in str(claim["detail"]) else ""
         yield f"  undecided after {duration(claim['seconds'])}{hint}"

@@ -18,6 +18,7 @@ from canon.decide import derivative as derivatives
 from canon.decide import ladder
 from canon.domain import Condition
 from canon.errors import InputError
+from canon.expression import Formula
 from canon.mechanics import PhaseSpace, Transformation
 
 SPACE = PhaseSpace("q", "p", new=("Q", "P"), positive="m")
@@ -39,17 +40,40 @@ def test_an_unknown_kind_names_the_nearest():
 
 def test_methods():
     true, false = exchange().canonical(), exchange(1).canonical()
-    assert verify(true, method="symbolic").numeric is None
+    glance = verify(true, method="symbolic").numeric
+    assert glance is not None
+    assert (glance.points, glance.max_residual <= glance.bound) == (2, True)
     numeric = verify(true, method="numeric")
     assert numeric.status == "supported"
     assert numeric.numeric is not None
     both = verify(true, method="all")
     assert both.status == "proved"
     assert both.numeric is not None
-    assert both.numeric.points > 0
+    assert both.numeric.points == 1000
     assert {verify(false, method=method).status for method in ("symbolic", "numeric", "all")} == {"refuted"}
     with pytest.raises(InputError, match="method"):
         verify(true, method="quick")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("method", ["symbolic", "numeric", "all"])
+def test_a_refutation_by_a_point_says_the_number_there(method):
+    verdict = verify(exchange(1).canonical(), method=method)
+    assert verdict.numeric is not None
+    assert verdict.numeric.points == 1
+    assert verdict.numeric.max_residual == abs(float(verdict.detail["residual"])) > verdict.numeric.bound
+    assert "residual" not in str(verdict).split("residual:", 1)[1]  # said once, with the witness
+
+
+def test_the_number_of_independence_is_the_minor():
+    proved = verify(Claim("independent", exchange().subject(), {"functions": (Formula(2 * q, ()), Formula(p, ()))}))
+    assert proved.numeric is not None
+    assert (proved.numeric.points, proved.numeric.max_residual) == (1, 2.0)
+    refuted = verify(
+        Claim("independent", exchange().subject(), {"functions": (Formula(q * p, ()), Formula(q**2 * p**2, ()))})
+    )
+    assert refuted.status == "refuted"
+    assert refuted.numeric is not None
+    assert refuted.numeric.max_residual <= refuted.numeric.bound
 
 
 def test_a_certificate_is_data_that_json_can_hold():

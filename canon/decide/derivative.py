@@ -186,12 +186,31 @@ def _special_partial(tape: Tape, node: Node, name: str, arguments: tuple[Node, .
         return tape.add(
             ((tape.mul(((e, 1), (m, -1), (rest, -1))), HALF), (tape.mul(((f, 1), (m, -1))), -HALF), (last, -HALF))
         )
-    if name in ("jacobi_sn", "jacobi_cn", "jacobi_dn") and k == 0:
-        u, m = arguments
-        sn, cn, dn = (tape.call(f"jacobi_{which}", u, m) for which in ("sn", "cn", "dn"))
+    if name.startswith("jacobi_"):
+        return _jacobi_partial(tape, name, arguments, k)
+    raise Unsupported(f"the derivative of {name} by its argument {k + 1}")
+
+
+def _jacobi_partial(tape: Tape, name: str, arguments: tuple[Node, ...], k: int) -> Node:
+    """Derivatives of sn, cn, dn and epsilon by u (k = 0) and by m (the formulas of canon.special)."""
+    u, m = arguments
+    sn, cn, dn, epsilon = (tape.call(f"jacobi_{which}", u, m) for which in ("sn", "cn", "dn", "epsilon"))
+    if k == 0:
         if name == "jacobi_sn":
             return tape.times(cn, dn)
         if name == "jacobi_cn":
             return tape.negative(tape.times(sn, dn))
-        return tape.negative(tape.times(m, sn, cn))
-    raise Unsupported(f"the derivative of {name} by its argument {k + 1}")
+        return tape.negative(tape.times(m, sn, cn)) if name == "jacobi_dn" else tape.power(dn, 2)
+    rest = tape.add(((m, -ONE),), 1)
+    if name == "jacobi_epsilon":
+        terms = (
+            (tape.times(sn, cn, dn), HALF), (tape.times(rest, u, sn, sn), -HALF), (tape.times(epsilon, cn, cn), -HALF),
+        )  # fmt: skip
+        return tape.times(tape.add(terms), tape.power(rest, -1))
+    fall = tape.minus(tape.times(rest, u), epsilon)
+    if name == "jacobi_dn":
+        inner = tape.plus(tape.times(cn, fall), tape.times(sn, dn))
+        return tape.mul(((sn, 1), (inner, 1), (rest, -1)), -HALF)
+    inner = tape.plus(tape.times(dn, fall), tape.times(m, sn, cn))
+    other, sign = (cn, HALF) if name == "jacobi_sn" else (sn, -HALF)
+    return tape.mul(((other, 1), (inner, 1), (m, -1), (rest, -1)), sign)

@@ -14,6 +14,7 @@ import flint
 from flint import acb, arb
 
 from canon.decide.arbitrary import ChosenFunction, rational
+from canon.decide.jacobi import jacobi
 from canon.decide.tape import Node, Tape, Unsupported
 
 Ball = Any  # flint.arb or flint.acb; the package has no type stubs
@@ -213,17 +214,13 @@ def _incomplete(name: str) -> Callable[[Ball, Ball], Ball]:
 
 
 def _jacobi(which: str) -> Callable[[Ball, Ball], Ball]:
-    """sn, cn, dn by theta functions (DLMF 22.2.4-6), for 0 < m < 1."""
+    inner = jacobi(which)
 
     def rule(u: Ball, m: Ball) -> Ball:
-        if not (m > 0 and m < 1):
-            raise OutOfDomain("Jacobi's functions are enclosed for 0 < m < 1")
-        period, other = acb(m).elliptic_k(), acb(1 - m).elliptic_k()
-        tau = acb(0, 1) * other / period
-        _, t2, t3, t4 = acb.modular_theta(acb(0), tau)
-        s1, s2, s3, s4 = acb.modular_theta(acb(u) / (2 * period), tau)
-        value = {"sn": t3 * s1 / (t2 * s4), "cn": t4 * s2 / (t2 * s4), "dn": t4 * s3 / (t3 * s4)}[which]
-        return value.real
+        value = inner(u, m)
+        if value is None:
+            raise OutOfDomain("a parameter of Jacobi's functions not told from 0 or 1")
+        return value
 
     return rule
 
@@ -234,4 +231,5 @@ REAL: dict[str, Callable[..., Ball]] = {
     "elliptic_e": _complete("elliptic_e"),
     "elliptic_f": _incomplete("elliptic_f"), "elliptic_ei": _incomplete("elliptic_e_inc"),
     "jacobi_sn": _jacobi("sn"), "jacobi_cn": _jacobi("cn"), "jacobi_dn": _jacobi("dn"),
+    "jacobi_epsilon": _jacobi("epsilon"), "jacobi_dn over": lambda u, m, under: under * _jacobi("dn")(u, m),
 }  # fmt: skip

@@ -209,6 +209,22 @@ def _special(name: str) -> Callable[..., Node]:
     return lambda tape, *arguments: tape.call(name, *arguments)
 
 
+def _jacobi(name: str) -> Callable[[Tape, Node, Node], Node]:
+    """A function of Jacobi's, elementary where its parameter is written as 0 or 1 (DLMF 22.5(ii))."""
+
+    def rule(tape: Tape, u: Node, m: Node) -> Node:
+        if m == tape.zero:
+            if name in ("jacobi_sn", "jacobi_cn"):
+                return tape.call("sin" if name == "jacobi_sn" else "cos", u)
+            return tape.one if name == "jacobi_dn" else u
+        if m == tape.one:
+            inverse = tape.power(_cosh(tape, u), -1)
+            return tape.times(_sinh(tape, u), inverse) if name in ("jacobi_sn", "jacobi_epsilon") else inverse
+        return tape.call(name, u, m)
+
+    return rule
+
+
 RULES: dict[str, Callable[..., Node]] = {
     "Abs": _abs, "sign": _sign, "log": _log, "tan": _ratio("sin", "cos"), "cot": _ratio("cos", "sin"),
     "sec": _inverse_of("cos"), "csc": _inverse_of("sin"), "sinh": _sinh, "cosh": _cosh,
@@ -216,7 +232,8 @@ RULES: dict[str, Callable[..., Node]] = {
     "coth": lambda tape, u: tape.mul(((_cosh(tape, u), 1), (_sinh(tape, u), -1))),
     "sech": lambda tape, u: tape.power(_cosh(tape, u), -1), "csch": lambda tape, u: tape.power(_sinh(tape, u), -1),
     "asinh": _asinh, "acosh": _acosh, "atanh": _atanh, "elliptic_e": _elliptic_e, "LambertW": _special("lambertw"),
-    "JacobiSN": _special("jacobi_sn"), "JacobiCN": _special("jacobi_cn"), "JacobiDN": _special("jacobi_dn"),
+    "JacobiSN": _jacobi("jacobi_sn"), "JacobiCN": _jacobi("jacobi_cn"), "JacobiDN": _jacobi("jacobi_dn"),
+    "JacobiEpsilon": _jacobi("jacobi_epsilon"),
     "conjugate": lambda tape, u: u if not tape.is_complex(u) else conjugate(tape, u),
     "re": lambda tape, u: tape.scaled(tape.plus(u, conjugate(tape, u)), HALF),
 }  # fmt: skip

@@ -1,7 +1,8 @@
 """Radicands that are squares, though not as they are written.
 
 By cos² + sin² = 1: 1 − c² = s² and 1 − 2sc = (c − s)². By a radical that is there already: with g² = x − 1,
-x − 2g = (g − 1)². Each is an identity modulo the relations; the root is then an absolute value.
+x − 2g = (g − 1)². By Jacobi's functions: 1 − m sn² = dn². Each is an identity modulo the relations; the root is then
+an absolute value.
 """
 
 from __future__ import annotations
@@ -24,6 +25,9 @@ def hidden_square(tower: Tower, x: Element) -> tuple[Fraction, Element] | None:
     if x[1] or not 1 < len(x[0]) <= MOST_TERMS:
         return None
     field = tower.field
+    elliptic = _by_jacobi(tower, x[0])
+    if elliptic is not None:
+        return elliptic
     for form in (*_by_pythagoras(tower, x[0]), *_by_radicals(tower, x[0])):
         content, pieces = tower.ring.factor(form)
         if content > 0 and all(e % 2 == 0 for _, e in pieces):
@@ -69,3 +73,19 @@ def _by_radicals(tower: Tower, p: Polynomial) -> Iterator[Polynomial]:
                 without = (*monomial[:k], 0, *monomial[k + 1 :])
                 total = total + ring.polynomial({without: coefficient}) * value ** monomial[k]
             yield total
+
+
+def _by_jacobi(tower: Tower, p: Polynomial) -> tuple[Fraction, Element] | None:
+    """p as c · g² · q² with g one of cn, dn and g² the right-hand side of its relation."""
+    ring, field = tower.ring, tower.field
+    for made in tower.generators:
+        if not made.kind.startswith("jacobi_") or not made.degree:
+            continue
+        quotient = ring.quotient(p, made.lower)
+        if quotient is None:
+            continue
+        content, pieces = ring.factor(quotient)
+        if content > 0 and all(e % 2 == 0 for _, e in pieces):
+            parts = [tower.element(made), *(field.power((f, {}), e // 2) for f, e in pieces)]
+            return content, field.product(parts)
+    return None

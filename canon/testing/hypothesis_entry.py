@@ -8,8 +8,8 @@ at once if it is already, else by a finder that waits for it.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Mapping, Sequence
-from importlib.abc import MetaPathFinder
+from collections.abc import Mapping, Sequence
+from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
 from types import ModuleType
@@ -46,22 +46,34 @@ class _Waiting(MetaPathFinder):
     def find_spec(
         self, fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """The module's own spec, with its loader told to register the type in the end."""
+        """The module's own spec, with a loader that registers the type in the end."""
         if fullname not in self.names:
             return None
         self.names.discard(fullname)
         spec = find_spec(fullname)
         if spec is None or spec.loader is None:
             return None
-        execute: Callable[[ModuleType], None] = spec.loader.exec_module
-
-        def exec_module(module: ModuleType) -> None:
-            execute(module)
-            _register(module)
-
-        loader: Any = spec.loader
-        loader.exec_module = exec_module
+        spec.loader = _ThenRegister(spec.loader)
         return spec
+
+
+class _ThenRegister(Loader):
+    """A module's own loader, and afterwards the registration of its type. (Loaders may be shared: none is changed.)"""
+
+    def __init__(self, loader: Any) -> None:
+        self.loader = loader
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType | None:
+        """What the module's own loader creates."""
+        return self.loader.create_module(spec)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Execute the module and register its type."""
+        self.loader.exec_module(module)
+        _register(module)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.loader, name)
 
 
 def _register(module: ModuleType) -> None:

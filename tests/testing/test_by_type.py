@@ -55,3 +55,25 @@ def test_the_entry_points_are_declared() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["entry-points"]
     assert project["hypothesis"] == {"canon": "canon.testing.hypothesis_entry:register"}
     assert project["pytest11"] == {"canon": "canon.testing.pytest_plugin"}
+
+
+def test_a_loader_that_modules_share_is_left_as_it_is(installed: Path) -> None:
+    """pytest loads all modules of a plugin's package by one object."""
+    program = """
+import sys, hypothesis
+from importlib.machinery import PathFinder
+from importlib.abc import Loader
+
+class Shared(Loader):
+    specs = {}
+    def find_spec(self, name, path=None, target=None):
+        spec = PathFinder.find_spec(name, path) if name.startswith("canon.mechanics") else None
+        if spec is not None and not spec.submodule_search_locations:
+            self.specs[name], spec.loader = spec.loader, self
+            return spec
+    def create_module(self, spec): return None
+    def exec_module(self, module): self.specs[module.__name__].exec_module(module)
+
+sys.meta_path.insert(1, Shared())
+"""
+    assert run(program + NAMES + DRAW, installed) == EXPECTED

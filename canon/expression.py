@@ -255,7 +255,13 @@ class _Builder:
         self.use(name, where)
         self.calls.add((name, len(values)))
         function: Any = sp.Function(name)
-        return function(*values)
+        value = function(*values)
+        sign = self.vocabulary.signs.get(name)
+        if sign == "nonzero":
+            self.add((Condition("nonzero", (value,)),))
+        elif sign is not None:
+            self.add((Condition("positive", (value if sign == "positive" else -value,)),))
+        return value
 
     def derivative(self, node: Call, values: list[Any], where: str) -> Any:
         self.count("D", len(node.arguments), (2, 3), where)

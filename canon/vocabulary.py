@@ -55,7 +55,8 @@ class Formula:
 class Vocabulary:
     """The names that a formula may use; declared ones win over built-in ones.
 
-    **Arguments:** `symbols` by name; `functions`, the names of arbitrary functions; `definitions`, abbreviations with
+    **Arguments:** `symbols` by name; `functions`, the names of arbitrary functions, and `signs`, the words "positive",
+    "negative" or "nonzero" that some of them are declared with; `definitions`, abbreviations with
     their formula, or with the error in it that is reported where they are used; `pairs`, the canonical pairs
     (q_i, p_i) of `bracket`; `new`, the names of new variables, which its arguments can't contain; `refused`, names
     that are declared but out of place here, each with the reason; `no_bracket`, why `bracket` is out of place, if it
@@ -64,6 +65,7 @@ class Vocabulary:
 
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
     functions: frozenset[str] = frozenset()
+    signs: Mapping[str, str] = field(default_factory=dict)
     definitions: Mapping[str, Formula | InputError] = field(default_factory=dict)
     pairs: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
     new: frozenset[str] = frozenset()
@@ -97,7 +99,7 @@ class Vocabulary:
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """ ": did you mean …?" with the nearest of the known words, or nothing if none is near."""
-    words = list(dict.fromkeys(known))
+    words = [word for word in dict.fromkeys(known) if word != name]
     lowered = {word.lower(): word for word in reversed(words)}
     name = name[:80]
     close = get_close_matches(name, words, 1, 0.6) or [

@@ -15,7 +15,9 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from canon.claims.outcome import Outcome, Residual
+from canon.decide import ladder
 from canon.decide.derivative import derivative, poisson_bracket
+from canon.decide.search import Sample
 from canon.decide.tape import Node
 from canon.errors import InputError
 from canon.expression import Formula
@@ -124,11 +126,32 @@ def _pulled(question: Question, residuals: Iterable[Residual]) -> Iterator[Resid
 
 def _decided(question: Question, residuals: Iterable[Residual], region: Region) -> Outcome:
     """The outcome, with the actual value of the bracket that fails."""
-    residuals = list(residuals) if not isinstance(residuals, Iterator) else residuals
     outcome = question.decide(_pulled(question, residuals), region)
     if outcome.failed is not None and outcome.failed.residual.actual is not None:
         outcome = outcome.with_detail(value=question.show(outcome.failed.residual.actual))
-    return outcome
+    return outcome.with_detail(warning=_not_poisson(question, region))
+
+
+def _not_poisson(question: Question, region: Region) -> str | None:
+    """A warning, if a point of the region shows that the claim's own tensor violates Jacobi's identity.
+
+    Such a bracket isn't Poisson's, but what is claimed of it has a meaning (in nonholonomic mechanics it has a use):
+    the claim is decided all the same.
+    """
+    if question.claim.kind == "jacobi" or (question.key("tensor") is None and question.key("structure") is None):
+        return None
+    coordinates, b = question.nodes(tensor_of(question)[1]), bracket_of(question)
+    points: list[Sample] = []
+    for x, y, z in combinations(coordinates, 3):
+        if question.budget.spent():
+            break
+        cycle = question.tape.plus(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y)))
+        look = {"budget": question.budget, "seed": question.seed, "known": points}
+        points, fails = ladder.look(question.tape, [question.chart.pull(cycle)], region, **look)
+        if fails:
+            names = ", ".join(str(question.tape.symbol_at(node)) for node in (x, y, z))
+            return f"this is no Poisson bracket: Jacobi's identity fails for {names}"
+    return None
 
 
 def bracket(question: Question) -> Outcome:

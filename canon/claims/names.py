@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Final
 
 from canon.claims import document
 from canon.claims.document import Table, key
@@ -17,6 +17,10 @@ from canon.measure import Measure
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.phase_space import ASSUMPTIONS, PhaseSpace, symbol_with
 from canon.vocabulary import nearest
+
+FUNCTION_WORDS: Final = ("function", "real", "positive", "negative", "nonzero")
+"""The words that can stand together for an arbitrary function; one sign at most."""
+SIGNS: Final = ("positive", "negative", "nonzero")
 
 
 @dataclass
@@ -122,11 +126,14 @@ def read_names(tables: Table) -> Names:
     for name in _orders(tables.get("claim")):
         if name not in taken and name not in definitions and name != time:
             words[name] = ["real"]
+    signs = {name: sign for name, given in words.items() if "function" in given for sign in given if sign in SIGNS}
+    words |= {name: ["function"] for name, given in words.items() if "function" in given}
     sides = {word: [n for n, place in declared.items() if place == f"[phase_space], {word}"] for word in "qpQP"}
     space = PhaseSpace(sides["q"], sides["p"], new=(sides["Q"], sides["P"]), time=time, symbols=words)
     vocabulary = Vocabulary(
         symbols={name: symbol for name, symbol in space.vocabulary.items() if not (hidden and name == time)},
         functions=frozenset(space.functions),
+        signs=signs,
         pairs=tuple(zip(space.q, space.p, strict=True)),
         new=frozenset(_named(space.new)),
     )
@@ -182,8 +189,8 @@ def _symbols(value: Any, declared: Mapping[str, str]) -> dict[str, list[str]]:
         if "function" in words[name]:
             if name in declared:
                 raise InputError(f"{name!r} is a variable, so it can't be a function: {declared[name]}", where)
-            if len(words[name]) > 1:
-                raise InputError("a function takes no further assumption", where)
+            if len(set(words[name]) - {"function", "real"}) > 1 or not set(words[name]) <= {*FUNCTION_WORDS}:
+                raise InputError("a function can be positive, negative or nonzero, and nothing else besides", where)
             continue
         if "integer" in words[name] and name in declared:
             raise InputError(f"{name!r} is a variable, so it can't be an integer: {declared[name]}", where)

@@ -315,6 +315,9 @@ def _nodes(residuals: Iterable[Residual]) -> list[Node]:
 def _assumption(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:
     """What is assumed of a variable must hold of its image: the domain of a map ends where it doesn't."""
     facts = declared(symbol)
+    value = tape.value(image)
+    if value == 0 and facts.get("zero") is not False:  # the edge of what is assumed, which belongs to it
+        return
     if facts.get("nonnegative"):
         yield Requirement("positive", (image,), f"{symbol} > 0 (pulled back)")
     elif facts.get("nonpositive"):

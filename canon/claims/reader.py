@@ -279,7 +279,7 @@ class _Keys:
             place = f"{where}, table {i}"
             solution: dict[sp.Symbol, Formula] = {}
             for word, given in document.table(item, place).items():
-                if word not in self.vocabulary.symbols:
+                if not self.vocabulary.declares(word):
                     raise InputError(self.vocabulary.unknown(word), place)
                 solution[self._name(word, place)] = self._formula(given, entry, f"{place}, {word!r}")
             if not solution:

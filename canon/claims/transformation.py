@@ -6,6 +6,7 @@ A map given backward is canonical with a scale exactly when the brackets of q, p
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ import sympy as sp
 
 from canon.claims.chart import Chart
 from canon.claims.independence import MEROMORPHIC, not_zero_for_any_parameters
-from canon.claims.outcome import Outcome, combined, exact
+from canon.claims.outcome import Finding, Outcome, combined, exact
 from canon.claims.scale import Brackets, scale_of
 from canon.claims.shears import by_shears
 from canon.claims.truncated import checked_order, truncated
@@ -91,12 +92,23 @@ def canonical_when(question: Question) -> Outcome:
         values = checked_solution(question, table, f"key 'solutions', table {number}")
         images = {tape.symbol(name): question.load(value) for name, value in values.items()}
         region = question.region(*values.values(), images=images)
+        free = sorted({*region.symbols}.union(*(tape.support(image) for image in images.values())))
+        region = replace(region, symbols=tuple(free))
         outcome = question.decide(Brackets(question, chart_at(question, values)).residuals(tape.one), region)
-        if outcome.status == "refuted":
+        if outcome.failed is not None:
             shown = {str(name): str(value.expr) for name, value in values.items()}
-            return replace(outcome, witness=outcome.witness and {**shown, **outcome.witness}).with_detail(at=shown)
+            return replace(outcome, witness=_completed(tape, outcome.failed, images)).with_detail(at=shown)
         parts.append(outcome)
     return combined([*parts, _fails_generically(question, {symbol for table in solutions for symbol in table})])
+
+
+def _completed(tape: Tape, failed: Finding, images: Mapping[Node, Node]) -> dict[str, Any] | None:
+    """The witness's table with the solution's own values there, so that it names a value for every parameter."""
+    witness = failed.answer.witness
+    if witness is None:
+        return None
+    values = {str(tape.symbol_at(name)): witness.value_of(tape, image) for name, image in images.items()}
+    return {**{name: value for name, value in values.items() if value is not None}, **witness.as_table()}
 
 
 def _fails_generically(question: Question, names: set[sp.Symbol]) -> Outcome:

@@ -25,7 +25,10 @@ class Missing:
 
 
 def claim_files(names: Iterable[str]) -> tuple[list[ClaimFile], list[Missing]]:
-    """Return the files named, and every `*.toml` below the folders named, each folder in alphabetical order."""
+    """Return the files named, and every `*.toml` below the folders named, each folder in alphabetical order.
+
+    A file that is reached more than once, by whatever path, is taken once, by its first name.
+    """
     found: list[ClaimFile] = []
     missing: list[Missing] = []
     for name in names:
@@ -39,7 +42,14 @@ def claim_files(names: Iterable[str]) -> tuple[list[ClaimFile], list[Missing]]:
             found.append(ClaimFile(name, Path(name)))
         else:
             missing.append(Missing(name, f"no such file or folder{_nearest(name)}"))
-    return found, missing
+    return _once(found), list(dict.fromkeys(missing))
+
+
+def _once(files: list[ClaimFile]) -> list[ClaimFile]:
+    first: dict[str, ClaimFile] = {}
+    for file in files:
+        first.setdefault(os.path.realpath(file.path), file)
+    return list(first.values())
 
 
 def _below(folder: str) -> tuple[list[ClaimFile], list[Missing]]:

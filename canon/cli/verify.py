@@ -159,9 +159,7 @@ def _run_with_lines(entries: list[Entry], settings: Settings, jobs: int | None, 
 def _print(record: Record, *, json: bool, terminal: bool, seconds: float, interrupted: int) -> None:
     """Print the report of the run in the form that the reader of it can use."""
     if json:
-        import json as notation
-
-        print(notation.dumps(record, ensure_ascii=False, indent=1, allow_nan=False))
+        print(_notation(record, sys.stdout.encoding or "utf-8"))
     elif terminal:
         from rich.console import Console
 
@@ -172,3 +170,15 @@ def _print(record: Record, *, json: bool, terminal: bool, seconds: float, interr
         from canon.report.plain import print_rest
 
         print_rest(record, sys.stdout, seconds=seconds, interrupted=interrupted)
+
+
+def _notation(record: Record, encoding: str) -> str:
+    """Return the record as JSON; letters that the encoding doesn't have are escaped, never replaced."""
+    import json
+
+    text = json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        return json.dumps(record, ensure_ascii=True, indent=1, allow_nan=False)
+    return text

@@ -8,9 +8,10 @@ from typing import Any
 
 from flint import acb
 
+from canon.decide.derivative import substitute
 from canon.decide.enclosure import Ball
 from canon.decide.region import Requirement
-from canon.decide.search import Sample
+from canon.decide.search import Sample, evaluate_again
 from canon.decide.tape import Node, Tape
 from canon.verdict import Evidence
 
@@ -23,6 +24,7 @@ class Witness:
     functions: Mapping[str, str]
     value: str
     size: float
+    sample: Sample | None = field(default=None, compare=False, repr=False)
 
     @staticmethod
     def of(tape: Tape, sample: Sample, ball: Ball) -> Witness:
@@ -34,11 +36,28 @@ class Witness:
         for node, box in sample.solved.items():
             coordinates[str(tape.symbol_at(node))] = box.mid().str(30, radius=False)
         functions = {name: chosen.formula() for name, chosen in sample.functions.items()}
-        return Witness(coordinates, functions, show_ball(ball), float(ball.abs_lower()))
+        return Witness(coordinates, functions, show_ball(ball), float(ball.abs_lower()), sample)
 
     def as_table(self) -> dict[str, Any]:
         """name = value, with the chosen functions by formula (a, or a1, a2, … their arguments)."""
         return {**self.coordinates, **self.functions}
+
+    def value_of(self, tape: Tape, node: Node) -> Any:
+        """Another node's value at the same point, as data: exact where it is rational, else decimals that are certain.
+
+        None where the point doesn't determine it.
+        """
+        sample = self.sample
+        if sample is None or not tape.support(node) <= {*sample.point, *sample.solved}:
+            return None
+        exact = {n: tape.number(v) for n, v in sample.point.items() if not isinstance(v, tuple)}
+        value = tape.value(substitute(tape, node, exact))
+        if value is not None:
+            return str(value)
+        ball = evaluate_again(tape, [node], sample, 128)[node]
+        if isinstance(ball, acb):
+            return {"re": ball.real.str(30, radius=False), "im": ball.imag.str(30, radius=False)}
+        return ball.str(30, radius=False)
 
 
 def show_ball(ball: Ball) -> str:

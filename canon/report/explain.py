@@ -13,9 +13,13 @@ FEW: Final = 12
 
 
 def explained(claims: list[Record]) -> list[Record]:
-    """Return the claims that deserve an explanation: those against their expectation; all that fail, if few."""
+    """Return the claims that deserve an explanation: not as expected, or with a warning; all that fail, if few."""
     few = len(claims) <= FEW
-    return [claim for claim in claims if not claim["expected"] or (few and claim["verdict"] != "proved")]
+    return [
+        claim
+        for claim in claims
+        if not claim["expected"] or "warning" in claim["detail"] or (few and claim["verdict"] != "proved")
+    ]
 
 
 def explanation(claim: Record) -> Iterator[str]:

@@ -33,6 +33,33 @@ def test_jacobi_for_any_functions_and_for_tensors(status):
     assert status(f"{claim.format('x', 'y', 'z')}\n{bent}", **BODY) == "refuted"
 
 
+def test_a_tensor_that_is_not_poissons_is_warned_of(ask):
+    claim = 'kind = "bracket"\nf = "x"\ng = "y"\nequals = "z"'
+    bent = SO3.replace('"x"', '"x*y"', 1).replace('"-x"', '"-x*y"')
+    good, bad = ask(f"{claim}\n{SO3}", f"{claim}\n{bent}", **BODY)
+    assert (good.status, bad.status) == ("proved", "proved")
+    assert "warning" not in good.detail
+    assert bad.detail["warning"] == "this is no Poisson bracket: Jacobi's identity fails for x, y, z"
+    (jacobi,) = ask(f'kind = "jacobi"\nf = "x"\ng = "y"\nh = "z"\n{bent}', **BODY)
+    assert (jacobi.status, "warning" in jacobi.detail) == ("refuted", False)  # it is the claim itself
+
+
+def test_a_function_with_a_sign(status):
+    """What holds of every positive function, not of every function, and not of every nonzero one."""
+    root, slope = 'lhs = "sqrt(V(x)**2)"\nrhs = "V(x)"', 'lhs = "sqrt(D(V(x), x)**2)"\nrhs = "D(V(x), x)"'
+
+    def answer(words, claim):
+        return status(f'kind = "identity"\n{claim}', space=PLANE, symbols=f"V = {words}")
+
+    assert answer('["function", "positive"]', root) == "proved"
+    assert answer('["function", "negative"]', root.replace('"V(x)"', '"-V(x)"')) == "proved"
+    assert answer('["function", "positive"]', slope) == "refuted"
+    for words in ('"function"', '["function", "negative"]', '["function", "nonzero"]', '["real", "function"]'):
+        assert answer(words, root) == "refuted"
+    with pytest.raises(InputError, match="no point"):
+        answer('["function", "positive"]', 'lhs = "sqrt(-V(x))"\nrhs = "0"')
+
+
 def test_euler_equations_conserve_the_square(status):
     assert status(f'kind = "conserved"\nf = "x**2 + y**2 + z**2"\n{SO3}', **BODY) == "proved"
     assert status(f'kind = "conserved"\nf = "x**2 + y**2"\n{SO3}', **BODY) == "refuted"

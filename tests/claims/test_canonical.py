@@ -1,5 +1,8 @@
 """`canonical`, `canonical_when`, `fundamental_brackets`: brackets, scales, orders, surfaces, domains."""
 
+import math
+from fractions import Fraction
+
 import pytest
 
 from canon.errors import InputError
@@ -123,6 +126,29 @@ def test_a_solution_must_satisfy_what_is_assumed(status, value):
             symbols='a = "positive"',
             transformation=forward("a*q", "p"),
         )
+
+
+@pytest.mark.parametrize(("value", "expected"), [("0", "proved"), ("1", "refuted")])
+def test_a_solution_may_lie_on_the_edge_of_what_is_assumed(status, value, expected):
+    claim = f'kind = "canonical_when"\nsolutions = [{{a = "{value}"}}]'
+    assert status(claim, symbols='a = "nonnegative"', transformation=forward("q + a*p", "p + a*q")) == expected
+
+
+def test_the_witness_at_a_solution_is_data(ask):
+    def at(value):
+        (verdict,) = ask(
+            f'kind = "canonical_when"\nsolutions = [{{a = "{value}"}}]',
+            symbols='a = "real"\nth = "real"',
+            transformation=forward("a*q", "p"),
+        )
+        assert verdict.detail["at"] == {"a": value}
+        return verdict.witness
+
+    cosine, square = at("cos(th)"), at("th**2")
+    assert float(cosine["a"]) == pytest.approx(math.cos(Fraction(cosine["th"])), rel=1e-14)
+    assert len(cosine["a"]) > 25
+    assert Fraction(square["a"]) == Fraction(square["th"]) ** 2
+    assert at("3/2")["a"] == "3/2"
 
 
 def test_a_solution_must_leave_the_formulas_defined(status):

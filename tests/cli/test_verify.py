@@ -1,7 +1,10 @@
 """`canon verify` from files to exit status: what is printed, by example, and what JSON holds."""
 
 import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -130,6 +133,28 @@ def test_a_folder_means_every_claim_file_below_it(file: Any, capsys: pytest.Capt
     assert found["errors"] == [
         {"file": "claims/empty", "where": "", "message": "no claim file (*.toml) in this folder or below it"}
     ]
+
+
+def test_a_file_is_checked_once_by_whatever_path_it_is_reached(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    Path("claims").mkdir()
+    name = file("claims/map.toml", "bracket")
+    Path("claims/link.toml").symlink_to("map.toml")
+    _, found = record(capsys, name, "claims", str(Path(name).resolve()), name, "absent.toml", "absent.toml")
+    assert [claim["file"] for claim in found["claims"]] == [name]
+    assert [error["file"] for error in found["errors"]] == ["absent.toml"]
+
+
+def test_json_for_a_terminal_without_the_letters(file: Any) -> None:
+    title = "µ → Ω"
+    Path("map.toml").write_text(MAP + CLAIM["bracket"] + f'title = "{title}"\n', encoding="utf-8")
+    outputs = {}
+    for encoding in ("ascii", "utf-8"):
+        environment = {**os.environ, "PYTHONIOENCODING": encoding}
+        command = [sys.executable, "-m", "canon", "verify", "map.toml", "--json", "--jobs", "1"]
+        outputs[encoding] = subprocess.run(command, capture_output=True, env=environment, check=True).stdout
+    assert json.loads(outputs["ascii"])["claims"][0]["title"] == title
+    assert title.encode() in outputs["utf-8"]
+    assert title.encode() not in outputs["ascii"]
 
 
 def test_the_shape_of_the_json_record(file: Any, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,17 +1,40 @@
-"""Numerical evidence: residuals at many certified points, each beside the ball that bounds its rounding."""
+"""Numerical evidence: residuals at many points, each beside the bound on its rounding.
+
+A few certified points come first, in balls. From these a cloud of points is spread and evaluated in double precision,
+all at once; where a residual there exceeds its bound, or comes nearest to it, balls look again at the very point. So
+`refuted` rests on balls alone. Surfaces, and functions that have no rule in double precision, are sampled in balls.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import random
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
 
 from canon.budget import Budget, BudgetExceeded
 from canon.decide.answer import Answer, Witness, largest
 from canon.decide.enclosure import excludes_zero
 from canon.decide.region import Region
-from canon.decide.search import samples
+from canon.decide.search import Coordinate, Finder, Sample, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.verdict import Evidence
+
+SEEDS: Final = 8
+GROUPS: Final = 4
+"""Arbitrary functions are chosen so many times."""
+
+TRIES: Final = 8
+LOOKED_AT: Final = 4
+"""So many of the worst points of a residual are looked at again, in balls of each of these bits."""
+
+PRECISIONS: Final = (64, 256)
+DENOMINATORS: Final = (100, 10**6)
+
+
+class Underestimated(Exception):
+    """A residual beyond its bound in double precision that balls find to be rounding: the bound can't be trusted."""
 
 
 def sample(
@@ -24,24 +47,182 @@ def sample(
     seed: int = 0,
     bits: int = 53,
 ) -> tuple[Evidence | None, Answer | None]:
-    """The largest residual over random points of the region, and a refutation if a ball excludes 0.
+    """The largest residual over random points of the region, beside its bound, and a refutation if there is one.
 
-    Returns: (evidence, refutation). The evidence's `bound` is the radius of the largest residual's ball, which is
-    its rigorous rounding bound; None where no point could be evaluated. The refutation's `index` says which node.
+    **Returns:** (evidence, refutation). A refutation is a ball that excludes 0 at a certified point; its `index` says
+    which node. The evidence is None where something is refuted, and where no point could be evaluated.
     """
-    worst = (0.0, 0.0)
-    found = 0
+    rng = random.Random(seed)
+    seeds: list[Sample] = []
+    finder = Finder(tape, nodes, region, rng)
     try:
-        for point in samples(tape, nodes, region, random.Random(seed), count=points, bits=bits, tries=8, budget=budget):
+        for point in _attempts(finder, bits, min(points, SEEDS), budget):
+            seeds.append(point)
+            refuted = _refuted(tape, nodes, point, bits)
+            if refuted is not None:
+                return None, refuted
+    except (Unsupported, BudgetExceeded):
+        return _evidence_of(seeds, nodes, bits), None
+    if not seeds:
+        return None, None
+    if not region.surface:
+        with contextlib.suppress(Unsupported, Underestimated):
+            return _by_clouds(finder, nodes, seeds, points, budget, seed)
+    return _by_balls(tape, nodes, region, rng, seeds, points, budget, bits)
+
+
+def _attempts(finder: Finder, bits: int, count: int, budget: Budget) -> Iterator[Sample]:
+    found = 0
+    for attempt in range(TRIES * max(1, count)):
+        if found:
+            budget.check()
+        point = finder.attempt(bits, nice=attempt < 2, effort=attempt)
+        if point is not None:
             found += 1
-            for index, node in enumerate(nodes):
-                ball = point.balls[node]
-                if excludes_zero(ball):
-                    witness = Witness.of(tape, point, ball)
-                    return None, Answer(
-                        "refuted", f"ball at {bits} bits", witness=witness, index=index, balls=(ball,), bits=bits
-                    )
-                worst = max(worst, largest((ball,)))
+            yield point
+            if found >= count:
+                return
+
+
+def _refuted(tape: Tape, nodes: Sequence[Node], point: Sample, bits: int) -> Answer | None:
+    """The first node whose ball excludes 0 at a certified point."""
+    for index, node in enumerate(nodes):
+        ball = point.balls[node]
+        if excludes_zero(ball):
+            witness = Witness.of(tape, point, ball)
+            return Answer("refuted", f"ball at {bits} bits", witness=witness, index=index, balls=(ball,), bits=bits)
+    return None
+
+
+# -- in double precision -----------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Suspect:
+    """A residual as large as this part of its bound (`ratio`), and where that is."""
+
+    ratio: float
+    place: Mapping[Node, Coordinate]
+    functions: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class _Scan:
+    """What double precision shows: how many points were evaluated, the largest residual with its bound, suspects."""
+
+    points: int
+    largest: tuple[float, float]
+    suspects: tuple[_Suspect, ...]
+
+
+def _by_clouds(
+    finder: Finder, nodes: Sequence[Node], seeds: Sequence[Sample], points: int, budget: Budget, seed: int
+) -> tuple[Evidence | None, Answer | None]:
+    groups = [[s] for s in seeds[:GROUPS]] if seeds[0].functions else [list(seeds)]
+    scans = []
+    for number, group in enumerate(groups):
+        size = points // len(groups) + (number < points % len(groups))
+        scans.append(_scanned(finder, nodes, group, size, budget, seed + number))
+    found = sum(scan.points for scan in scans)
+    if not found:
+        return _evidence_of(seeds, nodes, 53), None
+    suspects = sorted((s for scan in scans for s in scan.suspects), key=lambda s: s.ratio, reverse=True)
+    refuted = _looked_at_in_balls(finder, nodes, suspects)
+    if refuted is not None:
+        return None, refuted
+    if suspects and suspects[0].ratio > 1:
+        raise Underestimated
+    return Evidence(found, *max(scan.largest for scan in scans), 53), None
+
+
+def _scanned(
+    finder: Finder, nodes: Sequence[Node], seeds: Sequence[Sample], count: int, budget: Budget, seed: int
+) -> _Scan:
+    """The residuals at a cloud of points, and for each node the points where it is nearest to its bound."""
+    import numpy as np
+
+    from canon.decide.cloud import cloud_around
+    from canon.decide.floating import evaluate_many
+
+    cloud = cloud_around(finder, seeds, count, budget, seed)
+    if not cloud.size:
+        return _Scan(0, (0.0, 0.0), ())
+    place = evaluate_many(finder.tape, finder.everything, cloud.points, cloud.functions)
+    pairs = [tuple(np.broadcast_to(part, cloud.size) for part in place[node]) for node in nodes]
+    usable = np.logical_and.reduce([np.isfinite(value) & np.isfinite(bound) for value, bound in pairs])
+    largest, suspects = (0.0, 0.0), []
+    for value, bound in pairs:
+        size = np.where(usable, np.abs(value), -1.0)
+        with np.errstate(all="ignore"):
+            ratio = np.where(size > 0, size / bound, 0.0)
+        most = int(np.argmax(size))
+        largest = max(largest, (float(size[most]), float(bound[most])))
+        for k in np.argsort(ratio)[::-1][:LOOKED_AT]:
+            if ratio[k] > 0:
+                suspects.append(_Suspect(float(ratio[k]), cloud.exactly(int(k)), cloud.functions))
+    return _Scan(int(usable.sum()), largest, tuple(suspects))
+
+
+def _looked_at_in_balls(finder: Finder, nodes: Sequence[Node], suspects: Sequence[_Suspect]) -> Answer | None:
+    """A refutation at one of the worst points, or better at a short fraction near it."""
+    beyond = [suspect for suspect in suspects if suspect.ratio > 1]
+    for suspect in beyond[: 2 * LOOKED_AT] or suspects[:LOOKED_AT]:
+        for bits in PRECISIONS:
+            refuted = _at(finder, nodes, suspect.place, suspect.functions, bits)
+            if refuted is None:
+                continue
+            for denominator in DENOMINATORS:
+                short = {node: _shortened(value, denominator) for node, value in suspect.place.items()}
+                shorter = _at(finder, nodes, short, suspect.functions, bits)
+                if shorter is not None:
+                    return shorter
+            return refuted
+    return None
+
+
+def _at(
+    finder: Finder, nodes: Sequence[Node], place: Mapping[Node, Coordinate], functions: Mapping[str, Any], bits: int
+) -> Answer | None:
+    point = finder.certify(place, {}, functions, bits)
+    return None if point is None else _refuted(finder.tape, nodes, point, bits)
+
+
+def _shortened(value: Coordinate, denominator: int) -> Coordinate:
+    if isinstance(value, tuple):
+        return value[0].limit_denominator(denominator), value[1].limit_denominator(denominator)
+    return value.limit_denominator(denominator)
+
+
+# -- in balls ------------------------------------------------------------------------------------
+
+
+def _by_balls(
+    tape: Tape,
+    nodes: Sequence[Node],
+    region: Region,
+    rng: random.Random,
+    seeds: Sequence[Sample],
+    points: int,
+    budget: Budget,
+    bits: int,
+) -> tuple[Evidence | None, Answer | None]:
+    found = list(seeds)
+    try:
+        more = samples(
+            tape, nodes, region, rng, count=max(0, points - len(seeds)), bits=bits, tries=TRIES, budget=budget
+        )
+        for point in more:
+            found.append(point)
+            refuted = _refuted(tape, nodes, point, bits)
+            if refuted is not None:
+                return None, refuted
     except (Unsupported, BudgetExceeded):
         pass
-    return (Evidence(found, *worst, bits) if found else None), None
+    return _evidence_of(found, nodes, bits), None
+
+
+def _evidence_of(points: Sequence[Sample], nodes: Sequence[Node], bits: int) -> Evidence | None:
+    """What the balls at certified points say."""
+    if not points:
+        return None
+    return Evidence(len(points), *largest(point.balls[node] for point in points for node in nodes), bits)

@@ -1,23 +1,60 @@
-"""When is a closed one-form exact on the region?  With a potential smooth throughout it, or on convex pieces.
+"""When is a closed one-form exact on the region?  With a potential smooth throughout it, or where all loops contract.
 
 A closed form is the differential of a potential near every point; around a hole it need not be one, as
-(x dy − y dx)/(x² + y²) shows. Claims of exactness are proved only where one of two arguments holds.
+(x dy − y dx)/(x² + y²) shows. Claims of exactness are proved where one of these arguments holds, and refuted by a loop
+in the region round which the form's integral certainly isn't 0.
 """
 
 from __future__ import annotations
 
+import random
+from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from canon.budget import BudgetExceeded
+from canon.claims.outcome import Outcome, exact
 from canon.decide.cells import cells_of, definite_sign
+from canon.decide.contractible import is_sum_of_squares, loops_contract
 from canon.decide.intervals import intervals_of
+from canon.decide.loops import circulation
 from canon.decide.region import Region
+from canon.decide.tape import Node
 from canon.domain import conditions_of
 from canon.errors import InputError
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
+
+STOKES = "the integral of an exact form round a closed loop is 0"
+
+
+def exact_throughout(
+    question: Question, closed: Outcome, slopes: Mapping[Node, Node], potential: sp.Expr | None, region: Region
+) -> Outcome:
+    """What is known of the form Σ slope · d(coordinate), shown to be `closed`, and a `potential` of it, if any."""
+    outcome = closed.with_detail(potential=None if potential is None else str(potential))
+    if potential is not None and smooth_throughout(question, potential, region):
+        return outcome
+    if loops_contract(question.tape, region, list(slopes), question.budget):
+        return _by_theorem(outcome, "every loop in the domain can be contracted")
+    if in_convex_pieces(question, region):
+        return _by_theorem(outcome, "Poincare's lemma on convex pieces")
+    budget = question.budget.share(0.5)
+    try:
+        found = circulation(question.tape, slopes, region, random.Random(question.seed), budget)
+    except BudgetExceeded:
+        found = None
+    if found is not None:
+        loop, value = found.loop.describe(question.tape), found.value.str(12, radius=False)
+        return exact("refuted", STOKES, loop=loop, loop_integral=value)
+    return outcome.with_status("supported", "the form is closed; that it is exact on all of the domain isn't shown")
+
+
+def _by_theorem(outcome: Outcome, theorem: str) -> Outcome:
+    return replace(outcome, arguments=(*outcome.arguments, {"theorem": theorem})).with_detail(exact_by=theorem)
 
 
 def smooth_throughout(question: Question, potential: sp.Expr, region: Region) -> bool:
@@ -32,6 +69,8 @@ def smooth_throughout(question: Question, potential: sp.Expr, region: Region) ->
     for condition in conditions:
         nodes = tuple(tape.load(term) for term in condition.terms)
         if (condition.kind, nodes) in known or (condition.kind == "nonzero" and ("positive", nodes) in known):
+            continue
+        if condition.kind == "positive" and ("nonzero", nodes) in known and is_sum_of_squares(tape, nodes[0]):
             continue
         signs = [definite_sign(tape, node, intervals, question.budget) for node in nodes]
         if condition.kind == "positive" and signs[0] == "pos":

@@ -119,8 +119,9 @@ def _power_residuals(question: Question, order: int) -> Iterator[Residual]:
 def cartan_invariant(question: Question) -> Outcome:
     """`cartan_invariant`: p dq − H dt − (P dQ − K dt) is exact in the extended phase space.
 
-    It is refuted where it isn't closed. Closed, it is proved with a potential that is smooth throughout the domain (the
-    generating function as a function of the chart's coordinates), or on a domain of convex pieces; else supported.
+    It is refuted where it isn't closed, or where its integral round a loop in the domain isn't 0. Closed, it is proved
+    with a potential that is smooth throughout the domain (the generating function as a function of the chart's
+    coordinates), or on a domain all of whose loops can be contracted; else supported.
     """
     question.square_map()
     H, K = question.hamiltonian(), question.formula("K", "new")
@@ -131,16 +132,12 @@ def cartan_invariant(question: Question) -> Outcome:
     outcome = question.decide(_cartan_residuals(question, question.load(H), question.load(K)), region)
     if outcome.status != "proved" or question.method == "numeric":
         return outcome
-    from canon.claims.exactness import in_convex_pieces, smooth_throughout
-    from canon.claims.potential import cartan_potential
+    from canon.claims.exactness import exact_throughout
+    from canon.claims.potential import cartan_slopes, verified_potential
 
-    potential = cartan_potential(question, question.load(H), question.load(K), region)
-    outcome = outcome.with_detail(potential=None if potential is None else str(potential))
-    if potential is not None and smooth_throughout(question, potential, region):
-        return outcome
-    if in_convex_pieces(question, region):
-        return outcome.with_detail(exact_by="Poincare's lemma on convex pieces")
-    return outcome.with_status("supported", "the form is closed; that it is exact on all of the domain isn't shown")
+    slopes = cartan_slopes(question, question.load(H), question.load(K))
+    potential = verified_potential(question, list(slopes.values()), list(slopes), region)
+    return exact_throughout(question, outcome, slopes, potential, region)
 
 
 def _singular(question: Question) -> Outcome | None:

@@ -11,7 +11,7 @@ from sympy.core.function import AppliedUndef
 from canon.claims.outcome import Residual
 from canon.claims.show import FAILURES, is_short, neat
 from canon.decide.derivative import derivative
-from canon.decide.tape import Node
+from canon.decide.tape import Node, Unsupported
 from canon.mechanics.formulas import replaced
 
 if TYPE_CHECKING:
@@ -38,9 +38,12 @@ def verified_potential(
         found = _integrated([tape.to_sympy(slope) for slope in slopes], symbols, budget.spent)
     except FAILURES:
         return None
-    if found is None or budget.spent():
+    if found is None or found.has(sp.zoo, sp.nan, sp.oo) or budget.spent():
         return None
-    node = tape.load(found)
+    try:
+        node = tape.load(found)
+    except Unsupported:
+        return None
     residuals = (
         Residual(f"dF/d{x}", pulled(tape.minus(derivative(tape, node, tape.symbol(x)), slope)))
         for x, slope in zip(symbols, slopes, strict=True)
@@ -49,21 +52,20 @@ def verified_potential(
     return neat(found) if outcome.status == "proved" else None
 
 
-def cartan_potential(question: Question, H: Node, K: Node, region: Region) -> sp.Expr | None:
-    """F with dF = p dq − H dt − (P dQ − K dt), in the chart's coordinates and time."""
+def cartan_slopes(question: Question, H: Node, K: Node) -> dict[Node, Node]:
+    """p dq − H dt − (P dQ − K dt): what stands before the differential of each of the chart's coordinates and time."""
     tape, chart = question.tape, question.chart
     half = len(chart.old) // 2
-    variables = (*chart.coordinates, chart.time)
-    slopes = []
-    for u in variables:
+    slopes = {}
+    for u in (*chart.coordinates, chart.time):
         terms = []
         for i in range(half):
             terms.append((tape.times(chart.old[i + half], derivative(tape, chart.old[i], u)), 1))
             terms.append((tape.times(chart.new[i + half], derivative(tape, chart.new[i], u)), -1))
         if u == chart.time:
             terms += [(chart.pull(H), -1), (chart.pull(K), 1)]
-        slopes.append(tape.add(terms))
-    return verified_potential(question, slopes, variables, region)
+        slopes[u] = tape.add(terms)
+    return slopes
 
 
 def _integrated(slopes: Sequence[sp.Expr], symbols: Sequence[sp.Symbol], late: Late) -> sp.Expr | None:

@@ -1,0 +1,89 @@
+"""Is a closed form exact?  Gauge transformations P = p + A(q), for which P dQ − p dq = A is any form one likes."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+
+def gauge(answer, names, form, *, where=(), symbols="", more=""):
+    """A claim of exactness of the form with these components, in as many degrees of freedom; `more` widens H."""
+    q = list(names)
+    p, Q, P = ([f"{letter}{name}" for name in q] for letter in "pQP")
+    images = [f"{pk} + {Ak}" for pk, Ak in zip(p, form, strict=True)]
+    return answer(
+        'kind = "cartan_invariant"\nK = "0"',
+        space=f"q = {q}\np = {p}\nQ = {Q}\nP = {P}\n",
+        symbols=symbols,
+        domain=f"where = {list(where)}",
+        hamiltonian=f'H = "0{more}"',
+        transformation=f"Q = {q}\nP = {images}",
+    )
+
+
+def flux(u: str = "x", v: str = "y", a: str = "1", *, du=("1", "0"), dv=("0", "1")) -> tuple[str, ...]:
+    """a times the differential of the polar angle of (u, v), which have the differentials du and dv."""
+    return tuple(f"{a}*(({u})*({q}) - ({v})*({p}))/(({u})**2 + ({v})**2)" for p, q in zip(du, dv, strict=True))
+
+
+def plus(first: tuple[str, ...], second: tuple[str, ...]) -> tuple[str, ...]:
+    """The sum of two forms."""
+    return tuple(f"{a} + {b}" for a, b in zip(first, second, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("form", "where", "symbols"),
+    [
+        (flux(), (), ""),
+        (flux(a="a"), (), 'a = "nonzero"'),
+        (flux("x - b", "y + b**2"), (), ""),
+        (flux(), ("x**2 + y**2 > 1", "x**2 + y**2 < 4"), ""),
+        (flux("2*x + y", "y/10", du=("2", "1"), dv=("0", "1/10")), (), ""),
+        (plus(flux("x - 1"), flux("x + 1", a="-1")), (), ""),
+        (plus(flux(a="1e-6"), ("exp(x)*cos(y)", "-exp(x)*sin(y)")), (), ""),
+        (flux(a="D(V(b), b)"), (), 'V = "function"\nb = "real"'),
+        (flux("x**3 + x", "y", du=("3*x**2 + 1", "0")), (), ""),
+        (flux(), ("x**4 + y**4 > 1", "x**2 + y**2 < 9"), ""),
+    ],
+)
+def test_a_form_with_a_period_is_refuted_by_a_loop(ask, form, where, symbols):
+    (verdict,) = gauge(ask, "xy", form, where=where, symbols=symbols or 'b = "real"')
+    assert verdict.status == "refuted"
+    assert (verdict.witness, verdict.method) == (None, "theorem")
+    assert "cos(s)" in verdict.detail["loop"]["x"]
+
+
+def test_the_loop_integral_is_the_flux(ask):
+    (verdict,) = gauge(ask, "xy", flux(a="3"))
+    assert abs(float(verdict.detail["loop_integral"])) == pytest.approx(6 * math.pi)
+
+
+@pytest.mark.parametrize(
+    ("form", "where", "more"),
+    [
+        (flux(), ("y > x",), ""),
+        (flux(), ("x**2 + y**2 > 1", "y > 0"), ""),
+        (flux(), (), " + atan2(y, x)*0"),
+        (flux("x - exp(y)", "y", du=("1", "-exp(y)")), (), " + 0*atan2(y, x - exp(y))"),
+        (("x/(x**2 + y**2)", "y/(x**2 + y**2)"), (), ""),
+    ],
+)
+def test_a_form_without_periods_is_proved(status, form, where, more):
+    assert gauge(status, "xy", form, where=where, more=more) == "proved"
+
+
+def test_space_without_a_point_has_no_periods(ask):
+    """exp(1/r) dr has no potential among elementary functions, and needs none; a line taken out makes periods."""
+    r = "sqrt(x**2 + y**2 + z**2)"
+    (point,) = gauge(ask, "xyz", [f"exp(1/{r})*{u}/{r}" for u in "xyz"])
+    (line,) = gauge(ask, "xyz", ("-y/(x**2 + y**2)", "x/(x**2 + y**2)", "0"))
+    assert point.status == "proved"
+    assert point.detail["exact_by"] == "every loop in the domain can be contracted"
+    assert line.status == "refuted"
+
+
+def test_fluxes_that_cancel_outside_of_a_circle_are_not_refuted(status):
+    form = plus(flux("x - 1"), flux("x + 1", a="-1"))
+    assert gauge(status, "xy", form, where=("x**2 + y**2 > 4",)) in ("supported", "proved")
+    assert gauge(status, "xy", form, where=("x**2 + y**2 > 1/4",)) == "refuted"

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.mechanics import PhaseSpace, Subject, Transformation
 
-Method = Literal["symbolic", "numeric", "all"]
+Method = Literal["symbolic", "numeric"]
 Side = Literal["old", "new", "both"]
 
 SAMPLE_POINTS = 1000
@@ -230,8 +230,6 @@ class Question:
         answers = ladder.vanish(self.tape, _nodes(batch), region, budget=budget, seed=self.seed, known=points)
         findings = [Finding(residual, answer) for residual, answer in zip(batch, answers, strict=False)]
         outcome = combined(self._outcome_of(finding) for finding in findings)
-        if self.method == "all" and outcome.status != "refuted":
-            return self._beside(outcome, self.sampled(batch, region, SAMPLE_POINTS, budget))
         if outcome.status in ("supported", "undecided") and not budget.spent():
             unproved = [f.residual for f in findings if f.answer.status != "proved"]
             return self._beside(outcome, self.sampled(unproved, region, SUPPORT_POINTS, budget))
@@ -275,17 +273,10 @@ class Question:
         return Outcome("supported", method="sampling", numeric=evidence)
 
     def _beside(self, outcome: Outcome, sampled: Outcome) -> Outcome:
-        """An exact outcome with numerical evidence beside it; the two must not contradict each other."""
+        """What exact arguments left open, with numerical evidence beside it; a refutation by it wins."""
         if sampled.status == "refuted":
-            if outcome.status == "proved":
-                raise AssertionError(
-                    f"a proof of {outcome.findings[0].residual.label} coexists with a witness against it"
-                )
             return sampled
-        if sampled.status != "supported":
-            return outcome
-        status = "supported" if outcome.status == "undecided" else outcome.status
-        return replace(outcome, status=status, numeric=sampled.numeric)
+        return replace(outcome, status="supported", numeric=sampled.numeric) if sampled.numeric else outcome
 
     def not_identically_zero(self, node: Node, region: Region) -> ladder.Answer:
         """Is there a point of the region where the node doesn't vanish? ("refuted": it vanishes identically.)"""

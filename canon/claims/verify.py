@@ -4,29 +4,36 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import replace
+from typing import Any, Literal
 
 from canon.budget import Budget
 from canon.claim import Claim
-from canon.claims.kinds import kind_named
+from canon.claims.agreement import alarm_within, compared
+from canon.claims.kinds import Kind, kind_named
 from canon.claims.outcome import Outcome
-from canon.claims.question import Method, Question
+from canon.claims.question import Question
 from canon.decide.certificate import Certificate
+from canon.decide.ladder import Contradiction
 from canon.decide.tape import Unsupported
 from canon.errors import BudgetExceeded, InputError
 from canon.verdict import Verdict
 
-METHODS = ("symbolic", "numeric", "all")
+Method = Literal["symbolic", "numeric", "all"]
+METHODS: tuple[Method, ...] = ("symbolic", "numeric", "all")
+EXACT_SHARE = 0.7
+"""The part of a budget that the exact deciders may spend where sampling is asked for too."""
 
 
 def verify(claim: Claim, *, budget: float = 10.0, seed: int = 0, method: Method = "symbolic") -> Verdict:
     """The verdict on a claim.
 
     **Arguments:** `claim`; `budget` in seconds (the claim's own wins); `seed` of the points that are tried; `method`:
-    "symbolic" decides exactly, "numeric" samples the residuals with rigorous balls (at most `supported`, or
-    `refuted`), "all" does both.
+    "symbolic" decides exactly, "numeric" samples the residuals (at most `supported`, or `refuted` by a ball), "all"
+    does both, one beside the other.
 
     **Returns:** a `Verdict`: `proved` and `refuted` rest on exact arguments or certified witnesses, never on floats.
+    Should an exact and a numerical answer contradict each other, it is `undecided`, with both in `detail["alarm"]`.
 
     **Raises:** `InputError` where the claim is ill-posed.
     """
@@ -34,18 +41,30 @@ def verify(claim: Claim, *, budget: float = 10.0, seed: int = 0, method: Method 
         raise InputError(f"a method is one of {', '.join(METHODS)}, not {method!r}")
     decide = kind_named(claim.kind)
     start = time.monotonic()
-    question = Question(claim, Budget(claim.budget if claim.budget is not None else budget), seed, method)
+    whole = Budget(claim.budget if claim.budget is not None else budget)
+    question = Question(claim, whole, seed, "numeric" if method == "numeric" else "symbolic")
+    if method != "all":
+        return _verdict(question, _answer(decide, question), time.monotonic() - start)
+    symbolic = _answer(decide, replace(question, budget=whole.share(EXACT_SHARE)))
+    numeric = _answer(decide, replace(question, method="numeric"))
+    return _verdict(question, compared(symbolic, numeric), time.monotonic() - start)
+
+
+def _answer(decide: Kind, question: Question) -> Outcome:
+    """What the kind says; a budget spent, or what the deciders don't know, is `undecided` and says so."""
     try:
         outcome = decide(question)
     except BudgetExceeded as reason:
-        outcome = Outcome("undecided", note=str(reason))
+        return Outcome("undecided", note=str(reason))
     except Unsupported as reason:
-        outcome = Outcome("undecided", note=f"outside of what the deciders know: {reason}")
+        return Outcome("undecided", note=f"outside of what the deciders know: {reason}")
     except RecursionError:
-        outcome = Outcome("undecided", note="an expression nested too deeply")
-    if method == "numeric" and outcome.status == "proved":
-        outcome = outcome.with_status("supported", "sampled only")
-    return _verdict(question, outcome, time.monotonic() - start)
+        return Outcome("undecided", note="an expression nested too deeply")
+    except Contradiction as reason:
+        return alarm_within(str(reason))
+    if question.method == "numeric" and outcome.status == "proved":
+        return outcome.with_status("supported", "sampled only")
+    return outcome
 
 
 def _verdict(question: Question, outcome: Outcome, seconds: float) -> Verdict:

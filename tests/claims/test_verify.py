@@ -5,13 +5,11 @@ import json
 import pytest
 import sympy as sp
 
-from canon.budget import Budget
 from canon.claim import Claim
 from canon.claims import question as questions
 from canon.claims.keys import KEYS
 from canon.claims.kinds import KINDS
 from canon.claims.outcome import Outcome, combined
-from canon.claims.question import Question
 from canon.claims.scale import never_zero
 from canon.claims.verify import verify
 from canon.decide import derivative as derivatives
@@ -130,13 +128,6 @@ def _formula(expression: sp.Expr):
     from canon.mechanics.formulas import as_formula
 
     return as_formula(expression)
-
-
-def test_a_contradiction_is_never_answered_over():
-    question = Question(exchange().canonical(), Budget(5))
-    proved = Outcome("proved", findings=())
-    with pytest.raises((AssertionError, IndexError)):
-        question._beside(proved, Outcome("refuted"))
 
 
 def test_outcomes_combine():

@@ -1,0 +1,63 @@
+"""Two answers to one claim, an exact one and a sampled one: together where they agree, an alarm where they can't be.
+
+An exact argument and a ball at a certified point can't both be right against each other: one of the deciders is at
+fault. Then nothing is known of the claim, and the answer says so and shows both.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any, Final
+
+from canon.claims.outcome import Outcome
+
+ALARM: Final = (
+    "a proof and a certified counterexample contradict each other, a fault of canon: please report this claim"
+)
+SOMEWHERE: Final = "dependent_where"
+"""The detail of a refutation on one part of the domain, which points elsewhere don't contradict."""
+
+
+def compared(symbolic: Outcome, numeric: Outcome) -> Outcome:
+    """The exact answer with the sampled evidence beside it; an alarm where they contradict each other.
+
+    A witness that sampling finds outweighs an exact attempt that came to nothing; one that it doesn't find says
+    nothing against an exact refutation by a point.
+    """
+    if numeric.status == "refuted":
+        if symbolic.status == "refuted":
+            return symbolic
+        return alarm(symbolic, numeric) if symbolic.status == "proved" else numeric
+    if symbolic.status == "refuted":
+        exactly = symbolic.witness is None and SOMEWHERE not in symbolic.detail
+        return alarm(symbolic, numeric) if exactly and numeric.status == "supported" else symbolic
+    if symbolic.status == "undecided" and numeric.status == "supported":
+        merged = {**numeric.detail, **symbolic.detail}
+        note = "; ".join(dict.fromkeys(part for part in (symbolic.note, numeric.note) if part))
+        return replace(numeric, detail=merged, note=note)
+    return replace(symbolic, numeric=numeric.numeric or symbolic.numeric)
+
+
+def alarm(symbolic: Outcome, numeric: Outcome) -> Outcome:
+    """Undecided, with both answers."""
+    return Outcome(
+        "undecided",
+        method=", ".join(dict.fromkeys(name for name in (symbolic.method, numeric.method) if name)),
+        numeric=numeric.numeric,
+        detail={"alarm": ALARM, "symbolic": _summary(symbolic), "numeric": _summary(numeric)},
+    )
+
+
+def alarm_within(reason: str) -> Outcome:
+    """Undecided: a decider has found itself in contradiction."""
+    return Outcome("undecided", detail={"alarm": f"{ALARM} ({reason})"})
+
+
+def _summary(outcome: Outcome) -> dict[str, Any]:
+    shown: dict[str, Any] = {"verdict": outcome.status, "method": outcome.method}
+    shown |= {key: outcome.detail[key] for key in ("fails", "residual") if key in outcome.detail}
+    if outcome.witness is not None:
+        shown["at"] = dict(outcome.witness)
+    if outcome.numeric is not None:
+        shown["evidence"] = str(outcome.numeric)
+    return shown

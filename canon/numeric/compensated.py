@@ -1,0 +1,49 @@
+"""Arithmetic whose rounding is kept: exact errors of sums and products, and increments that lose nothing."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+_SPLITTER: Final = 134217729.0  # 2**27 + 1
+
+
+def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
+    """(s, e) with s = fl(a + b) and s + e = a + b exactly. Knuth (1997), The Art of Computer Programming 2, 4.2.2."""
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def two_product(a: Any, b: Any) -> tuple[Any, Any]:
+    """(p, e) with p = fl(ab) and p + e = ab exactly, barring overflow. Dekker (1971), Numer. Math. 18, 224."""
+    product = a * b
+    a_high, a_low = _halves(a)
+    b_high, b_low = _halves(b)
+    return product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+def _halves(a: Any) -> tuple[Any, Any]:
+    c = _SPLITTER * a
+    high = c - (c - a)
+    return high, a - high
+
+
+def sum_of_products(pairs: Any) -> tuple[Any, Any]:
+    """Σ a·b as (high, low), as accurate as in twice the working precision.
+
+    Ogita, Rump and Oishi (2005), SIAM J. Sci. Comput. 26, 1955.
+    """
+    high, low = None, 0.0
+    for a, b in pairs:
+        product, error = two_product(a, b)
+        if high is None:
+            high, low = product, error
+        else:
+            high, lost = two_sum(high, product)
+            low = low + (lost + error)
+    return two_sum(high, low)
+
+
+def add_increment(value: Any, lost: Any, increment: Any) -> tuple[Any, Any]:
+    """value + lost + increment, as a new value and what its rounding lost. Neumaier (1974), ZAMM 54, 39."""
+    return two_sum(value, lost + increment)

@@ -1,0 +1,168 @@
+"""Kepler's motion ẍ = −μ x/r³ for every energy and eccentricity, attracting or repelling, in universal variables.
+
+With dt = r ds and β = 2μ/r − v², t = r_0 G_1 + η_0 G_2 + μ G_3 and r = r_0 + η_0 G_1 + ζ_0 G_2, where η = x·v,
+ζ_0 = μ − β r_0 and G_k = s^k c_k(β s²). Nothing is singular at e = 1 or at E = 0, and e = 0 is no special case.
+Danby (1988), Fundamentals of Celestial Mechanics, 6.9; Mikkola (1997), Celest. Mech. Dyn. Astron. 67, 145.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+from canon.numeric.compensated import sum_of_products, two_product, two_sum
+from canon.numeric.exact.stumpff import stumpff
+
+MOST_ITERATIONS: Final = 40
+FINE: Final = 2e-16
+COARSE: Final = 1e-4
+_LAGUERRE: Final = 5
+
+
+def kepler(q: Any, v: Any, mu: Any, t: Any) -> tuple[Any, Any]:
+    """The position and velocity after a time t.
+
+    **Arguments:** `q` and `v`, arrays (n, …), or tuples of n arrays, of position and velocity; `mu`, the attraction's
+    strength per mass (a/m for a potential −a/r; negative repels); `t`, of any sign.
+
+    **Returns:** (q, v) of the same shape. A fall into the centre (no angular momentum) goes through it and comes back,
+    as the limit of slim orbits does; at the centre itself the velocity is infinite.
+    """
+    import jax
+    import jax.numpy as jnp
+
+    r, beta, eta = _elements(q, v, mu)
+    zeta = mu - beta * r
+    forwards = jnp.where(t >= 0, 1.0, -1.0)
+    span = _within_a_period(jnp.abs(t), beta, mu)
+    s = forwards * _anomaly(span, r, forwards * eta, zeta, beta, mu)
+    span = forwards * span
+    _, c1, c2, c3 = stumpff(beta * s * s)
+    g1, g2, g3 = s * c1, s * s * c2, s * s * s * c3
+    after = r + eta * g1 + zeta * g2
+    f, g = -mu * g2 / r, span - mu * g3
+    f_dot, g_dot = -mu * g1 / (after * r), -mu * g2 / after
+    return (
+        jax.tree.map(lambda x, u: x + (f * x + g * u), q, v),
+        jax.tree.map(lambda x, u: u + (f_dot * x + g_dot * u), q, v),
+    )
+
+
+def _elements(q: Any, v: Any, mu: Any) -> tuple[Any, Any, Any]:
+    """(r, β, η): β = (2μ − v² r)/r in double-double arithmetic, for the orbits with hardly any energy."""
+    import jax.numpy as jnp
+
+    count = len(q)
+    r2, r2_low = sum_of_products((q[i], q[i]) for i in range(count))
+    v2, v2_low = sum_of_products((v[i], v[i]) for i in range(count))
+    eta, _ = sum_of_products((q[i], v[i]) for i in range(count))
+    r = jnp.sqrt(r2)
+    square, square_low = two_product(r, r)
+    r_low = ((r2 - square) + (r2_low - square_low)) / (2 * r)
+    product, product_low = two_product(v2, r)
+    high, low = two_sum(2 * mu, -product)
+    return r, (high + (low - product_low - v2_low * r - v2 * r_low)) / (r + r_low), eta
+
+
+def _within_a_period(span: Any, beta: Any, mu: Any) -> Any:
+    """The time less as many whole periods as it has, for bound orbits."""
+    import jax.numpy as jnp
+
+    bound = beta > 0
+    rate = jnp.where(bound, beta, 1.0)
+    period = 2 * jnp.pi * mu / (rate * jnp.sqrt(rate))
+    turns = jnp.where(bound & (span > period), jnp.floor(span / period), 0.0)
+    whole, low = two_product(turns, period)
+    return jnp.where(turns > 0, jnp.maximum((span - whole) - low, 0.0), span)
+
+
+def _anomaly(*arguments: Any) -> Any:
+    """The solution, with the derivative that the equation gives it, whatever the iteration's steps were."""
+    import jax
+
+    solve = jax.custom_jvp(_solve)
+
+    @solve.defjvp
+    def derivative(values: Any, tangents: Any) -> Any:
+        s = _solve(*values)
+
+        def miss(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
+            _, c1, c2, c3 = stumpff(beta * s * s)
+            return span - s * (r * c1 + s * (eta * c2 + s * (mu * c3)))
+
+        _, r, eta, zeta, beta, _ = values
+        _, c1, c2, _ = stumpff(beta * s * s)
+        slope = r + s * (eta * c1 + s * (zeta * c2))
+        return s, jax.jvp(miss, values, tangents)[1] / slope
+
+    return solve(*jax.numpy.broadcast_arrays(*arguments))
+
+
+def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
+    """s ≥ 0 with t(s) = span ≥ 0: Laguerre's iteration with n = 5, kept between bounds, as dt/ds = r > 0.
+
+    Conway (1986), Celest. Mech. 39, 199.
+    """
+    import jax.numpy as jnp
+    from jax import lax
+
+    bound = beta > 0
+    root = jnp.sqrt(jnp.abs(beta))
+    full = 2 * jnp.pi / jnp.where(bound, root, 1.0)
+    first = jnp.clip(_guess(span, r, eta, beta, mu), 0.0, jnp.where(bound, full, jnp.inf))
+
+    def improve(loop: Any) -> Any:
+        count, s, low, high, last, done = loop
+        c0, c1, c2, c3 = stumpff(beta * s * s)
+        g1, g2, g3 = s * c1, s * s * c2, s * s * s * c3
+        miss = (r * g1 + eta * g2 + mu * g3) - span
+        slope = r + eta * g1 + zeta * g2
+        bend = eta * c0 + zeta * g1
+        high, low = jnp.where(miss > 0, s, high), jnp.where(miss <= 0, s, low)
+        n = _LAGUERRE
+        under = jnp.abs((n - 1) ** 2 * slope * slope - n * (n - 1) * miss * bend)
+        new = s - n * miss / (slope + jnp.sqrt(under))
+        middle = jnp.where(jnp.isinf(high), 2 * s + jnp.where(s == 0, span / r, 0.0), (low + high) / 2)
+        new = jnp.where((new >= low) & (new <= high), new, middle)
+        step = jnp.abs(new - s)
+        # steps that are small and shrink no more are rounding
+        ends = (step <= FINE * s) | (miss == 0) | ((step <= COARSE * s) & (2 * step >= last)) | ~jnp.isfinite(new)
+        new = jnp.where(done | (ends & (step > COARSE * s)), s, new)
+        return count + 1, new, low, high, step, done | ends
+
+    high = jnp.where(bound, full * 1.0000001, jnp.inf)
+    zero = jnp.zeros_like(first)
+    begin = (0, first, zero, jnp.broadcast_to(high, zero.shape), zero + jnp.inf, span + zero == 0)
+    found = lax.while_loop(lambda loop: (loop[0] < MOST_ITERATIONS) & ~jnp.all(loop[5]), improve, begin)[1]
+    return jnp.where(span == 0, 0.0, found)
+
+
+def _guess(span: Any, r: Any, eta: Any, beta: Any, mu: Any) -> Any:
+    """A first s: from the anomaly on an ellipse or hyperbola, from the parabola where that is close."""
+    import jax.numpy as jnp
+
+    # u, a distance in s from the pericentre, on the parabola with this momentum: r_p u + μ u³/6 = t since pericentre
+    attraction = jnp.where(mu > 0, mu, 1.0)
+    near = jnp.maximum(r * (2 * attraction - beta * r) - eta * eta, 0.0) / (2 * attraction)
+    u0 = eta / attraction
+    total = 3 * (span + near * u0 + attraction * u0**3 / 6) / attraction
+    b = 2 * near / attraction
+    w = jnp.cbrt(jnp.abs(total) + jnp.sqrt(total * total + b * b * b))
+    parabolic = jnp.sign(total) * (w - b / jnp.where(w == 0, 1.0, w)) - u0
+
+    root = jnp.sqrt(jnp.abs(jnp.where(beta == 0, 1.0, beta)))
+    strength = jnp.where(mu == 0, 1.0, mu)
+    cosine, sine = 1 - beta * r / strength, root * eta / strength
+    motion = root**3 * span / strength
+    e2 = cosine * cosine + jnp.where(beta > 0, 1.0, -1.0) * sine * sine
+    e = jnp.sqrt(jnp.maximum(e2, 1e-30))
+    start = jnp.arctan2(sine, cosine)
+    mean = start - sine + motion
+    elliptic = (mean + 0.85 * jnp.minimum(e, 1.0) * jnp.sign(jnp.sin(mean)) - start) / root
+    open_start = jnp.arcsinh(sine / e) * jnp.where(strength > 0, 1.0, -1.0)
+    open_mean = sine - jnp.where(strength > 0, open_start, -open_start) + motion
+    open_end = jnp.arcsinh(open_mean / e) * jnp.where(strength > 0, 1.0, -1.0)
+    hyperbolic = jnp.abs(open_end - open_start) / root
+    guess = jnp.where(beta > 0, elliptic, hyperbolic)
+    parabola_serves = (mu > 0) & (jnp.abs(beta) * parabolic * parabolic < 0.5)
+    guess = jnp.where(parabola_serves, parabolic, guess)
+    return jnp.where(mu == 0, span / r, jnp.where(jnp.isfinite(guess), guess, span / r))

@@ -1,0 +1,40 @@
+"""Stumpff's functions c_k(ψ) = Σ (−ψ)^j/(2j + k)!, which are trigonometric for ψ > 0 and hyperbolic for ψ < 0."""
+
+from __future__ import annotations
+
+from math import factorial
+from typing import Any, Final
+
+SERIES_BELOW: Final = 2.0
+_TERMS: Final = 11
+
+
+def stumpff(psi: Any) -> tuple[Any, Any, Any, Any]:
+    """(c_0, c_1, c_2, c_3) at ψ, each to a few roundings: Taylor's series where |ψ| is small, closed forms elsewhere.
+
+    Stumpff (1959), Himmelsmechanik I, § 37; Danby (1988), Fundamentals of Celestial Mechanics, 6.9.
+    """
+    import jax.numpy as jnp
+
+    near = jnp.where(jnp.abs(psi) <= SERIES_BELOW, psi, 0.0)
+    two, three = _series(near, 2), _series(near, 3)
+    far = jnp.where(jnp.abs(psi) <= SERIES_BELOW, SERIES_BELOW, psi)
+    x = jnp.sqrt(jnp.abs(far))
+    bound = far > 0
+    angle, hyperbolic = jnp.where(bound, x, 1.0), jnp.where(bound, 1.0, x)
+    half = jnp.where(bound, jnp.sin(angle / 2), jnp.sinh(hyperbolic / 2))
+    whole = jnp.where(bound, jnp.sin(angle), jnp.sinh(hyperbolic))
+    two_far = 2 * half**2 / (x * x)
+    three_far = jnp.where(bound, x - whole, whole - x) / (x * x * x)
+    small = jnp.abs(psi) <= SERIES_BELOW
+    c2, c3 = jnp.where(small, two, two_far), jnp.where(small, three, three_far)
+    c0 = 1 - psi * c2
+    c1 = jnp.where(small, 1 - psi * c3, whole / x)
+    return c0, c1, c2, c3
+
+
+def _series(psi: Any, k: int) -> Any:
+    total = 1.0 / factorial(2 * _TERMS + k)
+    for j in range(_TERMS - 1, -1, -1):
+        total = 1.0 / factorial(2 * j + k) - psi * total
+    return total

@@ -1,0 +1,66 @@
+"""The one shape in which every integrator is run: prepared tables, a step, and what begins and ends a run of steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple, Protocol
+
+from canon.numeric.integrators.problem import State
+from canon.numeric.integrators.traits import Traits
+
+
+class Time(NamedTuple):
+    """The time of step k of length h is t0 + k·h: it is computed, not accumulated."""
+
+    t0: Any
+    h: Any
+    k: Any
+
+    def at(self, fraction: Any) -> Any:
+        """The time at a fraction of this step."""
+        return self.t0 + (self.k + fraction) * self.h
+
+
+class Stepper(NamedTuple):
+    """An integrator set up for one problem. Its carry goes from step to step: the state, and what is kept with it.
+
+    `begin` and `end` bracket a run of steps: a method whose last substep is the next step's first joins the two
+    between them. All are functions that jax can trace.
+    """
+
+    prepare: Callable[[Any], Any]
+    """h to the tables that the steps use."""
+    initial: Callable[[State], Any]
+    """A state to a carry."""
+    begin: Callable[[Any, Any, Time], Any]
+    """(carry, tables, time) to a carry."""
+    step: Callable[[Any, Any, Time], Any]
+    end: Callable[[Any, Any, Time], Any]
+    read: Callable[[Any], State]
+    """A carry, after `end`, to its state."""
+
+
+class Method(Protocol):
+    """An integrator: an immutable value with a name, measured traits and a source."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def traits(self) -> Traits: ...
+    @property
+    def source(self) -> str: ...
+    def stepper(self, problem: Any, *, compensated: bool = False) -> Stepper:
+        """The method set up for a problem. **Raises:** `InputError` where it cannot solve such a problem."""
+        ...
+
+
+def plain_stepper(step: Callable[[State, Any, Any], State]) -> Stepper:
+    """A stepper from a map (state, t, h) -> state that needs no tables and keeps nothing."""
+    return Stepper(
+        prepare=lambda h: None,
+        initial=lambda state: state,
+        begin=lambda carry, tables, time: carry,
+        step=lambda carry, tables, time: step(carry, time.at(0.0), time.h),
+        end=lambda carry, tables, time: carry,
+        read=lambda carry: carry,
+    )

@@ -14,23 +14,21 @@ from canon.claims.outcome import Outcome
 ALARM: Final = (
     "a proof and a certified counterexample contradict each other, a fault of canon: please report this claim"
 )
-SOMEWHERE: Final = "dependent_where"
-"""The detail of a refutation on one part of the domain, which points elsewhere don't contradict."""
 
 
 def compared(symbolic: Outcome, numeric: Outcome) -> Outcome:
     """The exact answer with the sampled evidence beside it; an alarm where they contradict each other.
 
     A witness that sampling finds outweighs an exact attempt that came to nothing; one that it doesn't find says
-    nothing against an exact refutation by a point.
+    nothing against a refutation by a point, nor against an exact one, unless that leaves no point at all.
     """
     if numeric.status == "refuted":
         if symbolic.status == "refuted":
             return symbolic
         return alarm(symbolic, numeric) if symbolic.status == "proved" else numeric
     if symbolic.status == "refuted":
-        exactly = symbolic.witness is None and SOMEWHERE not in symbolic.detail
-        return alarm(symbolic, numeric) if exactly and numeric.status == "supported" else symbolic
+        contradicted = symbolic.everywhere and numeric.status == "supported"
+        return alarm(symbolic, numeric) if contradicted else symbolic
     if symbolic.status == "undecided" and numeric.status == "supported":
         merged = {**numeric.detail, **symbolic.detail}
         note = "; ".join(dict.fromkeys(part for part in (symbolic.note, numeric.note) if part))

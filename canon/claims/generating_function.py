@@ -46,7 +46,7 @@ def hessian_outcome_of(question: Question, node: Node, region: Region) -> Outcom
         return Outcome(status, method=BY_THEOREM, arguments=(step,), detail=detail)
     if answer.status == "refuted":
         singular = exact("refuted", "the mixed Hessian is identically zero: F defines no map", mixed_hessian="0")
-        return replace(singular, numeric=answer.numeric)
+        return replace(singular, numeric=answer.numeric, everywhere=True)
     note = f"is the mixed Hessian {shown} identically zero? {answer.note}"
     return Outcome("undecided", method=answer.method, note=note)
 

@@ -104,7 +104,9 @@ def full_rank(
     if open_questions or next(minors, None) is not None:
         return Outcome("undecided", note="; ".join(open_questions[:3]) or "too many minors")
     dependent = question.refuted_exactly(region, "all maximal minors of the Jacobian vanish identically")
-    return replace(combined([dependent, *vanishing]), numeric=merged(o.numeric for o in (*vanishing, dependent)))
+    return replace(
+        combined([dependent, *vanishing]), numeric=merged(o.numeric for o in (*vanishing, dependent)), everywhere=True
+    )
 
 
 def _dependent_somewhere(

@@ -39,7 +39,8 @@ class Outcome:
 
     **Arguments:** `status`; `method`, the arguments used; `findings`, one for each residual that was decided;
     `witness`, a table name = value; `numeric`, the samples taken; `detail`, what the kind found; `arguments`, the
-    certificate's steps as data; `note`, for people: what was tried, or which theorem was used.
+    certificate's steps as data; `note`, for people: what was tried, or which theorem was used; `everywhere`: refuted by
+    an argument that leaves no point of the domain at which the claim could be supported.
     """
 
     status: Status
@@ -50,6 +51,7 @@ class Outcome:
     detail: Mapping[str, Any] = field(default_factory=dict)
     arguments: tuple[Mapping[str, Any], ...] = ()
     note: str = ""
+    everywhere: bool = False
 
     @property
     def failed(self) -> Finding | None:
@@ -94,6 +96,7 @@ def combined(outcomes: Iterable[Outcome]) -> Outcome:
         numeric=refuted.numeric if refuted else merged(part.numeric for part in parts),
         detail=detail,
         arguments=tuple(argument for part in parts for argument in part.arguments),
+        everywhere=refuted.everywhere if refuted else False,
         note=refuted.note if refuted else "; ".join(dict.fromkeys(part.note for part in parts if part.note)),
     )
 

@@ -1,6 +1,7 @@
 """Exact and sampled answers beside each other; a decider that is broken on purpose raises the alarm."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -20,7 +21,8 @@ EVIDENCE = Evidence(1000, 1e-16, 1e-15)
 PROVED = Outcome("proved", method="normal form", numeric=Evidence(2, 0.0, 1e-19, 64))
 SUPPORTED = Outcome("supported", method="sampling", numeric=EVIDENCE)
 AT_A_POINT = Outcome("refuted", witness={"q": "1"}, detail={"fails": "{Q, P}", "residual": "1"})
-EXACTLY = exact("refuted", "all minors vanish identically")
+EXACTLY = exact("refuted", "the form has a period")
+EVERYWHERE = replace(EXACTLY, everywhere=True)
 UNDECIDED = Outcome("undecided", note="too hard")
 
 
@@ -30,8 +32,9 @@ UNDECIDED = Outcome("undecided", note="too hard")
         (PROVED, SUPPORTED, "proved", False),
         (PROVED, AT_A_POINT, "undecided", True),
         (PROVED, UNDECIDED, "proved", False),
-        (EXACTLY, SUPPORTED, "undecided", True),
-        (EXACTLY.with_detail(dependent_where="x > 0"), SUPPORTED, "refuted", False),
+        (EVERYWHERE, SUPPORTED, "undecided", True),
+        (EVERYWHERE, UNDECIDED, "refuted", False),
+        (EXACTLY, SUPPORTED, "refuted", False),
         (EXACTLY, UNDECIDED, "refuted", False),
         (EXACTLY, AT_A_POINT, "refuted", False),
         (AT_A_POINT, SUPPORTED, "refuted", False),
@@ -90,6 +93,22 @@ def test_an_alarm_is_never_expected(monkeypatch: pytest.MonkeyPatch, expect: str
     assert record["expected"] is False
     assert "contradict" in json.loads(json.dumps(record))["detail"]["alarm"]
     assert exit_status([record], []) == 2
+
+
+def test_a_wrong_zero_is_an_alarm(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A decider that takes a regular mixed Hessian, or a minor, for zero."""
+    from canon import GeneratingFunction, independent
+
+    claims = [
+        GeneratingFunction(SPACE, type=2, F=q * SPACE.P[0] + q**2).transformation().canonical(),
+        independent(SPACE, (q**2 + p,)),
+    ]
+    broken(monkeypatch, blind=True)
+    monkeypatch.setattr(ladder, "number_is_zero", lambda *_: True)
+    for claim in claims:
+        verdict = verify(claim, method="all")
+        assert verdict.detail["symbolic"]["verdict"] == "refuted"
+        assert verdict.detail["numeric"]["verdict"] == "supported"
 
 
 def test_without_an_alarm_what_was_expected_is() -> None:

@@ -53,7 +53,3 @@ class Budget:
         if not 0 <= fraction <= 1:
             raise ValueError(f"a share is between 0 and 1, not {fraction!r}")
         return Budget(self.left() * fraction if fraction else 0.0)
-
-    def at_most(self, seconds: float) -> Budget:
-        """A budget of `seconds`, or of what is left if that is less."""
-        return Budget(min(self.left(), seconds))

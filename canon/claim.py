@@ -37,6 +37,10 @@ class Claim:
             raise ValueError(f"expect is one of {', '.join(EXPECTATIONS)}, not {self.expect!r}")
         object.__setattr__(self, "keys", MappingProxyType(dict(self.keys)))
 
+    def __repr__(self) -> str:
+        keys = "".join(f", {name}={value!r}" for name, value in self.keys.items())
+        return f"Claim({self.kind!r} about {getattr(self.subject, 'map', None) or self.subject!r}{keys})"
+
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "keys": dict(self.keys)}
 

@@ -99,12 +99,20 @@ class Verdict:
 
     def _repr_latex_(self) -> str:
         words = self.kind.replace("_", r"\ ")
-        return rf"$\textbf{{{self.status}}}\colon\ \mathrm{{{words}}}$"
+        point = (self.witness or {}).items()
+        at = ",\\ ".join(rf"\mathtt{{{_tex(key)} = {_tex(_value(value))}}}" for key, value in point)
+        where = rf"\ \text{{at}}\ {at}" if at else ""
+        return rf"$\textbf{{{self.status}}}\colon\ \mathrm{{{words}}}{where}$"
 
 
 def _escaped(text: str) -> str:
     """Markdown without accidental emphasis: products and powers keep their stars."""
     return text.replace("*", r"\*").replace("_", r"\_")
+
+
+def _tex(text: str) -> str:
+    """A name or a formula as it is written, for LaTeX."""
+    return text.replace("_", r"\_").replace("{", r"\{").replace("}", r"\}").replace("**", r"{*}{*}")
 
 
 def _duration(seconds: float) -> str:

@@ -50,6 +50,13 @@ class Formula:
     def __str__(self) -> str:
         return self.text or str(self.expr)
 
+    def __repr__(self) -> str:
+        where = ", ".join(map(str, self.conditions))
+        return f"Formula({self}{', where ' if where else ''}{where})"
+
+    def _repr_latex_(self) -> str:
+        return f"${sp.latex(self.expr)}$"
+
 
 @dataclass(frozen=True)
 class Vocabulary:

@@ -7,6 +7,7 @@ import pytest
 
 from canon.budget import Budget
 from canon.claim import Claim
+from canon.decide.certificate import Certificate
 from canon.errors import BudgetExceeded, ClaimFailed, InputError
 from canon.verdict import Evidence, Verdict
 
@@ -54,7 +55,6 @@ def test_a_budget_is_a_deadline():
     budget = Budget(0.02)
     part = budget.share(0.5)
     assert part.left() <= budget.left()
-    assert budget.at_most(100).left() <= 0.02
     budget.check()
     time.sleep(0.03)
     assert budget.spent()
@@ -73,3 +73,15 @@ def test_errors_name_their_place():
     error = InputError("unknown name 'x'", "key 'f'").at("claim 2")
     assert str(error) == "claim 2, key 'f': unknown name 'x'"
     assert pickle.loads(pickle.dumps(error)).where == error.where  # noqa: S301 - our own
+
+
+def test_a_notebook_shows_certificate_and_witness() -> None:
+    data = {"kind": "canonical", "domain": ["m_1 > 0"], "arguments": [{"method": "normal form", "x": None}]}
+    certificate = Certificate(lambda: data)
+    assert repr(certificate) == "Certificate(made when it is looked at)"
+    shown = certificate._repr_latex_()
+    assert r"\text{domain 1} &\colon \text{m\_1 > 0}" in shown
+    assert shown.count("{") - shown.count(r"\{") == shown.count("}") - shown.count(r"\}")
+    assert repr(certificate) == "Certificate(kind, domain, arguments)"
+    refuted = Verdict("refuted", "canonical", witness={"q_1": "1/2"})
+    assert r"\mathtt{q\_1 = 1/2}" in refuted._repr_latex_()

@@ -7,7 +7,6 @@ from typing import Any
 
 import sympy as sp
 
-from canon.budget import Budget
 from canon.claims.show import FAILURES, is_steep, neat
 from canon.mechanics.formulas import replaced
 
@@ -15,32 +14,34 @@ LONGEST = 100
 MOST_NAMES = 5
 DEPTH = 3
 MOST = 6
+MOST_STEPS = 60
+"""How many equations are solved in all: work is counted, not timed, so that every machine finds the same."""
 
 Table = dict[sp.Symbol, sp.Expr]
 
 
-def solutions(expressions: Sequence[sp.Expr], names: Sequence[sp.Symbol], budget: Budget) -> list[Table]:
+def solutions(expressions: Sequence[sp.Expr], names: Sequence[sp.Symbol]) -> list[Table]:
     """Up to six tables of values of the parameters `names`; none is more than a guess."""
     found: list[Table] = []
     if not names or len(names) > 4:
         return found
-    for table in _search(list(expressions), list(names), {}, DEPTH, budget):
+    for table in _search(list(expressions), list(names), {}, DEPTH, iter(range(MOST_STEPS))):
         if table and table not in found:
             found.append(table)
-        if len(found) >= MOST or budget.spent():
+        if len(found) >= MOST:
             break
     return found
 
 
 def _search(
-    expressions: list[sp.Expr], names: list[sp.Symbol], known: Table, depth: int, budget: Budget
+    expressions: list[sp.Expr], names: list[sp.Symbol], known: Table, depth: int, steps: Iterator[int]
 ) -> Iterator[Table]:
-    """Solve one factor that contains parameters alone, put the result in, and go on."""
+    """Solve one factor that contains parameters alone, put the result in, and go on while `steps` last."""
     open_expressions = [neat(e) for e in expressions if neat(e) != 0]
     if not open_expressions:
         yield known
         return
-    if depth == 0 or budget.spent():
+    if depth == 0:
         return
     for factor in _factors(open_expressions, names):
         for name in names:
@@ -48,13 +49,15 @@ def _search(
                 continue
             if sp.Poly(factor, name).degree() > 2:
                 continue
+            if next(steps, None) is None:
+                return
             for value in sp.solve(factor, name):
                 step = {name: value}
                 table = {**{k: replaced(v, step) for k, v in known.items()}, **step}
                 rest = [replaced(e, step) for e in open_expressions]
                 if any(e.has(sp.zoo, sp.nan, sp.oo) for e in rest):
                     continue
-                yield from _search(rest, [n for n in names if n != name], table, depth - 1, budget)
+                yield from _search(rest, [n for n in names if n != name], table, depth - 1, steps)
             break
 
 

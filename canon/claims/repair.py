@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from canon.claims.outcome import Outcome, Residual
@@ -13,20 +14,23 @@ from canon.claims.show import FAILURES, LONG, is_short
 from canon.decide.region import Requirement
 from canon.decide.tape import Node
 from canon.errors import CanonError
+from canon.sign import known_sign
 
 if TYPE_CHECKING:
     from canon.claims.chart import Chart
     from canon.claims.question import Question
     from canon.decide.region import Region
 
-SECONDS = 1.5
 MOST_BRACKETS = 6
 MOST_CANDIDATES = 24
+MOST_OPEN = 2
+"""After so many changes that are neither proved nor refuted no more are tried. What is taught is bounded by counts, so
+that it is the same on every machine; of a claim's budget it takes at most two fifths."""
 
 
 def lesson(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:
     """The details of a refutation of M J Mᵀ = scale · J."""
-    short = replace(question, budget=question.budget.share(0.4).at_most(SECONDS), method="symbolic")
+    short = replace(question, budget=question.budget.share(0.4), method="symbolic")
     found: dict[str, Any] = {"brackets": failing(short, outcome)}
     for step in (_constant, _repaired, _parameters):
         if short.budget.spent():
@@ -94,15 +98,19 @@ class Repair:
 
     def words(self, question: Question) -> str:
         """The change in words; formulas are put into a neat form only for the change that is offered."""
-        return self.before + ("" if self.told is None else question.show(self.told)) + self.after
+        words = self.before + ("" if self.told is None else question.show(self.told)) + self.after
+        if self.divisor is None or _never_zero(question, self.divisor):
+            return words
+        return f"{words}, where that is not 0"
 
 
 def _repaired(question: Question, brackets: Brackets, scale: Node, region: Region, outcome: Outcome) -> dict[str, Any]:
     """The first simple change that makes the map canonical with the scale claimed, proved to do so."""
     tape = question.tape
     expected = tape.power(scale, -1) if brackets.inverted else scale
-    for count, candidate in enumerate(_candidates(question, brackets, expected, outcome)):
-        if count >= MOST_CANDIDATES or question.budget.spent():
+    left_open = 0
+    for candidate in islice(_candidates(question, brackets, expected, outcome), MOST_CANDIDATES):
+        if left_open == MOST_OPEN or question.budget.spent():
             break
         changed = Brackets(question, _with_functions(brackets.chart, candidate.functions))
         try:
@@ -112,7 +120,15 @@ def _repaired(question: Question, brackets: Brackets, scale: Node, region: Regio
             continue
         if verdict.status == "proved":
             return {"repair": candidate.words(question)}
+        left_open += verdict.status != "refuted"
     return {}
+
+
+def _never_zero(question: Question, node: Node) -> bool:
+    """What is divided by is not 0 anywhere, by what is assumed of the names in it."""
+    if not is_short(question.tape, node):
+        return False
+    return known_sign(question.tape.to_sympy(node)) in ("positive", "negative", "nonzero")
 
 
 def _nonzero(node: Node) -> Requirement:
@@ -177,7 +193,7 @@ def _parameters(
     expressions = [tape.to_sympy(residual.node) for residual in failed if is_short(tape, residual.node)]
     names = [s for s in question.space.parameters if any(s in e.free_symbols for e in expressions)]
     good = []
-    for table in solutions(expressions, names, question.budget):
+    for table in solutions(expressions, names):
         values = {name: Formula(value, tuple(conditions_of(value)), str(value)) for name, value in table.items()}
         try:
             checked_solution(question, values, "")

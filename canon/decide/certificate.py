@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from canon.decide.region import Region
     from canon.decide.tower import Generator, Tower
+
+
+LONGEST: Final = 120
+"""The most characters of an item that a notebook shows; the data has all of it."""
+_SIGNS: Final = {
+    "\\": r"\backslash ", "{": r"\{", "}": r"\}", "_": r"\_", "^": r"\char94 ", "#": r"\#", "$": r"\$", "%": r"\%",
+    "&": r"\&", "~": r"\char126 ",
+}  # fmt: skip
 
 
 class Certificate(Mapping[str, Any]):
@@ -16,6 +24,14 @@ class Certificate(Mapping[str, Any]):
     def __init__(self, make: Callable[[], dict[str, Any]]) -> None:
         self._make = make
         self._data: dict[str, Any] | None = None
+
+    def __repr__(self) -> str:
+        known = "made when it is looked at" if self._data is None else ", ".join(self._data)
+        return f"Certificate({known})"
+
+    def _repr_latex_(self) -> str:
+        rows = "".join(rf"\text{{{_tex(name)}}} &\colon \text{{{_tex(text)}}} \\ " for name, text in _rows(self, ""))
+        return rf"$\begin{{aligned}} {rows}\end{{aligned}}$"
 
     def _known(self) -> dict[str, Any]:
         if self._data is None:
@@ -30,6 +46,24 @@ class Certificate(Mapping[str, Any]):
 
     def __len__(self) -> int:
         return len(self._known())
+
+
+def _rows(value: Any, name: str) -> Iterator[tuple[str, str]]:
+    """The leaves of nested data, each with its name."""
+    if isinstance(value, Mapping):
+        for key, item in value.items():
+            yield from _rows(item, str(key))
+    elif isinstance(value, (list, tuple)):
+        for number, item in enumerate(value, 1):
+            yield from _rows(item, f"{name} {number}")
+    elif value not in (None, ""):
+        yield name, str(value)
+
+
+def _tex(text: str) -> str:
+    """Text for LaTeX: its special signs escaped, cut where it is long."""
+    text = text if len(text) <= LONGEST else f"{text[:LONGEST]} …"
+    return "".join(_SIGNS.get(sign, sign) for sign in text)
 
 
 def of_tower(tower: Tower, region: Region, argument: str) -> Certificate:

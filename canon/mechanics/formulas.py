@@ -49,6 +49,35 @@ def as_formulas(values: Expression | Iterable[Expression], where: str = "") -> t
     return tuple(as_formula(value, where) for value in values)
 
 
+def check_symbols(formulas: Iterable[Formula], known: Mapping[str, sp.Symbol], where: str = "") -> None:
+    """Refuse a symbol that bears a name of the phase space but isn't its symbol: derivatives by that would miss it.
+
+    **Arguments:** `known`, the space's symbols by name.
+
+    **Raises:** `InputError` with what differs and where to take the symbol from.
+    """
+    for formula in formulas:
+        for symbol in sorted(formula.expr.free_symbols, key=str):
+            meant = known.get(str(symbol))
+            if meant is None or meant == symbol:
+                continue
+            mine, its = (_assumed(x) for x in (symbol, meant))
+            raise InputError(
+                f"this {symbol} is {mine}, and the {symbol} of the phase space is {its}: two different symbols; "
+                f"take it from the space, as in {symbol} = space.symbols({str(symbol)!r})",
+                where,
+            )
+
+
+def _assumed(symbol: Any) -> str:
+    """What sets a symbol apart, in words."""
+    if symbol.is_positive or symbol.is_negative:
+        return "positive" if symbol.is_positive else "negative"
+    if symbol.is_real:
+        return "an integer" if symbol.is_integer else "nonnegative" if symbol.is_nonnegative else "real"
+    return "complex" if symbol.is_complex else "a symbol without assumptions"
+
+
 def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     """`expression` with all symbols of `mapping` replaced at once, inside derivatives of arbitrary functions too."""
     if expression.has(sp.Derivative, sp.Subs):

@@ -12,10 +12,11 @@ import sympy as sp
 from canon.claim import Claim
 from canon.errors import InputError
 from canon.expression import Formula
-from canon.mechanics.formulas import Expression, as_formula
+from canon.mechanics.formulas import Expression, as_formula, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.subject import Subject
 from canon.mechanics.transformation import Transformation
+from canon.sign import is_complex
 
 # Per type: does F depend on the old momentum (else the coordinate), and on the new momentum?
 MOMENTA = {1: (False, False), 2: (False, True), 3: (True, False), 4: (True, True)}
@@ -50,6 +51,14 @@ class GeneratingFunction:
         for kind in self.types:
             if kind not in MOMENTA:
                 raise InputError(f"there is no type {kind!r}; types are 1, 2, 3 and 4", "generating_function, type")
+        check_symbols([self.F], space.vocabulary, "generating_function, F")
+        plain = [x.name for x in (*space.old, *space.new) if x.name in space.plain]
+        if plain and is_complex(self.F.expr):
+            raise InputError(
+                f"F is complex, so its variables are too: say so of {', '.join(plain)} in the space, "
+                f"complex={' '.join(plain)!r}, or that they are real all the same",
+                "generating_function, F",
+            )
         for symbol in sorted(self.F.expr.free_symbols & {*self.old_conjugates, *self.new_conjugates}, key=str):
             raise InputError(
                 f"F of type {self.type} is a function of {', '.join(map(str, self.mixed))}, not of {symbol}",
@@ -166,6 +175,9 @@ class GeneratingFunction:
     def subject(self) -> Subject:
         """What claims about F and its map are about."""
         return self.transformation().subject()
+
+    def __repr__(self) -> str:
+        return f"GeneratingFunction({self})"
 
     def __str__(self) -> str:
         """The type, the arguments and the formula."""

@@ -73,6 +73,8 @@ class PhaseSpace:
     parameters: tuple[sp.Symbol, ...]
     functions: tuple[str, ...]
     domain: Domain = field(default_factory=Domain)
+    plain: frozenset[str] = field(default=frozenset(), compare=False)
+    """The names of variables that were given without an assumption: they are real unless their formula is complex."""
 
     def __init__(
         self,
@@ -151,6 +153,9 @@ class PhaseSpace:
         put(self, "parameters", tuple(symbol(name) for name in rest if name not in called))
         put(self, "functions", called)
         put(self, "domain", domain if domain is not None else Domain())
+        spoken = {name for name, given in words.items() if given}
+        listed = [name for names in (q, p, *(new or ())) for name in _listed(names) if isinstance(name, str)]
+        put(self, "plain", frozenset(listed) - spoken)
 
     @property
     def n(self) -> int:
@@ -234,6 +239,13 @@ class PhaseSpace:
         """The same space with another domain."""
         return _copy(self, domain=domain)
 
+    def with_complex(self, names: Iterable[str]) -> "PhaseSpace":
+        """The same space with the variables of these names complex."""
+        fresh = {self.symbol(name): symbol_with(name, ["complex"]) for name in names}
+        sides = {side: tuple(fresh.get(x, x) for x in getattr(self, side)) for side in "qpQP"}
+        domain = self.domain.substitute(dict(fresh))
+        return _copy(self, **sides, domain=domain, plain=self.plain - {x.name for x in fresh})
+
     def with_new(self, new: tuple[Names, Names] | None) -> "PhaseSpace":
         """The same space with other new variables (none at all for `None`)."""
         return PhaseSpace(
@@ -254,6 +266,14 @@ class PhaseSpace:
         if len(self.Q) != self.n:
             raise InputError(f"{len(self.Q)} new pairs and {self.n} old ones cannot change places")
         return _copy(self, q=self.Q, p=self.P, Q=self.q, P=self.p)
+
+    def __repr__(self) -> str:
+        def row(symbols: tuple[sp.Symbol, ...]) -> str:
+            return f"({', '.join(map(str, symbols))})"
+
+        to = f" -> {row(self.new)}" if self.Q else ""
+        more = [str(s) for s in (*self.parameters, *self.functions)]
+        return f"PhaseSpace({row(self.old)}{to}{', with ' if more else ''}{', '.join(more)})"
 
     def _repr_latex_(self) -> str:
         def row(symbols: tuple[sp.Symbol, ...]) -> str:

@@ -1,12 +1,13 @@
 """What a claim is about: the phase space and whatever lives on it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from canon.claim import Claim
 from canon.domain import Domain
 from canon.expression import Formula
+from canon.mechanics.formulas import check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 
 if TYPE_CHECKING:
@@ -38,5 +39,23 @@ class Subject:
         return self.generating_function.transformation()
 
     def claim(self, kind: str, keys: Mapping[str, object], **options: object) -> Claim:
-        """The claim of this kind about this subject; `options` are `title`, `source`, `expect` and `budget`."""
+        """The claim of this kind about this subject; `options` are `title`, `source`, `expect` and `budget`.
+
+        **Raises:** `InputError` where a formula has a symbol that only shares its name with one of the space.
+        """
+        shared = () if self.hamiltonian is None else (self.hamiltonian,)
+        check_symbols(shared, self.space.vocabulary, "hamiltonian")
+        for name, value in keys.items():
+            check_symbols(_formulas(value), self.space.vocabulary, f"key {name!r}")
         return Claim(kind=kind, subject=self, keys=dict(keys), **options)  # pyright: ignore[reportArgumentType]
+
+
+def _formulas(value: object) -> Iterator[Formula]:
+    """The formulas in a key's value: itself, or those of a list or of tables."""
+    if isinstance(value, Formula):
+        yield value
+    elif isinstance(value, (tuple, list)):
+        for item in value:
+            yield from _formulas(item)
+    elif isinstance(value, Mapping):
+        yield from _formulas(list(value.values()))

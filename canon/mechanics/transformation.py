@@ -9,10 +9,11 @@ import sympy as sp
 from canon.claim import Claim
 from canon.errors import InputError
 from canon.expression import Formula
-from canon.mechanics.formulas import Expression, as_formula, as_formulas, substituted
+from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols, substituted
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.poisson import BracketMatrix, bracket_matrix, lagrange_matrix, standard_j
 from canon.mechanics.subject import Subject
+from canon.sign import is_complex
 
 if TYPE_CHECKING:
     from canon.mechanics.generating_function import GeneratingFunction
@@ -23,13 +24,15 @@ Direction = Literal["forward", "backward", "implicit"]
 def _check(
     formulas: Sequence[Formula],
     targets: Sequence[sp.Symbol],
-    side: Sequence[sp.Symbol],
-    other: Sequence[sp.Symbol],
+    space: PhaseSpace,
+    forward: bool,
     where: str,
 ) -> None:
-    """Raise unless there is a formula for each target, in the variables of `side` alone."""
+    """Raise unless there is a formula for each target, in the variables of the other side alone."""
     if len(formulas) != len(targets):
         raise InputError(f"{len(formulas)} formulas for {len(targets)} variables", where)
+    check_symbols(formulas, space.vocabulary, where)
+    side, other = (space.old, space.new) if forward else (space.new, space.old)
     for formula in formulas:
         for symbol in sorted(formula.expr.free_symbols & {*other} - {*side}, key=str):
             raise InputError(f"{symbol} cannot occur here: the formula is one in {', '.join(map(str, side))}", where)
@@ -45,7 +48,9 @@ class Transformation:
     - `q`, `p`: the old variables as functions of the new ones (`backward`);
     - `generating_function`: the map is defined by its equations alone (`implicit`).
 
-    A forward map may have fewer new pairs than old ones, as in the regularisation of Kustaanheimo and Stiefel.
+    A variable of which nothing was said when the space was made is complex if its formula is: the transformation's own
+    `space` has that symbol. A forward map may have fewer new pairs than old ones, as in the regularisation of
+    Kustaanheimo and Stiefel.
 
     **Raises:** `InputError` when the counts do not fit, or a formula uses variables of the wrong side.
     """
@@ -74,9 +79,11 @@ class Transformation:
         given = [name for name in "QPqp" if formulas[name]]
         if given not in (["Q", "P"], ["q", "p"], []) or (not given and generating_function is None):
             raise InputError("a transformation is given by Q and P, or by q and p", "transformation")
-        side, other = (space.old, space.new) if "Q" in given else (space.new, space.old)
         for name in given:
-            _check(formulas[name], getattr(space, name), side, other, f"transformation, {name}")
+            _check(formulas[name], getattr(space, name), space, "Q" in given, f"transformation, {name}")
+        pairs = [pair for name in given for pair in zip(getattr(space, name), formulas[name], strict=True)]
+        imaginary = [x.name for x, formula in pairs if x.name in space.plain and is_complex(formula.expr)]
+        space = space.with_complex(imaginary) if imaginary else space
         if given != ["Q", "P"] and len(space.Q) != space.n:
             raise InputError("as many new pairs as old ones are needed here", "transformation")
         for name, value in {"space": space, **formulas, "generating_function": generating_function}.items():
@@ -145,7 +152,9 @@ class Transformation:
 
     def pull_back(self, f: Expression) -> Formula:
         """`f`, a function of the targets, as a function of the arguments."""
-        return substituted(as_formula(f), self.mapping)
+        formula = as_formula(f)
+        check_symbols([formula], self.space.vocabulary)
+        return substituted(formula, self.mapping)
 
     def inverse(self) -> "Transformation":
         """The inverse map (Q, P) -> (q, p). Nothing is solved: the roles of old and new change places."""
@@ -258,6 +267,9 @@ class Transformation:
     def symmetry(self, H: Expression) -> Claim:
         """Claims that the map leaves H form-invariant."""
         return self.subject(H).claim("symmetry", {})
+
+    def __repr__(self) -> str:
+        return f"Transformation({self})"
 
     def __str__(self) -> str:
         """`Q = …, P = …`, or the generating function of an implicit map."""

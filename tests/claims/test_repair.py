@@ -1,8 +1,12 @@
 """What a refutation of `canonical` teaches: scales, failing brackets, parameters, repairs, each of them proved."""
 
 import pytest
+import sympy as sp
+
+from canon.claims import parameters, potential
 
 CANONICAL = 'kind = "canonical"'
+x, y, b = sp.symbols("x y b", real=True)
 
 
 def lesson(ask, Q: str, P: str, **sections: str) -> dict:
@@ -22,7 +26,20 @@ def test_a_missing_factor(ask):
     """P = p/(2q) belongs to Q = q²."""
     found = lesson(ask, "q**2", "p")
     assert found["brackets"] == {"{Q, P}": "2*q"}
-    assert found["repair"] == "divide P by 2*q"
+    assert found["repair"] == "divide P by 2*q, where that is not 0"
+
+
+def test_a_missing_factor_that_is_never_zero(ask):
+    assert lesson(ask, "q**2*a", "p", symbols='a = "positive"\nq = "positive"')["repair"] == "divide P by 2*a*q"
+
+
+def test_what_is_taught_is_bounded_by_counts(monkeypatch):
+    """Not by the clock, so that every machine teaches the same."""
+    assert [tired() for tired in [potential.tired_after(2)] * 4] == [False, False, True, True]
+    equations, names = [b * (x - 1), b * (x - y)], [x, y]
+    assert parameters.solutions(equations, names) == [{x: 1, y: 1}]
+    monkeypatch.setattr(parameters, "MOST_STEPS", 0)
+    assert parameters.solutions(equations, names) == []
 
 
 def test_a_sign_in_a_formula(ask):

@@ -115,5 +115,7 @@ def test_what_is_ill_posed_is_an_input_error(build, message):
 
 
 def test_it_shows_itself_in_latex():
+    assert repr(F1) == f"GeneratingFunction({F1})"
+    assert repr(F1.F) == "Formula(m*omega*q**2*cot(phi)/2, where sin(phi) != 0)"
     assert "F_{1}(q, \\phi)" in F1._repr_latex_()
     assert F1.transformation()._repr_latex_() == F1._repr_latex_()

@@ -6,9 +6,11 @@ from canon import (
     InputError,
     PhaseSpace,
     Transformation,
+    bracket,
     compose,
     extended_by_time,
     identity_transformation,
+    verify,
 )
 from canon.mechanics.time_dependence import hamiltonian_shift, new_hamiltonian_residuals
 
@@ -142,6 +144,7 @@ def test_fewer_new_pairs_than_old_ones():
 
 
 def test_it_shows_itself_in_latex():
+    assert repr(BACK) == f"Transformation({BACK})"
     assert BACK._repr_latex_().startswith("$\\begin{aligned} q &=")
 
 
@@ -152,3 +155,38 @@ def test_maps_and_generating_functions_read_as_formulas():
     F = GeneratingFunction(space, type=1, F=q * Q)
     assert str(F) == "type 1: F(q, Q) = Q*q"
     assert str(F.transformation()) == str(F)
+
+
+def test_a_variable_is_complex_if_its_formula_is():
+    """As in a claim file: else abs(a)**2 would be taken for a**2."""
+    space = PhaseSpace("q", "p", new=("a", "b"))
+    q, p, a = space.symbols("q p a")
+    root = sp.sqrt(2)
+    T = Transformation(space, Q=(q + sp.I * p) / root, P=(p + sp.I * q) / root)
+    complex_a, complex_b = T.space.symbols("a b")
+    assert (a.is_real, complex_a.is_real, complex_a.is_complex) == (True, None, True)
+    H = (q**2 + p**2) / 2
+    assert verify(T.new_hamiltonian(H, -sp.I * complex_a * complex_b)).status == "proved"
+    with pytest.raises(InputError, match="this a is real, and the a of the phase space is complex"):
+        T.new_hamiltonian(H, sp.Abs(a) ** 2)
+    declared = PhaseSpace("q", "p", new=("a", "b"), real="a b")
+    assert Transformation(declared, Q=T.Q, P=T.P).space.symbols("a").is_real
+    with pytest.raises(InputError, match="say so of q, p, a, b in the space, complex='q p a b'"):
+        GeneratingFunction(space, 2, sp.I * q * space.symbols("b"))
+
+
+def test_a_symbol_that_only_shares_its_name_is_refused():
+    """A derivative by the space's q would miss it, and the map would wrongly be refuted."""
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    q, p = sp.symbols("q p")
+    with pytest.raises(InputError, match=r"transformation, Q: this p is a symbol without assumptions.*space.symbols"):
+        Transformation(space, Q=p, P=-q)
+    with pytest.raises(InputError, match="key 'f'"):
+        bracket(space, q, space.symbols("p"), 1)
+    with pytest.raises(InputError, match="generating_function, F"):
+        GeneratingFunction(space, 2, q * space.symbols("P"))
+    real = Transformation(space, Q=space.symbols("p"), P=-space.symbols("q"))
+    with pytest.raises(InputError, match="the Q of the phase space is real"):
+        real.pull_back(sp.Symbol("Q") ** 2)
+    with pytest.raises(InputError, match="hamiltonian"):
+        real.symmetry(q**2 + p**2)

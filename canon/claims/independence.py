@@ -9,21 +9,23 @@ free of radicals up to sign and divisible by f; so f vanishes on no open set, wh
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, islice, product
+from math import comb
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from canon.claims.bracket import keys_domain, tensor_of
 from canon.claims.determinant import determinant
-from canon.claims.outcome import Outcome, Residual, combined, exact, merged
+from canon.claims.outcome import Outcome, combined, merged
 from canon.claims.scale import never_zero
 from canon.claims.show import is_short
 from canon.decide.derivative import derivative, substitute
-from canon.decide.region import Requirement
+from canon.decide.nowhere_zero import has_no_zero, nonzero_on_every_cell
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.domain import Condition
 from canon.errors import InputError
@@ -35,8 +37,10 @@ if TYPE_CHECKING:
     from canon.decide.region import Region
 
 MOST_MINORS = 400
+FEW_MINORS = 70
 MOST_RADICALS = 3
 MEROMORPHIC = ("sin", "cos", "exp")
+COMPONENTS = "an analytic function that is not zero at one point of a connected set vanishes on no open part of it"
 THEOREM = "a meromorphic function on a connected domain that vanishes on an open set vanishes everywhere"
 PLACES = (
     tuple(Fraction(n) for n in (1, 2, 3, 5, 7, 11, 4, 9, 13, 6)),
@@ -95,12 +99,12 @@ def full_rank(
         if answer.status != "proved":
             open_questions.append(f"is the minor {name} identically zero?")
             continue
-        ranked = _ranked(question, minor, name, answer, region, variables if everywhere else None)
+        ranked = _ranked(question, minor, name, answer, region, variables if everywhere else None, chart)
         if ranked.status == "proved" or question.method == "numeric":
             return ranked
         fallback = fallback or ranked
     if fallback is not None:
-        return _dependent_somewhere(question, rows, region, chart) or fallback
+        return _dependent_somewhere(question, rows, region, chart, variables if everywhere else None) or fallback
     if open_questions or next(minors, None) is not None:
         return Outcome("undecided", note="; ".join(open_questions[:3]) or "too many minors")
     dependent = question.refuted_exactly(region, "all maximal minors of the Jacobian vanish identically")
@@ -110,33 +114,35 @@ def full_rank(
 
 
 def _dependent_somewhere(
-    question: Question, rows: Sequence[Sequence[Node]], region: Region, chart: Chart
+    question: Question, rows: Sequence[Sequence[Node]], region: Region, chart: Chart, everywhere: Sequence[Node] | None
 ) -> Outcome | None:
-    """A refutation by an open set, given by the sign of an absolute value's argument, on which all minors vanish."""
-    tape, width = question.tape, len(rows[0])
-    nodes = [chart.pull(entry) for row in rows for entry in row]
-    arguments = {tape.ops[i][2][0] for i in tape.reach(nodes) if tape.ops[i][0] == "f" and tape.ops[i][1] == "abs"}
-    if len(list(combinations(range(width), len(rows)))) > MOST_MINORS or question.method == "numeric":
+    """A refutation of what full rank at one point leaves open, or None."""
+    from canon.claims.dependence import dependent_somewhere
+
+    tape, size, width = question.tape, len(rows), len(rows[0])
+    if question.method == "numeric" or comb(width, size) > FEW_MINORS:
         return None
-    for argument in sorted(arguments)[:MOST_RADICALS]:
-        for sign in (1, -1):
-            side = Requirement("positive", (tape.scaled(argument, sign),), "one side of an absolute value")
-            minors = (
-                Residual("a minor", chart.pull(determinant(tape, [[row[c] for c in columns] for row in rows])))
-                for columns in combinations(range(width), len(rows))
-            )
-            try:
-                outcome = question.decide(minors, region.also(side), budget=question.budget.share(0.5))
-            except InputError:
-                continue
-            if outcome.status == "proved":
-                where = f"{question.show(tape.scaled(argument, sign))} > 0"
-                return combined([exact("refuted", "all maximal minors vanish on an open set", dependent_where=where)])
-    return None
+    every = [
+        chart.pull(determinant(tape, [[row[c] for c in columns] for row in rows]))
+        for columns in combinations(range(width), size)
+    ]
+    minors = list(dict.fromkeys(minor for minor in every if tape.value(minor) != 0))
+    parameters = _parameters(question, everywhere)
+    return dependent_somewhere(question, minors, sorted(parameters), region, everywhere=everywhere is not None)
+
+
+def _parameters(question: Question, variables: Sequence[Node] | None) -> set[Node]:
+    return {question.tape.symbol(s) for s in question.space.parameters} - set(variables or ())
 
 
 def _ranked(
-    question: Question, minor: Node, name: str, answer: Answer, region: Region, everywhere: Sequence[Node] | None
+    question: Question,
+    minor: Node,
+    name: str,
+    answer: Answer,
+    region: Region,
+    everywhere: Sequence[Node] | None,
+    chart: Chart,
 ) -> Outcome:
     """What a minor that doesn't vanish at one point says (`everywhere`: of the whole domain, in these variables)."""
     tape, witness = question.tape, answer.witness
@@ -149,14 +155,18 @@ def _ranked(
     if region.surface and everywhere is not None:
         note = "full rank at one point of the surface; nothing is shown of its other components"
         return Outcome("supported", method="witness", numeric=numeric, detail=detail, note=note)
-    parameters = {tape.symbol(s) for s in question.space.parameters} - set(everywhere or ())
-    fixed = frozenset(tape.support(minor) & parameters)
+    fixed = frozenset(tape.support(minor) & _parameters(question, everywhere))
     conditions = question.domain().conditions
     arguments = ({**step, "theorem": THEOREM},)
     method = "minor, analytic continuation"
     proved = Outcome("proved", method=method, numeric=numeric, detail=detail, arguments=arguments)
     if not_zero_for_any_parameters(tape, minor, fixed, conditions):
         return proved
+    pulled = chart.pull(minor)
+    if has_no_zero(tape, pulled, region, question.budget):
+        return replace(proved, method="minor without a zero", arguments=(step,))
+    if _on_every_cell(question, pulled, region, everywhere):
+        return replace(proved, method="minor, cell by cell", arguments=({**step, "theorem": COMPONENTS},))
     free = not fixed and not tape.functions_of([minor])
     if everywhere is None and (free or _harmless(tape, minor, fixed, conditions)):
         return proved
@@ -164,6 +174,14 @@ def _ranked(
     gaps += ["at special values of parameters"] if fixed else []
     note = f"full rank at one point; not shown {' or '.join(gaps)}"
     return Outcome("supported", method="witness", numeric=numeric, detail=detail, note=note)
+
+
+def _on_every_cell(question: Question, minor: Node, region: Region, everywhere: Sequence[Node] | None) -> bool:
+    """Without parameters and arbitrary functions: the minor isn't zero at a point of each cell of the region."""
+    tape, nodes = question.tape, [minor, *region.nodes()]
+    if tape.functions_of(nodes) or any(tape.support(node) & _parameters(question, everywhere) for node in nodes):
+        return False
+    return nonzero_on_every_cell(tape, minor, region, random.Random(question.seed), question.budget)
 
 
 def _harmless(tape: Tape, minor: Node, fixed: frozenset[Node], conditions: Sequence[Condition]) -> bool:

@@ -1,5 +1,7 @@
 """Brackets, Jacobi's identity, constants of motion, involution, independence, identities."""
 
+from fractions import Fraction
+
 import pytest
 
 from canon.errors import InputError
@@ -101,7 +103,23 @@ def test_involution_pair_by_pair(ask):
         (["x + abs(x)"], "refuted"),  # constant where x < 0
         (["x*sign(y) + x", "y"], "refuted"),
         (["m*x + py/m", "y"], "proved"),
-        (["a*x", "y"], "supported"),  # a = 0 is allowed
+        (["a*x", "y"], "refuted"),  # a = 0 is allowed
+        (["(m + 1)*x", "y"], "proved"),
+        (["(a**2 - 2)*x", "y"], "refuted"),
+        (["(a**2 + 2)*x", "y"], "proved"),
+        (["a*x + b*y", "b*x - a*y"], "refuted"),
+        (["x*cos(a)", "y"], "refuted"),
+        (["x*cos(a) + y*sin(a)", "y*cos(a) - x*sin(a)"], "proved"),
+        (["x**a", "y"], "refuted"),
+        (["asin(sin(x)) - x", "y"], "refuted"),  # x near 0
+        (["sqrt((x - 1)**2) + abs(y) + x - y", "y"], "refuted"),
+        (["sqrt((x - 1)**2) + 2*x", "y"], "proved"),
+        (["log(x)*y**2 + x*atan(y)", "y*log(x)"], "proved"),
+        (["atan(x)*log(abs(y))", "y*atan(x)"], "proved"),
+        (["x*y", "V(x)*y"], "refuted"),  # V(x) = x
+        (["V(x + y)", "x - y"], "refuted"),  # V = 0
+        (["exp(V(x))*y", "x"], "proved"),
+        (["y/V(x)", "x"], "proved"),
         (["sqrt(x**2 + y**2)", "x*py - y*px", "px**2 + py**2 - 2/sqrt(x**2 + y**2)"], "proved"),
         (["atan2(y, x)", "x**2 + y**2"], "proved"),
         (["x*cos(t) + px*sin(t)", "px*cos(t) - x*sin(t)"], "proved"),
@@ -110,8 +128,16 @@ def test_involution_pair_by_pair(ask):
 )
 def test_independence_on_every_component(status, functions, expected):
     claim = f'kind = "independent"\nfunctions = {functions}'.replace("'", '"').replace('kind = "', 'kind = "')
-    symbols = 'a = "real"\nm = "positive"\nV = "function"'
+    symbols = 'a = "real"\nb = "real"\nm = "positive"\nV = "function"'
     assert status(claim, space=PLANE, symbols=symbols) == expected
+
+
+def test_a_refutation_of_independence_says_where(ask):
+    claims = [f'kind = "independent"\nfunctions = {f}' for f in ('["a*x"]', '["V(x)"]', '["asin(sin(x)) - x"]')]
+    parameter, function, component = ask(*claims, space=PLANE, symbols='a = "real"\nV = "function"')
+    assert parameter.detail["dependent_at"] == {"a": "0"}
+    assert function.detail["dependent_for"] == {"V": "0"}
+    assert abs(Fraction(component.detail["dependent_near"]["x"])) < 2
 
 
 def test_independence_on_a_surface_is_not_proved_by_a_point(status):

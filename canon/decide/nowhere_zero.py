@@ -1,0 +1,70 @@
+"""Functions that aren't identically zero on any open set of the region, though they may vanish at points.
+
+One point at which an analytic function isn't zero serves one connected component. Two arguments serve all of them:
+the region's own conditions or signs keep every factor from zero, or each of its cells is a box, hence connected, with a
+point of its own.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+
+from canon.budget import Budget
+from canon.decide.cells import cells_of, definite_sign
+from canon.decide.enclosure import excludes_zero
+from canon.decide.intervals import intervals_of
+from canon.decide.region import Region
+from canon.decide.search import samples
+from canon.decide.tape import Node, Tape, Unsupported
+
+POINTS = 3
+
+
+def has_no_zero(tape: Tape, node: Node, region: Region, budget: Budget) -> bool:
+    """True when no factor of the node has a zero in the region, whatever parameters and arbitrary functions are."""
+    asked = {
+        factor
+        for requirement in region.requirements
+        if requirement.kind in ("positive", "nonzero", "slit")
+        for factor in _factors(tape, requirement.nodes[0])
+    }
+    box = intervals_of(tape, region)
+    return tape.value(node) != 0 and all(
+        factor in asked or (not tape.is_complex(factor) and definite_sign(tape, factor, box, budget) is not None)
+        for factor in _factors(tape, node)
+    )
+
+
+def _factors(tape: Tape, node: Node) -> Iterator[Node]:
+    """What a product, a multiple or a root has its zeros and poles from; numbers are left out."""
+    op = tape.ops[node]
+    if op[0] == "*":
+        inner = [factor for factor, _ in op[1]]
+    elif op[0] == "+" and not op[1] and len(op[2]) == 1:
+        inner = [op[2][0][0]]
+    elif op[0] == "r":
+        inner = [op[1]]
+    else:
+        if tape.value(node) is None:
+            yield node
+        return
+    for factor in inner:
+        yield from _factors(tape, factor)
+
+
+def nonzero_on_every_cell(tape: Tape, node: Node, region: Region, rng: random.Random, budget: Budget) -> bool:
+    """True when the region is a union of boxes, each with a certified point at which the node isn't 0."""
+    cells = cells_of(tape, region, [node], budget)
+    if not cells or not all(cell.connected for cell in cells):
+        return False
+    try:
+        return all(
+            any(
+                excludes_zero(place.balls[node])
+                for place in samples(tape, [node], cell.region, rng, count=POINTS, tries=10, budget=budget)
+            )
+            for cell in cells
+        )
+    except Unsupported:
+        return False

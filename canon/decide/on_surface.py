@@ -1,8 +1,8 @@
 """Vanishing on a constraint surface: the numerator lies in the ideal of the surface's equations.
 
-The equations' numerators, without factors that have no zero on the region, generate an ideal together
-with the relations of the kernels; membership (by Gröbner bases) makes the residual 0 at every point of
-the surface. Not lying in the ideal says nothing.
+The equations' numerators, without repeated factors and those that have no zero on the region, generate an
+ideal together with the relations of the kernels; membership in it or in its radical (by Gröbner bases) makes
+the residual 0 at every point of the surface. Not lying there says nothing.
 """
 
 from __future__ import annotations
@@ -11,7 +11,10 @@ import sympy as sp
 
 from canon.budget import Budget
 from canon.decide.certificate import Certificate, describe
+from canon.decide.components import without_powers
+from canon.decide.fraction_field import Element, FractionField
 from canon.decide.intervals import intervals_of
+from canon.decide.inverse import JACOBI
 from canon.decide.normal_form import reduce_to_zero
 from canon.decide.region import Region
 from canon.decide.ring import Polynomial, Ring
@@ -19,19 +22,21 @@ from canon.decide.signs import sign_of, split
 from canon.decide.tape import Node, Tape
 from canon.decide.tower import Tower, combine
 
-MOST_TERMS = 600
+MOST_TERMS, MOST_TERMS_OF_RADICAL = 600, 60
+SPECIAL = ("elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei", "lambertw", "integer_power", *JACOBI)
 
 
 def vanishes_on_surface(tape: Tape, node: Node, region: Region, budget: Budget) -> Certificate | None:
     """A certificate that the node is 0 on region ∩ surface, or None."""
     positive = [r.nodes[0] for r in region.requirements if r.kind == "positive" and not tape.is_complex(r.nodes[0])]
-    tower = Tower(tape, [node, *region.surface], positive=positive, intervals=intervals_of(tape, region), budget=budget)
+    surface = without_powers(tape, region.surface)
+    tower = Tower(tape, [node, *surface], positive=positive, intervals=intervals_of(tape, region), budget=budget)
     zero, nonzero, field = reduce_to_zero(tower, [node], budget)
     if node in zero:
         return _certificate(tower, region, [])
     if node not in nonzero:
         return None
-    equations = [_essential(tower, equation, region) for equation in region.surface]
+    equations = [_essential(tower, equation, region) for equation in surface]
     ring = tower.ring
     numerator = ring.polynomial(
         {m + (0,) * (ring.size - len(m)): c for m, c in field.ring.terms(nonzero[node][0]).items()}
@@ -39,8 +44,32 @@ def vanishes_on_surface(tape: Tape, node: Node, region: Region, budget: Budget) 
     if len(equations) == 1 and not tower.field.relations:
         inside = ring.quotient(numerator, equations[0]) is not None
     else:
-        inside = _in_ideal(tower, numerator, equations, budget)
-    return _certificate(tower, region, equations) if inside else None
+        inside = (
+            _in_ideal(tower, numerator, equations, budget)
+            or _by_conjugate(tower, numerator, equations, budget)
+            or _in_radical(tower, numerator, equations, budget)
+        )
+    if not inside or not _defined(tower, node, nonzero[node], field, equations, budget):
+        return None
+    return _certificate(tower, region, equations)
+
+
+def _defined(
+    tower: Tower, node: Node, value: Element, field: FractionField, equations: list[Polynomial], budget: Budget
+) -> bool:
+    """True when no denominator vanishes on the surface.
+
+    What a formula divides by, and what its derivatives do, isn't 0 in the region, but for the removable singularities
+    that the derivatives of special functions have, as of K(m) at m = 0.
+    """
+    tape, ring = tower.tape, tower.ring
+    if not any(tape.ops[i][0] == "f" and tape.ops[i][1] in SPECIAL for i in tape.reach([node])):
+        return True
+    for k in value[1]:
+        f = ring.polynomial({m + (0,) * (ring.size - len(m)): c for m, c in field.ring.terms(field.factors[k]).items()})
+        if sign_of(tower, f) not in ("pos", "neg") and not _in_ideal(tower, ring.one, [f, *equations], budget):
+            return False
+    return True
 
 
 def _essential(tower: Tower, equation: Node, region: Region) -> Polynomial:
@@ -52,10 +81,10 @@ def _essential(tower: Tower, equation: Node, region: Region) -> Polynomial:
     nonzero = _nonzero_polynomials(tower, region)
     _, pieces = split(tower, (tower.field.normal(values[equation][0]), {}))
     p = tower.ring.one
-    for f, e in pieces:
+    for f, _ in pieces:
         if sign_of(tower, f) in ("pos", "neg") or any(f == g for g in nonzero):
             continue
-        p = p * f**e
+        p = p * f
     return p
 
 
@@ -81,6 +110,36 @@ def _in_ideal(tower: Tower, numerator: Polynomial, equations: list[Polynomial], 
     )
     budget.check()
     return basis.reduce(_sympy(tower.ring, numerator, used, names))[1] == 0
+
+
+def _by_conjugate(tower: Tower, numerator: Polynomial, equations: list[Polynomial], budget: Budget) -> bool:
+    """a + b·g times a − b·g lies in the ideal, for a square root g, and a − b·g has a sign on the region."""
+    ring, field = tower.ring, tower.field
+    for generator, degree, lower, _ in reversed(field.relations):
+        if degree != 2 or ring.degrees(numerator)[generator] != 1 or ring.degrees(lower)[generator] > 0:
+            continue
+        terms = ring.terms(numerator)
+        conjugate = ring.polynomial({m: -c if m[generator] else c for m, c in terms.items()})
+        if sign_of(tower, conjugate) in ("pos", "neg"):
+            product = field.normal(ring.times(numerator, conjugate))
+            if not product or _in_ideal(tower, product, equations, budget):
+                return True
+    return False
+
+
+def _in_radical(tower: Tower, numerator: Polynomial, equations: list[Polynomial], budget: Budget) -> bool:
+    """A power of the numerator lies in the ideal (Rabinowitsch: 1 does, with 1 − t·numerator for a new t)."""
+    relations = [relation for *_, relation in tower.field.relations]
+    polynomials = [numerator, *equations, *relations]
+    if sum(len(p) for p in polynomials) > MOST_TERMS_OF_RADICAL or len(equations) + len(relations) < 2:
+        return False
+    used = sorted({k for p in polynomials for k, e in enumerate(tower.ring.degrees(p)) if e > 0})
+    names = sp.symbols([f"g{k}" for k in used])
+    inverse = sp.Symbol("t")
+    given = [_sympy(tower.ring, p, used, names) for p in [*equations, *relations]]
+    given.append(1 - inverse * _sympy(tower.ring, numerator, used, names))
+    budget.check()
+    return sp.groebner(given, inverse, *names, order="grevlex", domain=sp.QQ).exprs == [1]
 
 
 def _sympy(ring: Ring, p: Polynomial, used: list[int], names: list[sp.Symbol]) -> sp.Expr:

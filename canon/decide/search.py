@@ -11,6 +11,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from flint import acb, arb
 
@@ -21,6 +22,9 @@ from canon.decide.region import Region, Requirement, admits, bounds, holds
 from canon.decide.relaxation import relax
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.sign import declared
+
+if TYPE_CHECKING:
+    from canon.decide.surface import Choice
 
 Coordinate = Fraction | tuple[Fraction, Fraction]
 REPAIRS = 24
@@ -107,6 +111,7 @@ class Finder:
         self.bounds = bounds(tape, region)
         self.orders = {r: tape.reach(r.nodes) for r in region.requirements}
         self.signs: dict[Node, bool] = {}
+        self.choices: list[Choice] | None = None
 
     def attempt(self, bits: int, *, nice: bool, effort: int) -> Sample | None:
         """One proposal, repaired if need be; None where it could not be certified."""
@@ -115,7 +120,7 @@ class Finder:
         if self.region.surface:
             from canon.decide.surface import onto_surface
 
-            placed = onto_surface(self, point, functions, bits)
+            placed = onto_surface(self, point, functions, bits, effort)
             if placed is None:
                 return None
             exact, solved = placed

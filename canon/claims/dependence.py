@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from canon.budget import Budget, BudgetExceeded
+from canon.budget import BudgetExceeded
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.parameters import solutions
 from canon.claims.show import FAILURES, is_short
@@ -65,7 +65,7 @@ def _at_parameters(
     question: Question, minors: Sequence[Node], parameters: Sequence[Node], region: Region
 ) -> Outcome | None:
     tape = question.tape
-    for table in _tables(tape, minors, parameters, question.budget.share(0.5)):
+    for table in _tables(tape, minors, parameters):
         images = {tape.symbol(name): tape.load(value) for name, value in table.items()}
 
         def with_values(node: Node, images: Mapping[Node, Node] = images) -> Node:
@@ -78,15 +78,13 @@ def _at_parameters(
     return None
 
 
-def _tables(
-    tape: Tape, minors: Sequence[Node], parameters: Sequence[Node], budget: Budget
-) -> Iterator[Mapping[sp.Symbol, sp.Expr]]:
+def _tables(tape: Tape, minors: Sequence[Node], parameters: Sequence[Node]) -> Iterator[Mapping[sp.Symbol, sp.Expr]]:
     """Values of parameters to try: solutions of the minors' coefficients, then 0 and ±1 for one or all of them."""
     used = [x for x in parameters if any(x in tape.support(minor) for minor in minors)][:MOST_NAMES]
     names = [tape.symbol_at(x) for x in used]
     if names and all(is_short(tape, minor) for minor in minors):
         with contextlib.suppress(*FAILURES):
-            yield from solutions([tape.to_sympy(minor) for minor in minors], names, budget)
+            yield from solutions([tape.to_sympy(minor) for minor in minors], names)
     for value in VALUES:
         yield from ({name: value} for name in names)
         if len(names) > 1:

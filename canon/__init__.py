@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.claims.audit import AuditFailed, AuditReport, audit
+    from canon.claims.symplectify import MapRepair, MatrixRepair, symplectify
     from canon.claims.verify import verify
     from canon.domain import (
         Condition,
@@ -76,6 +77,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.domain": ("Condition", "Domain"),
     "canon.expression": ("Formula",),
     "canon.claims.audit": ("AuditFailed", "AuditReport", "audit"),
+    "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
     "canon.claims.verify": ("verify",),
     "canon.mechanics.phase_space": ("PhaseSpace",),
     "canon.mechanics.subject": ("Subject",),
@@ -130,6 +132,8 @@ __all__ = [
     "InfinitesimalTransformation",
     "InputError",
     "Lagrangian",
+    "MapRepair",
+    "MatrixRepair",
     "PhaseSpace",
     "PointTransformation",
     "Subject",
@@ -159,6 +163,7 @@ __all__ = [
     "poisson_bracket",
     "recovered",
     "standard_j",
+    "symplectify",
     "truncated_lie_series",
     "verify",
 ]

@@ -30,8 +30,8 @@ def run(program: str, installed: Path) -> list[str]:
 
 
 DRAW = """
-from hypothesis import find, settings, strategies as st
-quick = settings(max_examples=50, database=None, derandomize=True)
+from hypothesis import Phase, find, settings, strategies as st
+quick = settings(max_examples=5, database=None, derandomize=True, phases=[Phase.generate])
 for type in (PhaseSpace, GeneratingFunction, Transformation, Hamiltonian):
     print(type.__name__, isinstance(find(st.from_type(type), lambda made: True, settings=quick), type))
 """

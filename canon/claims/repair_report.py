@@ -56,10 +56,10 @@ class MapRepair:
     - `types`: the type of generating function in each degree of freedom, the best conditioned of those `compared`;
       `condition`: the most by which it amplifies errors.
     - `before`, `after`: the audits of the map that was given and of the repaired one.
-    - `points` (N, 2n), and `shifts` (N, 2n), by which their images moved; `moved` (N,), the same in units of the lengths
-      over which the variables range. nan where the repaired map has no value: `unsolved` points.
-    - `order`: the order of the series about `centre` in which the change begins, as far as it can be measured (`slope`);
-      None where nothing moved beyond rounding, or the slope is no whole number.
+    - `points` (N, 2n), and `shifts` (N, 2n), by which their images moved; `moved` (N,), the same in units of the
+      lengths over which the variables range. nan where the repaired map has no value: `unsolved` points.
+    - `order`: the order of the series about `centre` in which the change begins, as far as it can be measured
+      (`slope`); None where nothing moved beyond rounding, or the slope is no whole number.
     - `nodes`: of the quadrature; `notes`: what else was noticed.
     """
 

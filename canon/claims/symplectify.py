@@ -71,11 +71,12 @@ def symplectify(
     A matrix goes through Cayley's transform, or becomes the symplectic factor of its generalised polar decomposition:
     the `nearest` of the two, or the one that `method` names ("cayley", "polar").
 
-    A map gets a generating function: in mixed variables u its other variables θ(u) would be ∂F/∂u if it were symplectic;
-    F is made of θ by integration along rays from the `centre`, and generates the map that is returned. It is symplectic
-    to rounding, agrees with the map at the centre, and is the map itself where that is symplectic; of a series truncated
-    after order k it changes order k + 1 first. Among the types 1 to 4 in each degree of freedom the one is taken that is
-    best conditioned at the sample points (all 4ⁿ of them up to 5 degrees of freedom), unless `type` is given.
+    A map gets a generating function: in mixed variables u its other variables θ(u) would be ∂F/∂u if it were
+    symplectic; F is made of θ by integration along rays from the `centre`, and generates the map that is returned. It
+    is symplectic to rounding, agrees with the map at the centre, and is the map itself where that is symplectic; of a
+    series truncated after order k it changes order k + 1 first. Among the types 1 to 4 in each degree of freedom the
+    one is taken that is best conditioned at the sample points (of all 4ⁿ, up to 5 degrees of freedom), unless `type` is
+    given.
 
     **Arguments:** `map`, a matrix (2n, 2n), a `Transformation` given by formulas, or a function as for `audit`;
     `dimension`, `space`, `domain`, `samples`, `seed` and `parameters` as for `audit`; `centre`, a phase point (2n,), by
@@ -102,7 +103,9 @@ def symplectify(
     lengths = where.lengths
     mapped = differentiable(subject.function, points, lengths)
     if not mapped.steady:
-        raise InputError("two evaluations at the same point differ: a map with hidden state has no symplectic neighbour")
+        raise InputError(
+            "two evaluations at the same point differ: a map with hidden state has no symplectic neighbour"
+        )
     near = nearby(mapped.evaluate, lambda z: mapped.linearise(z)[0])
     start = _centre(centre, where, near)
     usable, jacobians = _regular(points, near, lengths)
@@ -217,17 +220,16 @@ def _resolved(
 ) -> tuple[RepairedMap, list[str]]:
     """The repaired map with nodes enough that more of them change nothing."""
     tried = points[:TRIED]
-    before: Array | None = None
-    for count in NODES:
-        nodes, weights = quadrature(count)
-        repaired = RepairedMap(near, pattern, centre, nodes, weights, lengths)
-        images = repaired(tried)
-        if before is not None:
-            change = np.abs(images - before) / lengths
-            scale = 1 + np.nanmax(np.abs(images) / lengths, initial=0.0)
-            if not np.nanmax(change, initial=0.0) > RESOLVED * UNIT * scale:
-                return repaired, []
+    repaired = RepairedMap(near, pattern, centre, *quadrature(NODES[0]), lengths)
+    images = repaired(tried)
+    for count in NODES[1:]:
         before = images
+        repaired = RepairedMap(near, pattern, centre, *quadrature(count), lengths)
+        images = repaired(tried)
+        change = np.abs(images - before) / lengths
+        scale = 1 + np.nanmax(np.abs(images) / lengths, initial=0.0)
+        if not np.nanmax(change, initial=0.0) > RESOLVED * UNIT * scale:
+            return repaired, []
     return repaired, [
         f"{NODES[-1]} nodes don't resolve the map on the rays from the centre: it may have moved more than it had to"
     ]

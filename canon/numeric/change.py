@@ -22,7 +22,10 @@ WHOLE: Final = 0.25
 
 @dataclass(frozen=True)
 class ChangeOrder:
-    """Two maps differ by O(distance^`order`); `slope` is what was measured. None where too little was above rounding."""
+    """Two maps differ by O(distance^`order`); `slope` is what was measured.
+
+    Both are None where too little was above rounding.
+    """
 
     order: int | None
     slope: float | None

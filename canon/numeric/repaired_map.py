@@ -199,8 +199,8 @@ def quadrature(count: int) -> tuple[Array, Array]:
 
 def _solved(block: Array, right: Array) -> Array:
     """block⁻¹ right, nan where the block is singular or not finite."""
-    usable = np.isfinite(block).all(axis=(1, 2))
-    usable[usable] = np.linalg.det(block[usable]) != 0
+    finite = np.isfinite(block).all(axis=(1, 2))
+    usable = finite & (np.linalg.det(np.where(finite[:, None, None], block, 0.0)) != 0)
     found = np.full(right.shape, np.nan)
     if usable.any():
         found[usable] = np.linalg.solve(block[usable], right[usable])

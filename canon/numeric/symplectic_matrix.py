@@ -108,8 +108,8 @@ def nearest(M: Array, method: str = "nearest") -> tuple[Candidate, tuple[Candida
                 found.append(Candidate(name, S, float(np.linalg.norm(S - M))))
     if not found:
         raise InputError(
-            "no symplectic matrix is near this one: J⁻¹ Mᵀ J M has an eigenvalue on the negative axis, as where brackets "
-            "{Q, P} are negative, or (Cayley's transform) M has the eigenvalue −1",
+            "no symplectic matrix is near this one: J⁻¹ Mᵀ J M has an eigenvalue on the negative axis, as where "
+            "brackets {Q, P} are negative, or (Cayley's transform) M has the eigenvalue −1",
             "map",
         )
     return min(found, key=lambda candidate: candidate.distance), tuple(found)

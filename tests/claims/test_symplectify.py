@@ -109,7 +109,7 @@ def test_every_type_may_meet_a_caustic() -> None:
         c, s = np.cos(angle), np.sin(angle)
         return np.array([c * z[0] + s * z[1], c * z[1] - s * z[0]])
 
-    with pytest.raises(InputError, match="every type of generating function meets a caustic .* a smaller domain"):
+    with pytest.raises(InputError, match=r"every type of generating function meets a caustic .* a smaller domain"):
         symplectify(twisted, dimension=2)
 
 

@@ -16,8 +16,8 @@ def blocks(language: str) -> list[str]:
 
 
 def timeless(text: str) -> list[str]:
-    """The lines of a text, without the times in it, and without a formula that may be written in many ways."""
-    return [TIME.sub(" …", line).rstrip() for line in text.splitlines() if "mixed hessian" not in line]
+    """The lines of a text, without the times in it."""
+    return [TIME.sub(" …", line).rstrip() for line in text.splitlines()]
 
 
 def run(*command: str, cwd: Path) -> str:
@@ -28,9 +28,7 @@ def test_the_claim_file_is_answered_as_shown(tmp_path: Path) -> None:
     (claims,) = blocks("toml")
     (tmp_path / "oscillator.toml").write_text(claims, encoding="utf-8")
     out = run(sys.executable, "-m", "canon", "verify", "oscillator.toml", cwd=tmp_path)
-    shown = timeless(blocks("text")[0])
-    assert timeless(out)[: len(shown)] == shown
-    assert "4 claims in 1 file: 3 proved, 1 refuted (as expected)" in out
+    assert timeless(out) == timeless(blocks("text")[0])
 
 
 def test_the_python_example_prints_what_is_shown(tmp_path: Path) -> None:
@@ -52,6 +50,12 @@ def test_the_audit_passes_a_leapfrog_and_fails_a_mistaken_one(tmp_path: Path) ->
     assert first.startswith("supported")
     assert second.startswith("undecided")
     assert "fails: {Q2,P2} is off by 0.005, bound 2." in out
+
+
+def test_every_output_that_is_shown_is_checked() -> None:
+    """Each block of output belongs to a block above it that a test here runs."""
+    languages = re.findall(r"^```(\w+)\n", README, flags=re.MULTILINE)
+    assert languages == ["sh", "sh", "toml", "text", "python", "text", "python", "text"]
 
 
 def test_there_are_two_set_up_commands() -> None:

@@ -128,8 +128,9 @@ def read_names(tables: Table) -> Names:
             words[name] = ["real"]
     signs = {name: sign for name, given in words.items() if "function" in given for sign in given if sign in SIGNS}
     words |= {name: ["function"] for name, given in words.items() if "function" in given}
+    spoken = {**{name: ["real"] for name in declared}, **words}  # what is complex has been found in the formulas
     sides = {word: [n for n, place in declared.items() if place == f"[phase_space], {word}"] for word in "qpQP"}
-    space = PhaseSpace(sides["q"], sides["p"], new=(sides["Q"], sides["P"]), time=time, symbols=words)
+    space = PhaseSpace(sides["q"], sides["p"], new=(sides["Q"], sides["P"]), time=time, symbols=spoken)
     vocabulary = Vocabulary(
         symbols={name: symbol for name, symbol in space.vocabulary.items() if not (hidden and name == time)},
         functions=frozenset(space.functions),

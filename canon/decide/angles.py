@@ -12,7 +12,7 @@ from flint import arb, arb_poly, fmpz_poly
 from canon.decide.enclosure import precision
 from canon.decide.fraction_field import Element
 from canon.decide.intervals import Edge, Interval
-from canon.decide.linear import rational_basis
+from canon.decide.linear import divided_basis
 from canon.decide.radicals import power
 from canon.decide.tape import ONE, Unsupported
 
@@ -75,15 +75,8 @@ def _over_a_basis(tower: Tower, new: list[Element]) -> list[Pair]:
     field = tower.field
     table: list[tuple[Element, Pair]] = tower.memory.setdefault("angles", [])
     old = [b for b, _ in table]
-    combinations, chosen = rational_basis(tower, old, new)
-    parts = dict.fromkeys(chosen, 1)
-    for combination in combinations:
-        for k, q in combination.items():
-            if k in parts:
-                parts[k] = math.lcm(parts[k], q.denominator)
-    if any(abs(q * parts.get(k, 1)) > MOST_TURNS for combination in combinations for k, q in combination.items()):
-        raise Unsupported("multiples of an angle too high to compute with")
-    pairs = {k: _angle(tower, field.combine([(Fraction(1, parts[k]), [*old, *new][k])])) for k in chosen}
+    combinations, parts = divided_basis(tower, old, new, MOST_TURNS)
+    pairs = {k: _angle(tower, field.combine([(Fraction(1, parts[k]), [*old, *new][k])])) for k in parts}
     out = []
     for position, combination in enumerate(combinations):
         if any(k not in parts and q.denominator != 1 for k, q in combination.items()):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from sympy import factorint
 
 from canon.decide.fraction_field import Element
-from canon.decide.linear import rational_basis
+from canon.decide.linear import divided_basis
 from canon.decide.radicals import absolute, factor_power, power, root_generator
 from canon.decide.ring import Polynomial
 from canon.decide.signs import add_fact, classify, split
@@ -115,16 +115,9 @@ def _over_a_basis(tower: Tower, new: list[Element]) -> list[Element]:
     field = tower.field
     table: list[tuple[Element, Generator]] = tower.memory.setdefault("exponentials", [])
     old = [b for b, _ in table]
-    combinations, chosen = rational_basis(tower, old, new)
-    parts = dict.fromkeys(chosen, 1)
-    for combination in combinations:
-        for k, q in combination.items():
-            if k in parts:
-                parts[k] = math.lcm(parts[k], q.denominator)
-    if any(abs(q * parts.get(k, 1)) > STEEPEST for combination in combinations for k, q in combination.items()):
-        raise Unsupported("powers of an exponential too high to compute with")
+    combinations, parts = divided_basis(tower, old, new, STEEPEST)
     made: dict[int, Generator] = {}
-    for k in chosen:
+    for k in parts:
         b = field.combine([(Fraction(1, parts[k]), [*old, *new][k])])
         sign = "cplx" if tower.is_complex(b) else "pos"
         made[k] = tower.generator("exp", sign, b, constant=tower.is_constant(b))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from canon.decide.fraction_field import Element
 from canon.decide.ring import Monomial
-from canon.decide.tape import ZERO
+from canon.decide.tape import ZERO, Unsupported
 
 if TYPE_CHECKING:
     from canon.decide.tower import Tower
@@ -46,6 +47,26 @@ def rational_basis(tower: Tower, old: Sequence[Element], new: Sequence[Element])
             chosen.append(i)
             out[i] = {i: Fraction(1)}
     return [out[i] for i in range(first, len(vectors))], chosen
+
+
+def divided_basis(
+    tower: Tower, old: Sequence[Element], new: Sequence[Element], most: int
+) -> tuple[list[Combination], dict[int, int]]:
+    """`rational_basis`, with the denominators that make whole multiples of the chosen elements' fractions.
+
+    Returns the combinations, and for each chosen position the number by which the element there is to be divided.
+
+    Raises: Unsupported where a multiple, or the coefficient of an old element, is larger than `most`.
+    """
+    combinations, chosen = rational_basis(tower, old, new)
+    parts = dict.fromkeys(chosen, 1)
+    for combination in combinations:
+        for k, q in combination.items():
+            if k in parts:
+                parts[k] = math.lcm(parts[k], q.denominator)
+    if any(abs(q * parts.get(k, 1)) > most for combination in combinations for k, q in combination.items()):
+        raise Unsupported("multiples of an angle, or powers of an exponential, too high to compute with")
+    return combinations, parts
 
 
 def _numerators(tower: Tower, elements: Sequence[Element]) -> list[Vector]:

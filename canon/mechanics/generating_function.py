@@ -52,11 +52,11 @@ class GeneratingFunction:
             if kind not in MOMENTA:
                 raise InputError(f"there is no type {kind!r}; types are 1, 2, 3 and 4", "generating_function, type")
         check_symbols([self.F], space.vocabulary, "generating_function, F")
-        plain = [x.name for x in (*space.old, *space.new) if x.name in space.plain]
-        if plain and is_complex(self.F.expr):
+        names = [x.name for x in (*space.old, *space.new)]
+        if space.plain.issuperset(names) and is_complex(self.F.expr):
             raise InputError(
-                f"F is complex, so its variables are too: say so of {', '.join(plain)} in the space, "
-                f"complex={' '.join(plain)!r}, or that they are real all the same",
+                f"F is complex, and nothing is said of its variables: say which are complex in the space, as in "
+                f"complex={' '.join(names)!r}",
                 "generating_function, F",
             )
         for symbol in sorted(self.F.expr.free_symbols & {*self.old_conjugates, *self.new_conjugates}, key=str):

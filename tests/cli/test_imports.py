@@ -10,24 +10,7 @@ import pytest
 
 HEAVY = {"sympy", "flint", "numpy", "jax", "scipy", "matplotlib", "rich", "hypothesis", "IPython", "mpmath"}
 
-OSCILLATOR = """
-[phase_space]
-q = ["q"]
-p = ["p"]
-Q = ["phi"]
-P = ["I"]
-
-[symbols]
-m = "positive"
-omega = "positive"
-
-[transformation]
-Q = ["atan2(m*omega*q, p)"]
-P = ["(p**2/(2*m) + m*omega**2*q**2/2)/omega"]
-
-[[claim]]
-kind = "canonical"
-"""
+OSCILLATOR = (Path(__file__).parents[2] / "docs" / "performance" / "oscillator.toml").read_text(encoding="utf-8")
 
 
 def loaded_by(statement: str) -> set[str]:

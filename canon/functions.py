@@ -40,6 +40,6 @@ def applied(function: Any, values: list[Any], is_complex: bool) -> Any:
     if function is sp.atan2 and values[0].is_zero:
         return sp.Integer(0)
     value = constant(function, *values) if is_constant(values) else function(*values)
-    if is_complex and function is sp.Abs and value.has(sp.Abs, sp.re, sp.im, sp.arg, sp.conjugate):
-        raise InputError("abs of this complex expression: write sqrt(re**2 + im**2) with its two parts")
+    if is_complex and function is sp.Abs and value.has(sp.re, sp.im, sp.arg, sp.conjugate):
+        raise InputError("abs of this complex expression: write x + 1j*y for its names, with real x and y")
     return value

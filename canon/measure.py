@@ -127,7 +127,7 @@ class Measure:
             check_power(node.base, node.exp)
         parts = [self._known[part] for part in node.args]
         size = 1 + sum(part[0] for part in parts)
-        return size, 1 + max(part[1] for part in parts), any(part[2] for part in parts)
+        return size, 1 + max(part[1] for part in parts), any(part[2] for part in parts) and not isinstance(node, sp.Abs)
 
 
 def _check_leaf(node: Any) -> None:

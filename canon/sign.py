@@ -21,7 +21,11 @@ def declared(symbol: sp.Symbol) -> dict[str, bool]:
 
 
 def is_complex(expression: Any) -> bool:
-    """Whether `expression` contains i or a name that isn't known to be real."""
+    """Whether `expression` contains i or a name that isn't known to be real, outside of absolute values."""
+    return _mentions_complex(expression) and (not expression.has(sp.Abs) or Reality()(expression))
+
+
+def _mentions_complex(expression: Any) -> bool:
     return expression.has(sp.I) or any(symbol.is_real is not True for symbol in expression.free_symbols)
 
 
@@ -32,7 +36,7 @@ class Reality:
         self._known: dict[Any, bool] = {}
 
     def __call__(self, expression: Any) -> bool:
-        """Whether `expression` contains i or a name that isn't known to be real."""
+        """Whether `expression` contains i or a name that isn't known to be real, outside of absolute values."""
         known = self._known
         stack = [expression]
         while stack:
@@ -40,11 +44,11 @@ class Reality:
             if node in known:
                 stack.pop()
             elif not node.args or isinstance(node, (sp.Derivative, sp.Subs)):
-                known[stack.pop()] = is_complex(node)
+                known[stack.pop()] = _mentions_complex(node)
             elif missing := [part for part in node.args if part not in known]:
                 stack.extend(missing)
             else:
-                known[stack.pop()] = any(known[part] for part in node.args)
+                known[stack.pop()] = not isinstance(node, sp.Abs) and any(known[part] for part in node.args)
         return known[expression]
 
 

@@ -23,7 +23,7 @@ def differentiated(value: Any, symbol: Any, measure: Measure) -> Any:
     if bound > 5 * WIDEST:
         raise InputError("too large to differentiate here")
     measure.spend(1_000 + 10 * bound)
-    smooth, signs = without_kinks(value, measure)
+    smooth, signs = without_kinks(value, symbol, measure)
     result = smooth.diff(symbol)
     for dummy, kink in signs:
         result = result.xreplace({dummy: kink})
@@ -59,14 +59,18 @@ def derivative_size(expression: Any, measure: Measure) -> int:
     return sizes[expression]
 
 
-def without_kinks(value: Any, measure: Measure) -> tuple[Any, list[tuple[Any, Any]]]:
+def without_kinks(value: Any, symbol: Any, measure: Measure) -> tuple[Any, list[tuple[Any, Any]]]:
     """`value` with |u| as s·u and sign(u) as s, and what each s stands for, outermost first.
 
-    Where u ≠ 0 its sign s is constant nearby, so that derivatives may take it for a constant.
+    Where a real u ≠ 0 its sign s is constant nearby, so that derivatives may take it for a constant.
     """
     smooth: dict[Any, Any] = {}
     signs: dict[Any, Any] = {}
-    for kink in sorted(value.atoms(sp.Abs, sp.sign), key=lambda node: (measure.size(node), str(node.func))):
+    kinks = [kink for kink in value.atoms(sp.Abs, sp.sign) if kink.has(symbol)]
+    for kink in kinks:
+        if measure.is_complex(kink.args[0]):
+            raise InputError("abs of a complex expression has no derivative: write x + 1j*y for its names")
+    for kink in sorted(kinks, key=lambda node: (measure.size(node), str(node.func))):
         inner = kink.args[0].xreplace(smooth)
         sign = signs.setdefault(inner, sp.Dummy(real=True))
         smooth[kink] = sign * inner if isinstance(kink, sp.Abs) else sign

@@ -143,6 +143,8 @@ def _partial(tape: Tape, node: Node, name: str, arguments: tuple[Node, ...], k: 
     if name == "log":
         return tape.power(u, -1)
     if name == "abs":
+        if tape.is_complex(u):
+            raise Unsupported("the derivative of the modulus of a complex name")
         return tape.mul(((node, 1), (u, -1)))
     if name == "atan":
         return tape.power(tape.add(((square, ONE),), 1), -1)

@@ -145,6 +145,8 @@ def _function(name: str, arguments: list[Ball]) -> Ball:
         if not off_the_slit(u):
             raise OutOfDomain("the logarithm of something that may be zero or negative")
         return u.log()
+    if name == "abs":
+        return _abs(u)
     if not all(isinstance(a, arb) for a in arguments):
         raise Unsupported(f"{name} of a complex argument")
     rule = REAL.get(name)

@@ -149,6 +149,8 @@ def conjugate(tape: Tape, node: Node) -> Node:
 def _abs(tape: Tape, u: Node) -> Node:
     if not tape.is_complex(u):
         return tape.call("abs", u)
+    if not all(symbol.is_real for symbol in tape.symbols_of(u)):
+        return tape.call("abs", u)
     return tape.sqrt(tape.times(u, conjugate(tape, u)))
 
 

@@ -179,11 +179,14 @@ def _whole_power(
 
 
 def absolute(tower: Tower, x: Element) -> Element:
-    """|x| for a real element, factor by factor: a generator A with A² = f² where the sign of f is unknown."""
+    """|x| factor by factor: a generator A with A² = f² where the sign of f is unknown, with A > 0 for complex f."""
     field = tower.field
     constant, pieces = split(tower, x)
     parts = [field.constant(abs(constant))]
     for f, e in pieces:
+        made = tower.bare(f)
+        if made is not None and made.kind == "I":
+            continue
         sign = sign_of(tower, f)
         if sign in UP:
             parts.append(field.power((f, {}), e))
@@ -198,8 +201,11 @@ def _absolute_generator(tower: Tower, f: Polynomial) -> Generator:
     for known, made in tower.memory.setdefault("absolutes", []):
         if known == f:
             return made
-    square = tower.field.normal(tower.ring.times(f, f))
-    made = tower.generator("abs", "nonneg", f, relation=(2, square), constant=tower.is_constant((f, {})))
+    if tower.is_complex((f, {})):
+        made = tower.generator("abs", "pos", f, constant=tower.is_constant((f, {})))
+    else:
+        square = tower.field.normal(tower.ring.times(f, f))
+        made = tower.generator("abs", "nonneg", f, relation=(2, square), constant=tower.is_constant((f, {})))
     tower.memory["absolutes"].append((f, made))
     return made
 

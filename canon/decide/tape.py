@@ -273,7 +273,8 @@ class Tape:
                         self._complex[inner] = not self.symbols[op[1]].is_real
                     else:
                         own = op == ("c", "I")
-                        self._complex[inner] = own or any(self._complex[a] for a in self.arguments(inner))
+                        inside = own or any(self._complex[a] for a in self.arguments(inner))
+                        self._complex[inner] = inside and op[:2] != ("f", "abs")
         return self._complex[node]
 
     def to_sympy(self, node: Node) -> sp.Expr:

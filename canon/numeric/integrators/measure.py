@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -44,29 +45,39 @@ def jacobian(problem: Any, method: Method, state: State, *, h: float, steps: int
         return np.asarray(jax.jit(jax.jacfwd(lambda z: ravel_pytree(mapped(restore(z)))[0]))(flat))
 
 
-def symplecticity(problem: Any, method: Method, state: State, *, h: float, steps: int = 1) -> float:
-    """‖M J Mᵀ − J‖ of a map of states (q, p), in the largest entry."""
-    M = jacobian(problem, method, state, h=h, steps=steps)
-    n = len(M) // 2
-    J = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
-    return float(np.abs(M @ J @ M.T - J).max())
+@dataclass(frozen=True)
+class StepMeasures:
+    """How far a step of h is from being symplectic, from preserving volume, and from being undone by one of −h.
+
+    ‖M J Mᵀ − J‖ in the largest entry for states (q, p), |det M − 1|, and the largest component of what is left.
+    """
+
+    symplecticity: float
+    volume: float
+    asymmetry: float
 
 
-def volume(problem: Any, method: Method, state: State, *, h: float, steps: int = 1) -> float:
-    """|det M − 1|."""
-    return abs(float(np.linalg.det(jacobian(problem, method, state, h=h, steps=steps))) - 1)
-
-
-def asymmetry(problem: Any, method: Method, state: State, *, h: float) -> float:
-    """How far a step of −h after a step of h is from the identity, in the largest component."""
+def measure_step(problem: Any, method: Method, state: State, *, h: float, t0: float = 0.0) -> StepMeasures:
+    """The properties of one step, measured at a state of slots (q, p)."""
     import jax
     import jax.numpy as jnp
+    from jax.flatten_util import ravel_pytree
 
     with double():
-        there = flow_map(problem, method, steps=1, h=h)
-        back = flow_map(problem, method, steps=1, h=-h, t0=h)
-        state = jax.tree.map(lambda x: jnp.asarray(x, dtype=float), state)
-        return float(np.abs(_flat(jax.jit(lambda z: back(there(z)))(state)) - _flat(state)).max())
+        flat, restore = ravel_pytree(jax.tree.map(lambda x: jnp.asarray(x, dtype=float), state))
+        there = flow_map(problem, method, steps=1, h=h, t0=t0)
+        back = flow_map(problem, method, steps=1, h=-h, t0=t0 + h)
+
+        @jax.jit
+        def measured(z: Any) -> Any:
+            M, after = jax.jacfwd(lambda x: (ravel_pytree(there(restore(x)))[0],) * 2, has_aux=True)(z)
+            return M, ravel_pytree(back(restore(after)))[0] - z
+
+        M, left = map(np.asarray, measured(flat))
+    n = len(M) // 2
+    J = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
+    symplecticity = np.abs(M @ J @ M.T - J).max() if len(M) == 2 * n else np.inf
+    return StepMeasures(float(symplecticity), abs(float(np.linalg.det(M)) - 1), float(np.abs(left).max()))
 
 
 def _flat(state: State) -> np.ndarray:

@@ -25,11 +25,12 @@ Needs = Literal["any", "nystrom"]
 
 @dataclass(frozen=True)
 class SplittingMethod:
-    """A splitting method by its coefficients: `a` (s+1 of them) of the first part, `b` (s) of the last.
+    """A splitting method by its coefficients: `a` (s+1 of them) of the outer part, `b` (s) of the inner one.
 
-    `needs` is what the problem must be for the order to hold: "nystrom" methods are for H = T(p) + V(q, t) with a
+    The outer part is the problem's first, or its last where `outer` says so. `needs` is what the problem must be for the order to hold: "nystrom" methods are for H = T(p) + V(q, t) with a
     quadratic T alone. `processor` is a sequence of substeps (part, fraction) applied to what is shown and undone
-    before going on: P K^n P⁻¹ with the step K.
+    before going on: P K^n P⁻¹ with the step K. `near_integrable` are the orders (p_1, p_2, …) of an error
+    ε h^p_1 + ε² h^p_2 + … where the last part is of size ε beside the first: the order of `traits` is then the last.
     """
 
     name: str
@@ -39,10 +40,12 @@ class SplittingMethod:
     source: str
     needs: Needs = "any"
     processor: tuple[tuple[int, float], ...] = ()
+    outer: Literal["first", "last"] = "first"
+    near_integrable: tuple[int, ...] = ()
 
     @property
     def stages(self) -> int:
-        """Evaluations of the last part, the force, in a step."""
+        """Evaluations of the inner part in a step, and as many of the outer one: the last substep is the next's first."""
         return len(self.b)
 
     def stepper(self, problem: Any, *, compensated: bool = False) -> Stepper:
@@ -65,6 +68,17 @@ def from_composition(name: str, traits: Traits, gamma: Sequence[float], source: 
     return SplittingMethod(name, traits, a, tuple(gamma), source)
 
 
+def palindrome(half: Sequence[float], total: float = 1.0) -> tuple[float, ...]:
+    """x_1 … x_m, the middle one that makes the sum `total`, and back."""
+    return (*half, total - 2 * sum(half), *reversed(half))
+
+
+def mirrored(half: Sequence[float], total: float = 1.0) -> tuple[float, ...]:
+    """x_1 … x_m, the one that makes the sum `total` twice over, and back: an even number."""
+    whole = (*half, total / 2 - sum(half))
+    return (*whole, *reversed(whole))
+
+
 class _Substeps(NamedTuple):
     """A sequence of substeps: which part, over which fractions of h, at which fraction of the step's time."""
 
@@ -84,7 +98,7 @@ def _alpha(method: SplittingMethod) -> list[float]:
 
 
 def _stages(method: SplittingMethod, count: int, clock: int | None) -> _Substeps:
-    """The substeps of every stage (s, m), the ends of a step joined to its neighbours'."""
+    """The substeps of every stage (s, m), the ends of a step joined to its neighbours'; parts counted from the outer."""
     if count == 1:
         return _Substeps((0,), np.ones((1, 1)), np.zeros((1, 1)))
     alpha = _alpha(method)
@@ -115,6 +129,8 @@ def _stepper(method: SplittingMethod, problem: Splitting, compensated: bool) -> 
     from jax import lax
 
     parts, clock = problem.parts, problem.clock
+    if method.outer == "last":
+        parts, clock = parts[::-1], None if clock is None else len(parts) - 1 - clock
     stages = _stages(method, len(parts), clock)
     ends = _ends(method, len(parts))
     count = len(stages.lengths)

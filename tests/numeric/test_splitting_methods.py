@@ -10,8 +10,15 @@ import pytest
 
 from canon import InputError
 from canon.numeric.integrate import integrate
-from canon.numeric.integrators import SplittingMethod, blanes_moan, compositions, separable
-from canon.numeric.integrators import near_integrable, nystrom, yoshida
+from canon.numeric.integrators import (
+    SplittingMethod,
+    blanes_moan,
+    compositions,
+    near_integrable,
+    nystrom,
+    separable,
+    yoshida,
+)
 from canon.numeric.integrators.measure import errors, measure_step
 from tests.numeric.order_conditions import nystrom_residual, residual, substeps
 

@@ -27,10 +27,11 @@ Needs = Literal["any", "nystrom"]
 class SplittingMethod:
     """A splitting method by its coefficients: `a` (s+1 of them) of the outer part, `b` (s) of the inner one.
 
-    The outer part is the problem's first, or its last where `outer` says so. `needs` is what the problem must be for the order to hold: "nystrom" methods are for H = T(p) + V(q, t) with a
-    quadratic T alone. `processor` is a sequence of substeps (part, fraction) applied to what is shown and undone
-    before going on: P K^n P⁻¹ with the step K. `near_integrable` are the orders (p_1, p_2, …) of an error
-    ε h^p_1 + ε² h^p_2 + … where the last part is of size ε beside the first: the order of `traits` is then the last.
+    The outer part is the problem's first, or its last where `outer` says so. `needs` is what the problem must be for the
+    order to hold: "nystrom" methods are for H = T(p) + V(q, t) with a quadratic T alone. `processor` is a sequence of
+    substeps (part, fraction), applied to what is shown and undone before going on: P K^n P⁻¹ with the step K.
+    `near_integrable` are the orders (p_1, p_2, …) of an error ε h^p_1 + ε² h^p_2 + … where the last part is of size ε
+    beside the first: the order of `traits` is then the last.
     """
 
     name: str
@@ -45,7 +46,7 @@ class SplittingMethod:
 
     @property
     def stages(self) -> int:
-        """Evaluations of the inner part in a step, and as many of the outer one: the last substep is the next's first."""
+        """Evaluations of the inner part in a step, and of the outer one: its last substep is the next one's first."""
         return len(self.b)
 
     def stepper(self, problem: Any, *, compensated: bool = False) -> Stepper:
@@ -98,7 +99,7 @@ def _alpha(method: SplittingMethod) -> list[float]:
 
 
 def _stages(method: SplittingMethod, count: int, clock: int | None) -> _Substeps:
-    """The substeps of every stage (s, m), the ends of a step joined to its neighbours'; parts counted from the outer."""
+    """The substeps of every stage (s, m), ends joined to the neighbours'; parts counted from the outer."""
     if count == 1:
         return _Substeps((0,), np.ones((1, 1)), np.zeros((1, 1)))
     alpha = _alpha(method)

@@ -27,7 +27,7 @@ Needs = Literal["any", "nystrom"]
 class SplittingMethod:
     """A splitting method by its coefficients: `a` (s+1 of them) of the outer part, `b` (s) of the inner one.
 
-    The outer part is the problem's first, or its last where `outer` says so. `needs` is what the problem must be for the
+    The outer part is the problem's first, or its last where `outer` says so. `needs` is what a problem must be for the
     order to hold: "nystrom" methods are for H = T(p) + V(q, t) with a quadratic T alone. `processor` is a sequence of
     substeps (part, fraction), applied to what is shown and undone before going on: P K^n P⁻¹ with the step K.
     `near_integrable` are the orders (p_1, p_2, …) of an error ε h^p_1 + ε² h^p_2 + … where the last part is of size ε

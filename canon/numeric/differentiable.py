@@ -15,15 +15,27 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.numeric.differences import central_differences, complex_step, neighbours
+from canon.numeric.emit import run
 from canon.numeric.map_shape import PointMap, point_map
 from canon.numeric.precision import UNIT, UNIT_32, double
 from canon.numeric.rounding import Unbounded, with_rounding
+from canon.numeric.running_bound import run_bounded
+from canon.numeric.scalar_program import Unscalar, values_and_jacobian
+from canon.program import Program
 
 Method = Literal["forward-mode AD", "complex step", "central differences"]
 Array = np.ndarray
 Linearise = Callable[[Array], tuple[Array, Array]]
 
 TRIAL_POINTS: Final = 3
+LARGEST_TAKEN_APART: Final = 32
+"""Maps of more variables are left to jax as they are."""
+
+MOST_POINTS: Final = 2048
+MOST_ENTRIES: Final = 2**22
+"""So many entries of Jacobians are computed at once, so that memory does not grow with the dimension."""
+
+FEW: Final = 16
 
 
 @dataclass(frozen=True)
@@ -32,7 +44,8 @@ class Differentiable:
 
     `evaluate` takes points (N, 2n) to values (N, 2n); `linearise` takes them to (M, E), both (N, 2n, 2n), where E
     is for each entry of M a bound (`errors` = "bound") or an estimate ("estimate") of its error. `steady` is False
-    where two evaluations at one point differed; `unit` is the unit roundoff of the least precise type that was seen.
+    where two evaluations at one point differed; `unit` is the unit roundoff of the least precise type that was seen;
+    `program`, of values and Jacobian, where the function is a straight-line program.
     """
 
     dimension: int
@@ -45,6 +58,7 @@ class Differentiable:
     form: str
     steady: bool
     said: Callable[[], str]
+    program: Program | None = None
 
     @property
     def first_exception(self) -> str:
@@ -109,37 +123,83 @@ def _traced(mapped: PointMap, points: Array) -> Differentiable | None:
         if np.issubdtype(shape.dtype, np.complexfloating):
             raise InputError("the map returns complex numbers: an audit is of a real map")
         single = "f32[" in str(jax.make_jaxpr(mapped.one)(example))
-        jacobian = jax.jacfwd(mapped.one)
-        try:
-            program, bounded = with_rounding(jacobian, example), True
-        except Unbounded:
-            program, bounded = jacobian, False
-        compiled: Any = jax.jit(jax.vmap(program))
-        values = jax.jit(jax.vmap(mapped.one))
-
-    def evaluate(z: Array) -> Array:
-        with double():
-            return np.asarray(values(z), dtype=float)
-
-    def linearise(z: Array) -> tuple[Array, Array]:
-        with double():
-            M, E = compiled(z)
-            return np.asarray(M, dtype=float), np.asarray(E, dtype=float)
-
-    def differentiated(z: Array) -> Array:
-        with double():
-            return np.asarray(compiled(z), dtype=float)
-
-    unit = UNIT_32 if single else UNIT
+    try:
+        if single or size > LARGEST_TAKEN_APART:
+            raise Unscalar("too large, or float32")
+        program = values_and_jacobian(mapped.one, size)
+        evaluate, linearise, bounded = _run_directly(program)
+    except Unscalar:
+        program = None
+        evaluate, linearise, bounded = _compiled(mapped.one, size, UNIT_32 if single else UNIT)
     return Differentiable(
         dimension=size,
         kind="jax",
         method="forward-mode AD",
         errors="bound" if bounded else "estimate",
         evaluate=evaluate,
-        linearise=linearise if bounded else neighbours(differentiated, unit),
-        unit=unit,
+        linearise=linearise,
+        unit=UNIT_32 if single else UNIT,
         form=mapped.form,
         steady=mapped.steady,
         said=mapped.said,
+        program=program,
     )
+
+
+def _run_directly(program: Program) -> tuple[Callable[[Array], Array], Linearise, bool]:
+    """Values and Jacobian of a straight-line program, run by numpy: nothing is compiled."""
+    size = program.inputs
+    values = program.select(program.outputs[:size])
+
+    def evaluate(z: Array) -> Array:
+        with np.errstate(all="ignore"):
+            return np.stack([np.broadcast_to(row, len(z)) for row in run(values, list(z.T))], axis=1)
+
+    def linearise(z: Array) -> tuple[Array, Array]:
+        with np.errstate(all="ignore"):
+            pairs = run_bounded(program, list(z.T))[size:]
+        M, E = (np.stack([np.broadcast_to(pair[k], len(z)) for pair in pairs], axis=1) for k in (0, 1))
+        return M.reshape(-1, size, size), E.reshape(-1, size, size)
+
+    return evaluate, linearise, True
+
+
+def _compiled(
+    one: Callable[[Any], Any], size: int, unit: float
+) -> tuple[Callable[[Array], Array], Linearise, bool]:
+    """Values and Jacobian of a jax function, compiled for blocks of points."""
+    import jax
+    import jax.numpy as jnp
+
+    block = max(1, min(MOST_POINTS, MOST_ENTRIES // size**2))
+    with double():
+        jacobian = jax.jacfwd(one)
+        try:
+            both, bounded = with_rounding(jacobian, jnp.zeros(size)), True
+        except Unbounded:
+            both, bounded = jacobian, False
+        compiled: Any = jax.jit(jax.vmap(both))
+        values = jax.jit(jax.vmap(one))
+
+    def call(function: Any, z: Array) -> tuple[Array, ...]:
+        """The function on blocks of a fixed length, so that it is compiled once."""
+        parts = []
+        for start in range(0, len(z), block):
+            part = z[start : start + block]
+            # a few points alone are not worth a block
+            length = min(block, FEW) if len(part) <= FEW else block
+            padded = np.concatenate([part, np.repeat(part[-1:], length - len(part), axis=0)])
+            with double():
+                found = function(padded)
+            arrays = found if isinstance(found, tuple) else (found,)
+            parts.append([np.asarray(array, dtype=float)[: len(part)] for array in arrays])
+        return tuple(np.concatenate(column) for column in zip(*parts, strict=True))
+
+    def evaluate(z: Array) -> Array:
+        return call(values, z)[0]
+
+    def linearise(z: Array) -> tuple[Array, Array]:
+        M, E = call(compiled, z)
+        return M, E
+
+    return evaluate, linearise if bounded else neighbours(lambda z: call(compiled, z)[0], unit), bounded

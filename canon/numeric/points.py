@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.counter import key_of, rows_of
 
 Array = np.ndarray
 DEFAULT: Final = (-1.0, 1.0)
@@ -35,9 +36,14 @@ class Points:
             for start in range(0, len(self.given), block):
                 yield self.given[start : start + block]
             return
-        rng = np.random.default_rng(seed)
         for start in range(0, count, block):
-            yield rng.uniform(self.low, self.high, (min(block, count - start), len(self.low)))
+            yield self.at(np.arange(start, min(start + block, count), dtype=np.uint64), seed)
+
+    def at(self, index: Array, seed: int) -> Array:
+        """The points (N, 2n) of these indices (uint64): those of one seed are a sequence, given ones a list."""
+        if self.given is not None:
+            return self.given[index.astype(int)]
+        return np.stack(rows_of(index, self.low, self.high, key_of(seed)), axis=1)
 
     def __str__(self) -> str:
         if self.given is not None:

@@ -14,9 +14,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.numeric.precision import unit_of
-
-ULPS: Final = 4
-"""The error granted to an elementary function, in units of roundoff of its value."""
+from canon.numeric.running_bound import ULPS, slope_of
 
 _MOVES: Final = frozenset(
     [
@@ -183,56 +181,11 @@ def _rule(name: str, params: dict[str, Any], bind: Any, x: list[Any], e: list[An
         return slope + other + ULPS * own
     if name == "atan2":
         return (jnp.abs(x[0]) * e[1] + jnp.abs(x[1]) * e[0]) / (x[0] ** 2 + x[1] ** 2) + ULPS * own
-    if name in _SLOPES:
-        return jnp.where(e[0] > 0, jnp.abs(_SLOPES[name](x[0], value)) * e[0], 0) + ULPS * own
-    raise Unbounded(name)
-
-
-def _slopes() -> dict[str, Callable[[Any, Any], Any]]:
-    """The derivative of each elementary function, of its argument x and its value f."""
-
-    def root(square: Any) -> Any:
-        import jax.numpy as jnp
-
-        return jnp.sqrt(jnp.abs(square))
-
-    def cosine(x: Any) -> Any:
-        import jax.numpy as jnp
-
-        return jnp.cos(x)
-
-    def sine(x: Any) -> Any:
-        import jax.numpy as jnp
-
-        return jnp.sin(x)
-
-    return {
-        "square": lambda x, f: 2 * x,
-        "sqrt": lambda x, f: 0.5 / f,
-        "rsqrt": lambda x, f: 0.5 * f / x,
-        "cbrt": lambda x, f: f / (3 * x),
-        "exp": lambda x, f: f,
-        "exp2": lambda x, f: 0.7 * f,
-        "expm1": lambda x, f: f + 1,
-        "log": lambda x, f: 1 / x,
-        "log1p": lambda x, f: 1 / (1 + x),
-        "sin": lambda x, f: cosine(x),
-        "cos": lambda x, f: sine(x),
-        "tan": lambda x, f: 1 + f * f,
-        "sinh": lambda x, f: root(1 + f * f),
-        "cosh": lambda x, f: root(f * f - 1),
-        "tanh": lambda x, f: 1 - f * f,
-        "asin": lambda x, f: 1 / root(1 - x * x),
-        "acos": lambda x, f: 1 / root(1 - x * x),
-        "atan": lambda x, f: 1 / (1 + x * x),
-        "asinh": lambda x, f: 1 / root(1 + x * x),
-        "acosh": lambda x, f: 1 / root(x * x - 1),
-        "atanh": lambda x, f: 1 / (1 - x * x),
-        "logistic": lambda x, f: f * (1 - f),
-    }
-
-
-_SLOPES: Final = _slopes()
+    try:
+        slope = slope_of(name, x[0], value, jnp)
+    except KeyError:
+        raise Unbounded(name) from None
+    return jnp.where(e[0] > 0, jnp.abs(slope) * e[0], 0) + ULPS * own
 
 
 def _cond(equation: Any, operands: list[tuple[Any, Any]]) -> list[tuple[Any, Any]]:

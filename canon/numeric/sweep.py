@@ -1,0 +1,196 @@
+"""M J Mᵀ − scale J and its rounding bound at as many points as wanted, as one compiled loop.
+
+A block's points are generated, mapped, differentiated and compared with their bounds without leaving the processor's
+registers; what comes back of a point is one word of 64 bits. A compiler that is given several results computes what
+they share several times over; hence the one word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from canon.numeric.counter import key_of, rows_of
+from canon.numeric.points import Points
+from canon.numeric.precision import UNIT, double
+from canon.numeric.running_bound import is_zero, run_bounded
+from canon.program import Program
+
+Array = np.ndarray
+
+BLOCK: Final = 2**15
+BLOCK_OF_A_GPU: Final = 2**20
+
+RESOLVED: Final = 1e-2
+"""A bracket {Q,P} whose bound is a larger part of the scale tells nothing."""
+
+_TINY: Final = 1e-300
+_SIGN: Final = np.uint16(0x8000)
+_SIZE: Final = np.uint16(0x7FFF)
+_INFINITE: Final = np.uint16(0x7F80)
+"""The bits of infinity in the upper half of a float32; nan's are larger."""
+
+
+class Sweep(NamedTuple):
+    """What was found at N points, as upper halves of float32, whose order is that of the numbers: (N,) each.
+
+    `ratio` is the largest ratio of a residual to its bound; `QQ`, `PP` and `QP` the largest residuals of the brackets.
+    `outside`, `undefined`, `rough` (no finite derivative), `exceeds` (its bound) and `unresolved` (a bound too large to
+    tell anything) are indices of points.
+    """
+
+    ratio: Array
+    QQ: Array
+    PP: Array
+    QP: Array
+    outside: Array
+    undefined: Array
+    rough: Array
+    exceeds: Array
+    unresolved: Array
+
+
+@dataclass(frozen=True)
+class Sweeper:
+    """A map's loop, compiled for `block` points: `generated(start)` from a counter, `given(points)` for an array (N, 2n)
+    of at most as many."""
+
+    block: int
+    generated: Callable[[int], Sweep]
+    given: Callable[[Array], Sweep]
+
+
+def sweeper(
+    program: Program,
+    where: Points,
+    seed: int,
+    scale: float,
+    *,
+    admits: Callable[[Sequence[Any]], Any] | None = None,
+    rounded_numbers: bool = False,
+) -> Sweeper:
+    """The loop of a map whose values and Jacobian are `program`'s outputs, over points of `where`.
+
+    `admits` says of rows of points which of them lie in the map's domain; `rounded_numbers`, as in `run_bounded`.
+    """
+    import jax
+    import jax.numpy as jnp
+
+    block = BLOCK if jax.default_backend() == "cpu" else BLOCK_OF_A_GPU
+    key = key_of(seed)
+
+    def word(rows: Sequence[Any]) -> Any:
+        inside = None if admits is None else admits(rows)
+        return _word(program, rows, scale, inside, rounded_numbers)
+
+    def generate(start: Any) -> Any:
+        return word(rows_of(start + jnp.arange(block, dtype=np.uint64), where.low, where.high, key))
+
+    with double():
+        generating, taking = jax.jit(generate), jax.jit(lambda rows: word(list(rows)))
+
+    def generated(start: int) -> Sweep:
+        with double():
+            return _read(np.asarray(generating(np.uint64(start))))
+
+    def given(points: Array) -> Sweep:
+        padded = np.concatenate([points, np.repeat(points[-1:], block - len(points), axis=0)])
+        with double():
+            return _read(np.asarray(taking(np.ascontiguousarray(padded.T)))[: len(points)])
+
+    return Sweeper(block, generated, given)
+
+
+def _word(program: Program, rows: Sequence[Any], scale: float, inside: Any, rounded_numbers: bool) -> Any:
+    import jax.numpy as jnp
+
+    size = program.inputs
+    n = size // 2
+    outputs = run_bounded(program, rows, jnp, rounded_numbers=rounded_numbers)
+    M = [outputs[size + a * size : size + (a + 1) * size] for a in range(size)]
+    like = jnp.zeros_like(rows[0])
+    ratio, sizes, loosest = like, [], like
+    families = (
+        [(i, j) for i in range(n) for j in range(i + 1, n)],
+        [(i + n, j + n) for i in range(n) for j in range(i + 1, n)],
+        [(i, j + n) for i in range(n) for j in range(n)],
+    )
+    for pairs in families:
+        largest = like
+        for a, b in pairs:
+            value, bound = _bracket(M[a], M[b])
+            expected = scale if b == a + n else 0.0
+            residual = abs(value - expected)
+            bound = bound + UNIT * abs(expected)
+            largest = jnp.maximum(largest, residual)
+            ratio = jnp.maximum(ratio, residual / bound)
+            if b == a + n:
+                loosest = jnp.maximum(loosest, bound)
+        sizes.append(largest)
+    furthest = reduce(jnp.maximum, [abs(value) for value, _ in outputs[:size]], like)
+    undefined = ~jnp.isfinite(furthest)
+    outside = None if inside is None else ~inside
+    word = _half(ratio, ratio > 1.0)
+    for k, (largest, flag) in enumerate(
+        zip(sizes, (outside, undefined, loosest > RESOLVED * abs(scale)), strict=True), 1
+    ):
+        word = word | (_half(largest, flag) << np.uint64(16 * k))
+    return word
+
+
+def _bracket(f: Sequence[tuple[Any, Any]], g: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
+    """Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q of two rows of M, with a bound on its error, for (entry, bound) each."""
+    n = len(f) // 2
+    value: Any = 0.0
+    bound: Any = _TINY
+    for k in range(n):
+        for i, j, sign in ((k, k + n, 1), (k + n, k, -1)):
+            (x, ex), (y, ey) = f[i], g[j]
+            if (is_zero(x) and is_zero(ex)) or (is_zero(y) and is_zero(ey)):
+                continue
+            product = x * y
+            value = value + product if sign > 0 else value - product
+            bound = bound + ((n + 1) * UNIT) * abs(product)
+            if not is_zero(ex):
+                bound = bound + ex * (abs(y) + ey)
+            if not is_zero(ey):
+                bound = bound + abs(x) * ey
+    return value, bound + UNIT * abs(value)
+
+
+def _half(x: Any, flag: Any) -> Any:
+    """The upper half of x >= 0 as a float32, its sign taken by a flag, in the lowest bits of a word."""
+    import jax
+    import jax.numpy as jnp
+
+    bits = jax.lax.bitcast_convert_type(x.astype(jnp.float32), np.uint32) >> np.uint32(16)
+    if flag is not None:
+        bits = bits | (flag.astype(np.uint32) << np.uint32(15))
+    return bits.astype(np.uint64)
+
+
+def _read(words: Array) -> Sweep:
+    halves = np.ascontiguousarray(words.view(np.uint16).reshape(-1, 4).T)
+    nothing = np.zeros(0, dtype=np.intp)
+    flags = [np.flatnonzero(half & _SIGN) if (half >= _SIGN).any() else nothing for half in halves]
+    exceeds, outside, undefined, unresolved = flags
+    for half, flagged in zip(halves, flags, strict=True):
+        half[flagged] &= _SIZE
+    rough = np.flatnonzero(halves.max(axis=0) > _INFINITE) if halves.max() > _INFINITE else nothing
+    if len(outside) or len(undefined) or len(rough):
+        void = np.union1d(outside, undefined)
+        undefined = np.setdiff1d(undefined, outside)
+        rough = np.setdiff1d(rough, void)
+        unusable = np.union1d(void, rough)
+        exceeds, unresolved = np.setdiff1d(exceeds, unusable), np.setdiff1d(unresolved, unusable)
+        halves[:, unusable] = 0
+    return Sweep(*halves, outside, undefined, rough, exceeds, unresolved)
+
+
+def number(half: Any) -> float:
+    """The number that an upper half of a float32 stands for."""
+    return float((np.array([half], dtype=np.uint32) << np.uint32(16)).view(np.float32)[0])

@@ -13,11 +13,16 @@ from typing import Final, NamedTuple
 Node = int
 
 UNARY: Final = frozenset(
-    "neg abs sign floor ceil round sqrt cbrt exp expm1 log log1p sin cos tan asin acos atan "
-    "sinh cosh tanh asinh acosh atanh not".split()
+    [
+        *("neg", "abs", "sign", "floor", "ceil", "round", "not"),
+        *("sqrt", "cbrt", "exp", "expm1", "log", "log1p", "sin", "cos", "tan", "asin", "acos", "atan"),
+        *("sinh", "cosh", "tanh", "asinh", "acosh", "atanh"),
+    ]
 )
-BINARY: Final = frozenset("add sub mul div pow atan2 max min rem less less_equal equal and or".split())
-PREDICATES: Final = frozenset("less less_equal equal and or not".split())
+BINARY: Final = frozenset(
+    ["add", "sub", "mul", "div", "pow", "atan2", "max", "min", "rem", "less", "less_equal", "equal", "and", "or"]
+)
+PREDICATES: Final = frozenset(["less", "less_equal", "equal", "and", "or", "not"])
 """Operations whose value is true or false; `select` chooses by one of them."""
 
 

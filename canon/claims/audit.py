@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from canon.claims.audit_conclusion import conclude
 from canon.claims.audit_report import AuditFailed, AuditReport
-from canon.claims.audit_run import BLOCK, AuditRun
+from canon.claims.audit_run import AuditRun
 from canon.claims.audit_subject import AuditSubject, formulas_as_map
 from canon.errors import InputError
 from canon.numeric.points import DEFAULT, points_of
@@ -69,10 +70,9 @@ def audit(
         names = variables(dimension, space)
         subject = AuditSubject(map, names, [DEFAULT] * len(names), scale)
     where = points_of(domain, subject.names, subject.defaults)
-    run = AuditRun(subject, where)
-    for block in where.blocks(samples, BLOCK, seed):
-        run.add(block)
-    return run.report(samples if where.given is None else len(where.given), seed, start)
+    run = AuditRun(subject, where, seed)
+    run.audit(samples)
+    return conclude(run, samples if where.given is None else len(where.given), start)
 
 
 def variables(dimension: int | None = None, space: PhaseSpace | None = None) -> tuple[str, ...]:

@@ -36,8 +36,10 @@ class AuditReport:
       fitted `valence` c; `volume`: |det M| − |scale|ⁿ; `invariants`: the integral invariants of orders 1 to n.
     - `determinant`: the least and the largest det M; `condition`: the largest condition number of M,
       with each variable in units of the length over which it is sampled.
-    - `samples`, `audited`: points tried, and points at which everything was finite; `unresolved`: those of the latter
-      whose bound on {Q,P} is too large to tell anything.
+    - `samples`, `audited`: points tried, and points at which everything was finite; `failing`: those of the latter
+      where a bracket exceeds its bound; `unresolved`: those whose bound on {Q,P} is too large to tell anything. Every
+      bracket of every audited point is compared with its own bound; `examined` counts the points, the first ones and
+      the worst of the others, of which the rest (det M, condition, invariants, typical sizes) is known.
     - `failures`: brackets that exceed their bounds; `doubts`: other reasons why the verdict isn't `supported` (hidden
       state, wrong derivatives, too few points); `notes`: what else was noticed.
     """
@@ -52,6 +54,8 @@ class AuditReport:
     seed: int
     samples: int
     audited: int
+    examined: int
+    failing: int
     unresolved: int
     valence: float
     valence_range: tuple[float, float]
@@ -126,6 +130,8 @@ class AuditReport:
             "seed": self.seed,
             "samples": self.samples,
             "audited": self.audited,
+            "examined": self.examined,
+            "failing": self.failing,
             "unresolved": self.unresolved,
             "valence": {"fitted": _number(self.valence), "range": [_number(x) for x in self.valence_range]},
             "symplectic": self._defect(self.symplectic),

@@ -12,13 +12,12 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.numeric.lower import lower_map
+from canon.numeric.membership import Membership, membership
 from canon.numeric.points import DEFAULT, DEFAULT_POSITIVE
-from canon.numeric.precision import double
 
 if TYPE_CHECKING:
     import sympy as sp
 
-    from canon.domain import Condition
     from canon.mechanics.transformation import Transformation
 
 Array = np.ndarray
@@ -28,7 +27,8 @@ Array = np.ndarray
 class AuditSubject:
     """A map of points, the names and default ranges of their entries, and the scale that M J Mᵀ = scale J expects.
 
-    For a map given by formulas: the `transformation`, its `parameters`, and the `conditions` of its domain.
+    For a map given by formulas: the `transformation`, its `parameters`, which points its domain `admits`; and
+    `rounded_numbers` says that the function's numbers are rounded ones of the formulas.
     """
 
     function: Callable[..., Any]
@@ -38,28 +38,16 @@ class AuditSubject:
     kind: str = ""
     transformation: Transformation | None = None
     parameters: Mapping[sp.Symbol, float] = field(default_factory=dict)
-    conditions: Sequence[Condition] = ()
-    symbols: Sequence[sp.Symbol] = ()
+    admits: Membership | None = None
+    rounded_numbers: bool = False
     exact_scale: Fraction = field(init=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "exact_scale", Fraction(self.scale))
 
-    def admits(self, points: Array) -> Array:
+    def inside(self, points: Array) -> Array:
         """Which points (N, 2n) satisfy the conditions of the formulas, as far as floats tell."""
-        inside = np.ones(len(points), dtype=bool)
-        for condition in self.conditions:
-            with double():
-                terms = lower_map(condition.terms, self.symbols, self.parameters)(np.asarray(points.T))
-                values = np.asarray(terms)
-            first = values[0]
-            if condition.kind == "positive":
-                inside &= first > 0
-            elif condition.kind == "nonzero":
-                inside &= first != 0
-            elif condition.kind == "uncut":
-                inside &= (first != 0) | (values[1] > 0)
-        return inside
+        return np.ones(len(points), dtype=bool) if self.admits is None else self.admits(list(points.T))
 
 
 def formulas_as_map(transformation: Transformation, parameters: Mapping[str, float], scale: float) -> AuditSubject:
@@ -100,6 +88,6 @@ def formulas_as_map(transformation: Transformation, parameters: Mapping[str, flo
         kind="formulas",
         transformation=transformation,
         parameters=values,
-        conditions=stated,
-        symbols=arguments,
+        admits=membership(stated, arguments, values),
+        rounded_numbers=True,
     )

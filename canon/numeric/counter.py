@@ -39,11 +39,10 @@ def fractions(index: Any, column: int, columns: int, key: Any) -> Any:
     return jax.lax.bitcast_convert_type(bits, np.float64) - 1.0
 
 
-def rows_of(index: Any, low: Array, high: Array, key: Any) -> list[Any]:
-    """The points of these indices in the box low < z < high, one row a variable."""
+def rows_of(index: Any, low: Any, lengths: Any, key: Any) -> list[Any]:
+    """The points of these indices in the box low < z < low + lengths, one row a variable."""
     size = len(low)
-    lengths = high - low
-    return [float(low[k]) + float(lengths[k]) * fractions(index, k, size, key) for k in range(size)]
+    return [low[k] + lengths[k] * fractions(index, k, size, key) for k in range(size)]
 
 
 def _scrambled(z: Any) -> Any:

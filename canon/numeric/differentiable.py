@@ -66,17 +66,20 @@ class Differentiable:
         return self.said()
 
 
-def differentiable(function: Callable[..., Any], points: Array, lengths: Array) -> Differentiable:
+def differentiable(
+    function: Callable[..., Any], points: Array, lengths: Array, *, rounded_numbers: bool = False
+) -> Differentiable:
     """The map that a Python function stands for, with derivatives.
 
     **Arguments:** `function`, of z (2n,), of a pair (q, p), or of points (…, 2n); `points` (N, 2n) at which it is
-    tried; `lengths` (2n,), over which each variable ranges: central differences take steps of a fraction of it.
+    tried; `lengths` (2n,), over which each variable ranges: central differences take steps of a fraction of it;
+    `rounded_numbers`, whether the function's numbers are rounded from exact ones, as those of formulas are.
 
     **Raises:** `InputError` where the function raises at every point tried, or returns a wrong shape or complex
     numbers.
     """
     mapped = point_map(function, points)
-    traced = _traced(mapped, points)
+    traced = _traced(mapped, points, rounded_numbers)
     if traced is not None:
         return traced
     unit = UNIT_32 if mapped.single else UNIT
@@ -106,31 +109,38 @@ def differentiable(function: Callable[..., Any], points: Array, lengths: Array) 
     )
 
 
-def _traced(mapped: PointMap, points: Array) -> Differentiable | None:
+def _traced(mapped: PointMap, points: Array, rounded_numbers: bool) -> Differentiable | None:
     """The map with jax's derivatives; None where jax cannot trace the function."""
     import jax
     import jax.numpy as jnp
+    from jax.extend.core import jaxpr_as_fun
 
     size = points.shape[1]
     with double():
-        example = jnp.zeros(size)
         try:
-            shape = jax.eval_shape(mapped.one, example)
+            closed, shape = jax.make_jaxpr(mapped.one, return_shape=True)(jnp.zeros(size))
         except Exception:  # a function of numpy may raise anything when it is given a tracer
             return None
-        if shape.shape != (size,):
+        if getattr(shape, "shape", None) != (size,):
             return None
         if np.issubdtype(shape.dtype, np.complexfloating):
             raise InputError("the map returns complex numbers: an audit is of a real map")
-        single = "f32[" in str(jax.make_jaxpr(mapped.one)(example))
+    single = "f32[" in str(closed)
+    unit = UNIT_32 if single else UNIT
+
+    def one(z: Any) -> Any:
+        """The function, without its own Python code."""
+        (value,) = jaxpr_as_fun(closed)(z)
+        return value
+
     try:
         if single or size > LARGEST_TAKEN_APART:
             raise Unscalar("too large, or float32")
-        program = values_and_jacobian(mapped.one, size)
-        evaluate, linearise, bounded = _run_directly(program)
+        program = values_and_jacobian(one, size)
+        evaluate, linearise, bounded = _run_directly(program, rounded_numbers)
     except Unscalar:
         program = None
-        evaluate, linearise, bounded = _compiled(mapped.one, size, UNIT_32 if single else UNIT)
+        evaluate, linearise, bounded = _compiled(one, size, unit)
     return Differentiable(
         dimension=size,
         kind="jax",
@@ -138,7 +148,7 @@ def _traced(mapped: PointMap, points: Array) -> Differentiable | None:
         errors="bound" if bounded else "estimate",
         evaluate=evaluate,
         linearise=linearise,
-        unit=UNIT_32 if single else UNIT,
+        unit=unit,
         form=mapped.form,
         steady=mapped.steady,
         said=mapped.said,
@@ -146,7 +156,7 @@ def _traced(mapped: PointMap, points: Array) -> Differentiable | None:
     )
 
 
-def _run_directly(program: Program) -> tuple[Callable[[Array], Array], Linearise, bool]:
+def _run_directly(program: Program, rounded_numbers: bool) -> tuple[Callable[[Array], Array], Linearise, bool]:
     """Values and Jacobian of a straight-line program, run by numpy: nothing is compiled."""
     size = program.inputs
     values = program.select(program.outputs[:size])
@@ -157,16 +167,14 @@ def _run_directly(program: Program) -> tuple[Callable[[Array], Array], Linearise
 
     def linearise(z: Array) -> tuple[Array, Array]:
         with np.errstate(all="ignore"):
-            pairs = run_bounded(program, list(z.T))[size:]
+            pairs = run_bounded(program, list(z.T), rounded_numbers=rounded_numbers)[size:]
         M, E = (np.stack([np.broadcast_to(pair[k], len(z)) for pair in pairs], axis=1) for k in (0, 1))
         return M.reshape(-1, size, size), E.reshape(-1, size, size)
 
     return evaluate, linearise, True
 
 
-def _compiled(
-    one: Callable[[Any], Any], size: int, unit: float
-) -> tuple[Callable[[Array], Array], Linearise, bool]:
+def _compiled(one: Callable[[Any], Any], size: int, unit: float) -> tuple[Callable[[Array], Array], Linearise, bool]:
     """Values and Jacobian of a jax function, compiled for blocks of points."""
     import jax
     import jax.numpy as jnp

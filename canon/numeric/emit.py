@@ -1,4 +1,4 @@
-"""A straight-line program run on rows of points, one array a scalar: at once in numpy, or traced by jax as plain loops."""
+"""A straight-line program run on rows of points, one array a scalar: at once in numpy, or traced by jax."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ class Points:
         """The points (N, 2n) of these indices (uint64): those of one seed are a sequence, given ones a list."""
         if self.given is not None:
             return self.given[index.astype(int)]
-        return np.stack(rows_of(index, self.low, self.high, key_of(seed)), axis=1)
+        return np.stack(rows_of(index, self.low, self.high - self.low, key_of(seed)), axis=1)
 
     def __str__(self) -> str:
         if self.given is not None:

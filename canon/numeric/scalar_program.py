@@ -33,8 +33,11 @@ _SAME: Final = {
 }
 _SWAPPED: Final = {"gt": "less", "ge": "less_equal"}
 _MOVES: Final = frozenset(
-    "broadcast_in_dim reshape squeeze expand_dims transpose concatenate slice rev gather dynamic_slice scatter "
-    "dynamic_update_slice pad copy copy_p split stack unstack tile".split()
+    [
+        *("broadcast_in_dim", "reshape", "squeeze", "expand_dims", "transpose", "concatenate", "slice", "rev", "copy"),
+        *("gather", "dynamic_slice", "scatter", "dynamic_update_slice", "pad", "copy_p", "split", "stack", "unstack"),
+        "tile",
+    ]
 )
 
 
@@ -111,7 +114,7 @@ def _run(builder: Builder, jaxpr: Any, consts: Sequence[Any], arguments: Sequenc
 
 def _known(value: Any) -> Array:
     array = np.asarray(value)
-    if array.dtype.kind == "f" and array.dtype != np.float64 or array.dtype.kind not in "fiub":
+    if (array.dtype.kind == "f" and array.dtype != np.float64) or array.dtype.kind not in "fiub":
         raise Unscalar(f"numbers of type {array.dtype}")
     return array
 
@@ -285,9 +288,7 @@ def _reduced(builder: Builder, name: str, x: _Traced, axes: Sequence[int]) -> _T
     if not rows.shape[-1]:
         raise Unscalar("a sum of nothing")
     shape = rows.shape[:-1]
-    nodes = [
-        reduce(lambda a, b: builder.apply(name, int(a), int(b)), row) for row in rows.reshape(-1, rows.shape[-1])
-    ]
+    nodes = [reduce(lambda a, b: builder.apply(name, int(a), int(b)), row) for row in rows.reshape(-1, rows.shape[-1])]
     return _Traced(np.array(nodes, dtype=int).reshape(shape))
 
 
@@ -377,4 +378,3 @@ _CONTROL: Final[dict[str, Callable[[Builder, Any, list[_Value]], list[_Value]]]]
     "while": _while,
     "cond": _cond,
 }
-

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from canon.numeric.counter import key_of, rows_of
+from canon.numeric.membership import Membership
 from canon.numeric.points import Points
 from canon.numeric.precision import UNIT, double
 from canon.numeric.running_bound import is_zero, run_bounded
@@ -56,11 +57,11 @@ class Sweep(NamedTuple):
 
 @dataclass(frozen=True)
 class Sweeper:
-    """A map's loop, compiled for `block` points: `generated(start)` from a counter, `given(points)` for an array (N, 2n)
-    of at most as many."""
+    """A map's loop, compiled for `block` points: `generated(start, length)` from a counter, and `given(points)` for an
+    array (N, 2n), where there are at most as many."""
 
     block: int
-    generated: Callable[[int], Sweep]
+    generated: Callable[[int, int], Sweep]
     given: Callable[[Array], Sweep]
 
 
@@ -70,32 +71,20 @@ def sweeper(
     seed: int,
     scale: float,
     *,
-    admits: Callable[[Sequence[Any]], Any] | None = None,
+    admits: Membership | None = None,
     rounded_numbers: bool = False,
 ) -> Sweeper:
     """The loop of a map whose values and Jacobian are `program`'s outputs, over points of `where`.
 
-    `admits` says of rows of points which of them lie in the map's domain; `rounded_numbers`, as in `run_bounded`.
+    `admits` says of points which of them lie in the map's domain; `rounded_numbers`, as in `run_bounded`. A program is
+    compiled once, for all boxes and seeds.
     """
-    import jax
-    import jax.numpy as jnp
+    block, generating, taking = _compiled(program, float(scale), admits, rounded_numbers)
+    key, low, lengths = key_of(seed), where.low, where.high - where.low
 
-    block = BLOCK if jax.default_backend() == "cpu" else BLOCK_OF_A_GPU
-    key = key_of(seed)
-
-    def word(rows: Sequence[Any]) -> Any:
-        inside = None if admits is None else admits(rows)
-        return _word(program, rows, scale, inside, rounded_numbers)
-
-    def generate(start: Any) -> Any:
-        return word(rows_of(start + jnp.arange(block, dtype=np.uint64), where.low, where.high, key))
-
-    with double():
-        generating, taking = jax.jit(generate), jax.jit(lambda rows: word(list(rows)))
-
-    def generated(start: int) -> Sweep:
+    def generated(start: int, length: int) -> Sweep:
         with double():
-            return _read(np.asarray(generating(np.uint64(start))))
+            return _read(np.asarray(generating(np.uint64(start), key, low, lengths))[:length])
 
     def given(points: Array) -> Sweep:
         padded = np.concatenate([points, np.repeat(points[-1:], block - len(points), axis=0)])
@@ -103,6 +92,24 @@ def sweeper(
             return _read(np.asarray(taking(np.ascontiguousarray(padded.T)))[: len(points)])
 
     return Sweeper(block, generated, given)
+
+
+@lru_cache(maxsize=64)
+def _compiled(program: Program, scale: float, admits: Membership | None, rounded_numbers: bool) -> tuple[int, Any, Any]:
+    """The length of a block, and the loops over a block of generated and of given points."""
+    import jax
+    import jax.numpy as jnp
+
+    block = BLOCK if jax.default_backend() == "cpu" else BLOCK_OF_A_GPU
+
+    def word(rows: Sequence[Any]) -> Any:
+        inside = None if admits is None else admits(rows, jnp)
+        return _word(program, rows, scale, inside, rounded_numbers)
+
+    def generate(start: Any, key: Any, low: Any, lengths: Any) -> Any:
+        return word(rows_of(start + jnp.arange(block, dtype=np.uint64), low, lengths, key))
+
+    return block, jax.jit(generate), jax.jit(lambda rows: word(list(rows)))
 
 
 def _word(program: Program, rows: Sequence[Any], scale: float, inside: Any, rounded_numbers: bool) -> Any:

@@ -37,7 +37,9 @@ def loops_contract(tape: Tape, region: Region, coordinates: Sequence[Node], budg
     left = [r for r in asked if not space.is_idle(r)]
     if any(r.kind not in HANDLED for r in left):
         return False
-    left = [r for r in left if not space.is_elsewhere(r, [other for other in asked if other is not r])]
+    for r in list(left):  # one by one: of two conditions that take out the same points, one must stay
+        if space.is_elsewhere(r, [other for other in left if other is not r]):
+            left.remove(r)
     while left:
         budget.check()
         straight = next((r for r in left if space.straightens(r, [other for other in left if other is not r])), None)

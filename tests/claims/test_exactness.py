@@ -54,6 +54,19 @@ def test_a_form_with_a_period_is_refuted_by_a_loop(ask, form, where, symbols):
     assert "cos(s)" in verdict.detail["loop"]["x"]
 
 
+def test_a_hole_that_two_formulas_take_out_is_a_hole(status):
+    """The Aharonov–Bohm potential (Phys. Rev. 115 (1959) 485), in the map and in K: the same condition twice over."""
+    assert (
+        status(
+            'kind = "cartan_invariant"\nK = "((PX + Y/(X**2 + Y**2))**2 + (PY - X/(X**2 + Y**2))**2)/2"',
+            space='q = ["x", "y"]\np = ["px", "py"]\nQ = ["X", "Y"]\nP = ["PX", "PY"]\n',
+            hamiltonian='H = "(px**2 + py**2)/2 + log(x**2 + y**2)*0"',
+            transformation='Q = ["x", "y"]\nP = ["px - y/(x**2 + y**2)", "py + x/(x**2 + y**2)"]',
+        )
+        == "refuted"
+    )
+
+
 def test_the_loop_integral_is_the_flux(ask):
     (verdict,) = gauge(ask, "xy", flux(a="3"))
     assert abs(float(verdict.detail["loop_integral"])) == pytest.approx(6 * math.pi)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+import sys
 import tomllib
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
@@ -43,7 +44,9 @@ def parse(text: str) -> dict[str, Any]:
     except RecursionError:
         raise InputError("not readable: lists or tables are nested too deeply") from None
     except ValueError as error:
-        raise InputError(f"not readable: {error}") from None
+        long = "integer string conversion" in str(error)
+        reason = f"a whole number of more than {sys.get_int_max_str_digits()} digits" if long else str(error)
+        raise InputError(f"not readable: {reason}") from None
 
 
 def _exact(text: str) -> Decimal:
@@ -85,7 +88,7 @@ def _text(path: Path) -> str:
 
 def key(name: str, section: str = "") -> str:
     """The place of a key, in words."""
-    return ", ".join(part for part in (section, f"key {name!r}") if part)
+    return ", ".join(part for part in (section, f"key {name[:80]!r}") if part)
 
 
 def only(table: Table, known: Iterable[str], where: str) -> None:

@@ -85,7 +85,7 @@ def combined(outcomes: Iterable[Outcome]) -> Outcome:
     else:
         status = "undecided"
     detail: dict[str, Any] = {}
-    for part in parts:
+    for part in (*parts, *([refuted] if refuted else ())):  # what fails, its value and its witness belong together
         detail.update(part.detail)
     methods = [name for part in ([refuted] if refuted else parts) for name in part.method.split(", ") if name]
     return Outcome(

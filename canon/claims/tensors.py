@@ -90,7 +90,13 @@ def _from_structure(table: Table, names: Names) -> dict[str, Any]:
     zero = Formula(sp.Integer(0), text="0")
     matrix = [[zero] * n for _ in range(n)]
     for (a, b), (value, place) in entries.items():
-        formula = _formula(value, coordinates, names, place)
+        try:
+            formula = _formula(value, coordinates, names, place)
+        except InputError as error:
+            if "coordinates" in table or not error.message.startswith("unknown name"):
+                raise
+            advice = "; a basis element that is in no pair is known by coordinates = [...], a list of all of them"
+            raise InputError(error.message + advice, error.where) from None
         if not _is_linear(formula.expr, coordinates):
             raise InputError("a linear combination of basis names is expected", place)
         i, j = listed.index(a), listed.index(b)

@@ -38,11 +38,22 @@ def claim_files(names: Iterable[str]) -> tuple[list[ClaimFile], list[Missing]]:
                 missing.append(Missing(name, "no claim file (*.toml) in this folder or below it"))
             found += below
             missing += unreadable
-        elif os.path.exists(name):
+        elif os.path.lexists(name) or _refused(name):
             found.append(ClaimFile(name, Path(name)))
         else:
             missing.append(Missing(name, f"no such file or folder{_nearest(name)}"))
     return _once(found), list(dict.fromkeys(missing))
+
+
+def _refused(name: str) -> bool:
+    """Whether something is in the way of even looking: the reader says what."""
+    try:
+        os.stat(name)
+    except (FileNotFoundError, NotADirectoryError):
+        return False
+    except (OSError, ValueError):
+        return True
+    return True
 
 
 def _once(files: list[ClaimFile]) -> list[ClaimFile]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 import time
 from pathlib import Path
@@ -59,7 +60,7 @@ def execute(arguments: argparse.Namespace) -> int:
     answers = [results[position] for position in sorted(results)]
     claims = [answer["claim"] for answer in answers if "claim" in answer]
     errors += [answer["error"] for answer in answers if "error" in answer]
-    errors.sort(key=lambda error: order.get(error["file"], -1))
+    errors.sort(key=lambda error: (order.get(error["file"], -1), _claim_number(error["where"])))
     record = run_record(claims, errors)
     left = len(entries) - len(results) if interrupted else 0
     _print(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
@@ -170,6 +171,12 @@ def _print(record: Record, *, json: bool, terminal: bool, seconds: float, interr
         from canon.report.plain import print_rest
 
         print_rest(record, sys.stdout, seconds=seconds, interrupted=interrupted)
+
+
+def _claim_number(where: str) -> int:
+    """Return the number of the claim that a place names, 0 for another place."""
+    found = re.match(r"claim (\d+)", where)
+    return int(found[1]) if found else 0
 
 
 def _notation(record: Record, encoding: str) -> str:

@@ -175,9 +175,8 @@ class _Ladder:
     def _nowhere(self) -> NoReturn:
         words = [requirement.text for requirement in self.region.requirements]
         raise InputError(
-            "no point of the domain was found, it seems empty"
+            f"no point of the domain was found{' on the surface' if self.region.surface else ''}, it seems empty"
             + (f": {'; '.join(words[:6])}" if words else "")
-            + ("; and on the surface" if self.region.surface else "")
         )
 
     def refute(self, nodes: Iterable[Node], sample: Sample, balls, answers: Answers, bits: int) -> None:

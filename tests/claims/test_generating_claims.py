@@ -1,5 +1,7 @@
 """Generating functions: canonical where their mixed Hessian isn't singular, what they generate, what they lead to."""
 
+from fractions import Fraction
+
 import pytest
 
 from canon.errors import InputError
@@ -143,3 +145,11 @@ def test_symmetries_of_the_oscillator(status, Q, P, expected):
 def test_without_a_hamiltonian(ask):
     with pytest.raises(AssertionError, match="hamiltonian"):
         ask('kind = "symmetry"', transformation='Q = ["q"]\nP = ["p"]')
+
+
+def test_what_fails_its_value_and_its_witness_belong_together(ask):
+    (verdict,) = ask('kind = "generating_function"\ntype = 1\nF = "q*Q"', transformation='Q = ["q"]\nP = ["p"]')
+    assert verdict.detail["fails"] == "p = dF/dq"
+    q, p = (Fraction(verdict.witness[name]) for name in "qp")
+    assert float(verdict.detail["residual"]) == pytest.approx(float(p - q))
+    assert verdict.numeric.max_residual == pytest.approx(abs(float(p - q)))

@@ -144,6 +144,55 @@ def test_a_file_is_checked_once_by_whatever_path_it_is_reached(file: Any, capsys
     assert [error["file"] for error in found["errors"]] == ["absent.toml"]
 
 
+def test_every_way_in_which_a_file_can_be_bad(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    """One line each, exit status 3, the good file still checked; nothing hangs, nothing is executed."""
+    Path("bad").mkdir()
+    file("bad/good.toml", "bracket")
+    folder, claim = Path("bad"), (MAP + CLAIM["bracket"]).encode()
+    contents = {
+        "binary": (bytes(range(256)), "is not text in UTF-8: byte 0x80 in line 2"),
+        "empty": (b"", "the file makes no claim"),
+        "huge": (claim + b"#" * 10_000_000, "is too big"),
+        "latin": (claim + b"# \xe9", "is not text in UTF-8: byte 0xe9"),
+        "malformed": (
+            b"[[claim]\nkind = 3",
+            "not TOML: Expected ']]' at the end of an array declaration (at line 1",
+        ),
+        "nul": (claim + b"# \0", "not TOML: Found invalid character '\\x00'"),
+        "wide": (claim.decode().encode("utf-16"), "is not text in UTF-8"),
+    }
+    for name, (data, _) in contents.items():
+        (folder / f"{name}.toml").write_bytes(data)
+    (folder / "loop.toml").symlink_to("loop.toml")
+    (folder / "nowhere.toml").symlink_to("absent.toml")
+    os.mkfifo(folder / "pipe.toml")
+    (folder / "folder.toml").mkdir()
+    expected = {f"bad/{name}.toml": message for name, (_, message) in contents.items()} | {
+        "bad/loop.toml": "can't be read: Too many levels of symbolic links",
+        "bad/nowhere.toml": "there is no such file",
+        "bad/pipe.toml": "is not a regular file",
+        os.devnull: "is not a regular file",
+        "bad/folder.toml": "no claim file (*.toml) in this folder or below it",
+        "absent.toml": "no such file or folder",
+    }
+    status, found = record(capsys, "bad/loop.toml", os.devnull, "bad/folder.toml", "absent.toml", "bad")
+    assert status == 3
+    assert [(claim["file"], claim["verdict"]) for claim in found["claims"]] == [("bad/good.toml", "proved")]
+    told = {error["file"]: error["message"] for error in found["errors"]}
+    assert told.keys() == expected.keys()
+    for name, message in expected.items():
+        assert told[name].startswith(message), told[name]
+
+
+def test_a_file_that_may_not_be_read(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    name = file("map.toml", "bracket")
+    Path(name).chmod(0)
+    if os.access(name, os.R_OK):
+        pytest.skip("this user reads everything")
+    status, found = record(capsys, name)
+    assert (status, found["errors"][0]["message"]) == (3, "can't be read: Permission denied")
+
+
 def test_json_for_a_terminal_without_the_letters(file: Any) -> None:
     title = "µ → Ω"
     Path("map.toml").write_text(MAP + CLAIM["bracket"] + f'title = "{title}"\n', encoding="utf-8")

@@ -63,8 +63,13 @@ class Witness:
 def show_ball(ball: Ball) -> str:
     """A ball's middle to the digits that are certain."""
     if isinstance(ball, acb):
-        return f"{ball.real.str(12, radius=False)} + {ball.imag.str(12, radius=False)}*1j"
-    return ball.str(12, radius=False)
+        return f"{_digits(ball.real)} + {_digits(ball.imag)}*1j"
+    return _digits(ball)
+
+
+def _digits(ball: Any) -> str:
+    text = ball.str(12, radius=False)
+    return "0" if text.startswith("0e") else text  # a part of which no digit is certain
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from canon.decide import jacobi_kernels
 from canon.decide.fraction_field import Element
-from canon.decide.ring import Polynomial
 from canon.decide.tape import ONE, Unsupported
 
 if TYPE_CHECKING:
@@ -22,7 +22,6 @@ REAL_KERNELS = (
     "atan", "asin", "acos", "atan2", "gamma", "lambertw", "elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei",
     "integer_power",
 )  # fmt: skip
-JACOBI = ("jacobi_sn", "jacobi_cn", "jacobi_dn", "jacobi_epsilon")
 FARTHEST_SHIFT = 40
 
 
@@ -31,8 +30,8 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
     field = tower.field
     if any(tower.is_complex(x) for x in arguments):
         raise Unsupported(f"{name} of a complex argument")
-    if name in JACOBI:
-        return _jacobi(tower, name, arguments)
+    if name in jacobi_kernels.JACOBI:
+        return jacobi_kernels.function(tower, name, arguments[0], arguments[1])
     if name not in REAL_KERNELS:
         raise Unsupported(f"no exact argument about {name}")
     if name == "gamma":
@@ -135,57 +134,3 @@ def _strict(tower: Tower, f) -> bool:
     from canon.decide.signs import sign_of
 
     return sign_of(tower, f) in ("pos", "neg")
-
-
-def _below_one(tower: Tower, m: Element) -> bool:
-    """m < 1 on the region: dn then has no zero; for m > 1 it changes its sign."""
-    from canon.decide.signs import classify
-
-    sign, _, _, unknown = classify(tower, tower.field.combine([(-ONE, m)], ONE))
-    return sign > 0 and not unknown
-
-
-def _jacobi(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
-    """sn and epsilon as they are, cn and dn with cn² = 1 − sn² and dn² = 1 − m·sn² (DLMF 22.6.1).
-
-    sn and epsilon are odd in u, cn and dn are even. For a fraction m = n/d the generator is d·dn.
-    """
-    field, ring = tower.field, tower.ring
-    u, m = arguments
-    odd = name in ("jacobi_sn", "jacobi_epsilon")
-    if not u[0]:
-        return field.constant(0 if odd else 1)
-    if ring.leading(u[0]) < 0:
-        value = _jacobi(tower, name, (field.negative(u), m))
-        return field.negative(value) if odd else value
-    under = ring.one
-    for k, e in m[1].items():
-        under = field.normal(ring.times(under, field.factor_power(k, e)))
-    fractional = name == "jacobi_dn" and not under.is_constant()
-    kind = "jacobi_dn over" if fractional else name
-    data = (u, m, (under, {})) if fractional else (u, m)
-    known = _find(tower, kind, data)
-    if known is None:
-        constant = tower.is_constant(u) and tower.is_constant(m)
-        if odd:
-            known = tower.element(_made(tower, name, "real", data, constant))
-        else:
-            sn = _jacobi(tower, "jacobi_sn", arguments)
-            factor = field.constant(1) if name == "jacobi_cn" else (m[0], {})
-            first = field.constant(1)
-            if fractional:
-                factor, first = field.product([factor, (under, {})]), field.power((under, {}), 2)
-            square = field.product([factor, field.power(sn, 2)])
-            lower = field.combine([(ONE, first), (-ONE, square)])
-            positive = name == "jacobi_dn" and _below_one(tower, m) and (not fractional or _is_positive(tower, under))
-            relation = (2, field.normal(lower[0]))
-            made = tower.generator(kind, "pos" if positive else "real", data, relation=relation, constant=constant)
-            tower.memory["kernels"].append((kind, data, made))
-            known = tower.element(made)
-    return field.product([known, field.inverse((under, {}))]) if fractional else known
-
-
-def _is_positive(tower: Tower, p: Polynomial) -> bool:
-    from canon.decide.signs import sign_of
-
-    return sign_of(tower, p) == "pos"

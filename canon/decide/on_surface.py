@@ -14,7 +14,7 @@ from canon.decide.certificate import Certificate, describe
 from canon.decide.components import without_powers
 from canon.decide.fraction_field import Element, FractionField
 from canon.decide.intervals import intervals_of
-from canon.decide.inverse import JACOBI
+from canon.decide.jacobi_kernels import JACOBI
 from canon.decide.normal_form import reduce_to_zero
 from canon.decide.region import Region
 from canon.decide.ring import Polynomial, Ring

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from canon.budget import Budget
-from canon.decide import angles, exponentials, inverse, radicals, signs
+from canon.decide import angles, exponentials, inverse, jacobi_kernels, radicals, signs
 from canon.decide.fraction_field import Element, FractionField
 from canon.decide.intervals import Interval
 from canon.decide.ring import Polynomial, Ring
@@ -208,6 +208,9 @@ class Tower:
         positive = [ops[i][1] for i in here if ops[i][0] == "r"]
         positive += [ops[i][2][0] for i in here if ops[i][0] == "f" and ops[i][1] == "log"]
         signs.learn_positive(self, [values[n] for n in positive if not tape.is_complex(n)])
+        elliptic = [ops[i][2] for i in here if ops[i][0] == "f" and ops[i][1] in jacobi_kernels.JACOBI]
+        if len(elliptic) > 1 and not any(self.is_complex(values[a]) for pair in elliptic for a in pair):
+            jacobi_kernels.prepare(self, [(values[u], values[m]) for u, m in elliptic])
         for i in here:
             op = ops[i]
             if op[0] == "r":

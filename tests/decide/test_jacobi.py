@@ -94,3 +94,36 @@ def test_identities(where, left, right, verdict):
     text += f'[[claim]]\nkind = "identity"\nlhs = "{left}"\nrhs = "{right}"\n'
     (claim,) = read_text(text).claims
     assert verify(claim, budget=20.0).status == verdict
+
+
+SUM = "(jacobi_sn(u,m)*jacobi_cn(v,m)*jacobi_dn(v,m)+jacobi_sn(v,m)*jacobi_cn(u,m)*jacobi_dn(u,m))"
+BELOW = "(1-m*jacobi_sn(u,m)**2*jacobi_sn(v,m)**2)"
+SUMS = [
+    ("", "jacobi_sn(u+v,m)", f"{SUM}/{BELOW}", "proved"),
+    ("", "jacobi_sn(u+v,m)", f"{SUM}/{BELOW}*1001/1000", "refuted"),
+    ("", "jacobi_sn(u+v,m)", f"{SUM}/(1-1001/1000*m*jacobi_sn(u,m)**2*jacobi_sn(v,m)**2)", "refuted"),
+    ("", "jacobi_sn(2*u,m)*(1-m*jacobi_sn(u,m)**4)", "2*jacobi_sn(u,m)*jacobi_cn(u,m)*jacobi_dn(u,m)", "proved"),
+    ("", "jacobi_cn(u,m)", "jacobi_cn(u/2,m)**2-jacobi_sn(u/2,m)**2", "refuted"),
+    ("m<1", "jacobi_sn(u+4*elliptic_k(m),m)", "jacobi_sn(u,m)", "proved"),
+    ("m<1", "jacobi_sn(u+2*elliptic_k(m),m)", "-jacobi_sn(u,m)", "proved"),
+    ("m<1", "jacobi_sn(u+2*elliptic_k(m),m)", "jacobi_sn(u,m)", "refuted"),
+    ("m<1", "jacobi_sn(u+elliptic_k(m),m)", "jacobi_cn(u,m)/jacobi_dn(u,m)", "proved"),
+    ("m<1", "jacobi_cn(u-elliptic_k(m),m)", "sqrt(1-m)*jacobi_sn(u,m)/jacobi_dn(u,m)", "proved"),
+    ("m<1", "jacobi_cn(u-elliptic_k(m),m)", "-sqrt(1-m)*jacobi_sn(u,m)/jacobi_dn(u,m)", "refuted"),
+    ("m<1", "jacobi_dn(elliptic_k(m)/2,m)**2", "sqrt(1-m)*1001/1000", "refuted"),
+    ("m<1", "D(jacobi_sn(u+2*elliptic_k(m),m),m)", "-D(jacobi_sn(u,m),m)", "proved"),
+    ("m<1", "D(jacobi_cn(u+2*elliptic_k(m),m),m)", "-1001/1000*D(jacobi_cn(u,m),m)", "refuted"),
+    ("m<1; -pi/2<u<pi/2", "jacobi_cn(elliptic_f(u,m),m)", "cos(u)", "proved"),
+    ("m<1", "jacobi_dn(elliptic_f(u,m),m)", "sqrt(1-m*sin(u)**2)", "proved"),
+    ("m<1", "jacobi_sn(elliptic_f(u,m)+v,m)", "jacobi_sn(v+elliptic_f(u,m),m)*1001/1000", "refuted"),
+    ("", "D(jacobi_sn(u+v,m),m)", f"D({SUM}/{BELOW},m)", "proved"),
+]
+
+
+@pytest.mark.parametrize(("where", "left", "right", "verdict"), SUMS)
+def test_addition_theorems_and_periods(where, left, right, verdict):
+    parts = where.split("; ") if where else []
+    text = f'[phase_space]\nq = ["u"]\np = ["v"]\n[symbols]\nm = "real"\n[domain]\nwhere = {parts!r}\n'
+    text += f'[[claim]]\nkind = "identity"\nlhs = "{left}"\nrhs = "{right}"\n'
+    (claim,) = read_text(text).claims
+    assert verify(claim, budget=20.0).status == verdict

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from canon import InputError
-from canon.numeric.loops import compare_loops, loop_integral
+from canon.numeric.images import compare_loops
+from canon.numeric.loops import loop_integral
 
 Array = np.ndarray
 

@@ -1,0 +1,161 @@
+"""Integral invariants of a map by numbers: ∮ p dq, ∮ p dq − H dt, and the integrals of ωᵏ, before it and after it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from canon.claims.audit_subject import formulas_as_map
+from canon.claims.invariance_report import Invariance
+from canon.errors import InputError
+from canon.numeric.images import compare_loops, compare_surfaces
+from canon.numeric.map_shape import point_map
+from canon.numeric.precision import double
+
+if TYPE_CHECKING:
+    from canon.mechanics.transformation import Transformation
+
+Array = Any  # numpy arrays
+Loop = Callable[[Array], Array]
+TRIED = 16
+
+
+def loop_invariant(
+    map: Transformation | Callable[..., Any],  # noqa: A002 - the field's own word
+    loop: Loop | Array,
+    *,
+    scale: float = 1.0,
+    parameters: Mapping[str, float] | None = None,
+    periods: Sequence[float | None] = (),
+    new_periods: Sequence[float | None] = (),
+    most_nodes: int = 65536,
+) -> Invariance:
+    """∮ p dq around a closed loop and around its image: Poincaré's relative integral invariant.
+
+    A canonical map of valence c multiplies it by c, on every loop that bounds a surface on which the map is defined; on
+    a loop that winds round a hole or an angle, only if the map is exact. Arnold (1989), section 44.
+
+    **Arguments:**
+
+    - `map`: a `Transformation`, with values of its `parameters`, or a Python function of phase points in any of the
+      forms that `audit` takes. A transformation given as old in terms of new is taken as it is written.
+    - `loop`: a function of parameters s (N,), with period 1, to phase points (N, 2n); or an array (N, 2n) of points
+      of a loop at s = 0, 1/N, …, which can't be refined.
+    - `scale`: the valence that is expected.
+    - `periods`, `new_periods`: 2n numbers each, for an angle its period, else None: where the loop, or its image, winds
+      round an angle. A loop may not wind in a momentum.
+    - `most_nodes`: how far the nodes are doubled.
+
+    **Returns:** an `Invariance`; `preserved` is None, and the verdict `undecided`, where the nodes don't resolve the
+    loop or its image.
+
+    **Raises:** `InputError` where the loop, or its image, isn't closed or finite, or has a wrong shape.
+    """
+    evaluate, factor = _evaluated(map, _some(loop, 1), parameters, scale)
+    found = compare_loops(
+        evaluate, loop, factor=factor, periods=periods, new_periods=new_periods, most_nodes=most_nodes
+    )
+    return Invariance("∮ p dq", found)
+
+
+def surface_invariant(
+    map: Transformation | Callable[..., Any],  # noqa: A002
+    surface: Loop,
+    *,
+    periodic: Sequence[bool],
+    scale: float = 1.0,
+    parameters: Mapping[str, float] | None = None,
+    most_points: int = 2**18,
+) -> Invariance:
+    """∫ ωᵏ/k! with ω = Σ dp_i∧dq_i over a surface of 2k dimensions and over its image: absolute integral invariants.
+
+    For k = 1 it is the sum of the oriented areas of the projections onto the planes (p_i, q_i), in general that of the
+    volumes of the projections onto k conjugate pairs. A canonical map of valence c multiplies it by cᵏ. Arnold (1989),
+    section 44.
+
+    **Arguments:** `map`, `parameters`, `scale` as for `loop_invariant`; `surface`, a function of parameters u (N, 2k)
+    in [0, 1]²ᵏ to phase points (N, 2n); `periodic`, 2k booleans that say which directions close, as the angle of polar
+    coordinates does; `most_points` on one grid.
+
+    **Returns:** an `Invariance`.
+
+    **Raises:** `InputError` as `loop_invariant`.
+    """
+    order = len(periodic) // 2
+    evaluate, factor = _evaluated(map, _some(surface, len(periodic)), parameters, scale)
+    found = compare_surfaces(evaluate, surface, periodic, factor=factor**order, most_points=most_points)
+    return Invariance("∬ dp∧dq" if order == 1 else f"∫ ω^{order}/{order}!", found)
+
+
+def cartan_loop_invariant(
+    map: Transformation | Callable[..., Any],  # noqa: A002
+    loop: Loop | Array,
+    *,
+    H: Any,
+    K: Any = None,
+    scale: float = 1.0,
+    parameters: Mapping[str, float] | None = None,
+    most_nodes: int = 65536,
+) -> Invariance:
+    """∮ p dq − H dt around a loop of states at different times, and ∮ P dQ − K dt around its image.
+
+    A flow of H leaves it alone, whichever time each state is carried along (Poincaré and Cartan); a canonical map that
+    depends on time takes it to the integral with the new Hamiltonian K. Arnold (1989), sections 44 and 45.
+
+    **Arguments:**
+
+    - `map`: a `Transformation` (given forward), or a function of (z, t) that returns Z, or (Z, T) where it changes the
+      time too.
+    - `loop`: a function of parameters s (N,), with period 1, to states (N, 2n+1), the time last; or such states.
+    - `H`, `K`: functions of (z, t) or, for a transformation, expressions; K is H where it is left out, as for a flow.
+
+    **Returns:** an `Invariance`.
+
+    **Raises:** `InputError` as `loop_invariant`.
+    """
+    from canon.claims.extended_phase import extended
+
+    evaluate, lifted = extended(map, loop, H, H if K is None else K, parameters or {})
+    return Invariance("∮ p dq − H dt", compare_loops(evaluate, lifted, factor=scale, most_nodes=most_nodes))
+
+
+def _some(shape: Loop | Array, directions: int) -> Array:
+    """A few of the points, at which the map is tried."""
+    if not callable(shape):
+        return np.asarray(shape, dtype=float)[:TRIED]
+    s = (np.arange(1, TRIED + 1)[:, None] * 0.6180339887498949 ** np.arange(1, directions + 1)) % 1.0
+    points = np.asarray(shape(s[:, 0] if directions == 1 else s), dtype=float)
+    if points.ndim != 2 or len(points) != TRIED:
+        raise InputError(f"a loop takes parameters (N,), a surface (N, 2k), to points (N, 2n), not {points.shape}")
+    return points
+
+
+def _evaluated(
+    map: Transformation | Callable[..., Any],  # noqa: A002
+    points: Array,
+    parameters: Mapping[str, float] | None,
+    scale: float,
+) -> tuple[Callable[[Array], Array], float]:
+    """The map of points (N, 2n), and the scale of what it is given in."""
+    from canon.mechanics.transformation import Transformation
+
+    if not (np.isfinite(scale) and scale != 0):
+        raise InputError("a finite scale other than 0 is needed", "scale")
+    if not isinstance(map, Transformation):
+        if parameters:
+            raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
+        return point_map(map, points).evaluate, scale
+    subject = formulas_as_map(map, parameters or {}, scale)
+    if points.shape[1] != len(subject.names):
+        raise InputError(
+            f"points of {len(subject.names)} coordinates are expected ({', '.join(subject.names)}), "
+            f"not of {points.shape[1]}"
+        )
+
+    def evaluate(z: Array) -> Array:
+        with double():
+            return np.asarray(subject.function(z.T)).T
+
+    return evaluate, subject.scale

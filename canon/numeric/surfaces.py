@@ -1,0 +1,232 @@
+"""∬ Σ dp∧dq over parametrised surfaces, and the higher of Poincaré's absolute integral invariants.
+
+With ω = Σ dp_i∧dq_i the invariant of order k is the integral of ωᵏ/k! over a surface of 2k dimensions: the sum of the
+oriented areas of its projections onto all sets of k conjugate pairs. In parameters u it is ∫ Pf(ω(∂_a x, ∂_b x)) du.
+Arnold, Mathematical Methods of Classical Mechanics (1989), section 44. Derivatives and quadrature are spectral.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.numeric.precision import UNIT
+from canon.numeric.quadrature import Grid, grid
+
+Array = Any  # numpy arrays
+Surface = Callable[[Array], Array]
+Noise = Callable[[Array, Array], Array]
+
+FIRST_NODES: Final = {1: 16, 2: 8, 3: 4}
+SAFETY: Final = 4.0
+MATRIX_ULPS: Final = 4.0
+"""The rounding of a differentiation matrix, in units of roundoff of each entry."""
+
+BETWEEN: Final = 8
+GOLDEN: Final = 0.6180339887498949
+CLOSE: Final = 1e-6
+"""The interpolant may miss the surface between the nodes by this part of a variable's size."""
+
+TAIL: Final = 1e-6
+"""The highest frequencies may be this part of a variable's size."""
+
+
+@dataclass(frozen=True)
+class SurfaceIntegral:
+    """∫ ωᵏ/k!: its `value`, a `bound` on its rounding, the `nodes` in each direction, and whether these `resolved` it.
+
+    `change` is the most that the last doubling of the nodes of a direction changed; an integral that is not resolved
+    has no digits beyond it. `tail` is the part that the highest frequencies have in the surface.
+    """
+
+    value: float
+    bound: float
+    nodes: tuple[int, ...]
+    resolved: bool
+    change: float
+    tail: float
+
+
+def surface_integral(
+    surface: Surface,
+    periodic: Sequence[bool],
+    *,
+    noise: Noise | None = None,
+    most_points: int = 2**18,
+    unit: float = UNIT,
+) -> SurfaceIntegral:
+    """∫ ωᵏ/k! over a surface of 2k dimensions; nodes are doubled, direction by direction, until all is resolved.
+
+    **Arguments:** `surface` takes parameters u (N, 2k) in [0, 1]²ᵏ to phase points (N, 2n); `periodic`, 2k booleans:
+    which directions close (trapezoid rule; the others have Gauss–Legendre nodes); `noise`, of parameters and their
+    points: how far the points may be off, by default `unit` of themselves; `most_points`, on one grid.
+
+    **Raises:** `InputError` where the surface has another shape, isn't finite, or doesn't close where it should.
+    """
+    directions = [bool(closed) for closed in periodic]
+    size = len(directions)
+    if size < 2 or size % 2:
+        raise InputError(f"a surface has 2, 4, 6, … directions, not {size}", "periodic")
+    off = noise or (lambda _, points: unit * np.abs(points))
+    counts = [FIRST_NODES.get(size // 2, 2)] * size
+    now = _on_grid(surface, counts, directions, off, unit)
+    if now.points.shape[-1] < size:
+        raise InputError(f"a phase space of {now.points.shape[-1]} dimensions has no surface of {size}", "surface")
+    _check_closed(surface, directions)
+    settled, changes = [False] * size, [math.inf] * size
+    while True:
+        tails = now.tails()
+        if all(settled):
+            if max(tails) <= TAIL and _interpolates(surface, now):
+                return SurfaceIntegral(now.value, now.bound, tuple(counts), True, max(changes), max(tails))
+            settled = [False] * size
+        axis = max((a for a in range(size) if not settled[a]), key=lambda a: (tails[a], -counts[a]))
+        larger = [2 * c if a == axis else c for a, c in enumerate(counts)]
+        if math.prod(larger) > most_points:
+            return SurfaceIntegral(now.value, now.bound, tuple(counts), False, max(changes), max(tails))
+        counts, before = larger, now.value
+        now = _on_grid(surface, counts, directions, off, unit)
+        changes[axis] = abs(now.value - before)
+        settled[axis] = changes[axis] <= now.bound
+
+
+@dataclass(frozen=True)
+class _OnGrid:
+    """A surface's points on a grid (one axis a direction, then the variables), and the integral over it."""
+
+    grids: tuple[Grid, ...]
+    points: Array
+    value: float
+    bound: float
+
+    def tails(self) -> list[float]:
+        """For each direction the part that its highest frequencies have."""
+        sizes = np.abs(self.points).reshape(-1, self.points.shape[-1]).max(axis=0)
+        sizes = np.where(sizes > 0, sizes, 1.0)
+        return [float((g.tail(self.points, axis) / sizes).max()) for axis, g in enumerate(self.grids)]
+
+
+def _on_grid(surface: Surface, counts: Sequence[int], periodic: Sequence[bool], noise: Noise, unit: float) -> _OnGrid:
+    grids = tuple(grid(count, closed) for count, closed in zip(counts, periodic, strict=True))
+    u = np.stack([x.ravel() for x in np.meshgrid(*(g.x for g in grids), indexing="ij")], axis=1)
+    flat = _points(surface, u)
+    off = np.sqrt(np.mean(noise(u, flat) ** 2, axis=0))
+    points = flat.reshape(*counts, -1)
+    tangents = np.stack([g.derivative(points, axis).reshape(flat.shape) for axis, g in enumerate(grids)])
+    weights = np.ones(1)
+    for g in grids:
+        weights = np.multiply.outer(weights, g.weights).ravel()
+    total, own = (weights @ part for part in _pfaffians(tangents, np.zeros_like(tangents)))
+    bound = own + _carried(grids, tangents, weights, np.hypot(off, MATRIX_ULPS * unit * np.abs(flat).max(axis=0)))
+    return _OnGrid(grids, points, float(total), float(bound))
+
+
+def _carried(grids: Sequence[Grid], tangents: Array, weights: Array, off: Array) -> Array:
+    """What errors of the points, `off` in each variable, make of the integral.
+
+    A direction's differentiation makes them larger. On a surface of two dimensions they are taken to be independent of
+    each other along the direction, where they add in quadrature; across it the rounding of the matrix is the same
+    everywhere, and they add up. In more dimensions, where that would cost the most, all of them add up.
+    """
+    counts = [g.count for g in grids]
+    larger = [_along(g.amplification(), axis, counts)[:, None] * off for axis, g in enumerate(grids)]
+    if len(grids) > 2:
+        return weights @ _pfaffians(tangents, np.stack(larger))[1]
+    total: Array = 0.0
+    for axis in range(2):
+        errors = np.zeros_like(tangents)
+        errors[axis] = larger[axis]
+        added = (weights * _pfaffians(tangents, errors)[1]).reshape(counts)
+        total = total + SAFETY * np.sqrt(np.sum(added.sum(axis=1 - axis) ** 2))
+    return total + weights @ _pfaffians(tangents, np.full_like(tangents, 2 * np.pi) * off)[1]
+
+
+def _along(values: Array, axis: int, counts: Sequence[int]) -> Array:
+    shape = [-1 if a == axis else 1 for a in range(len(counts))]
+    return np.broadcast_to(values.reshape(shape), tuple(counts)).ravel()
+
+
+def _pfaffians(tangents: Array, errors: Array) -> tuple[Array, Array]:
+    """Pf(ω(t_a, t_b)) at each node for tangents (2k, N, 2n), and the error for tangents off by `errors`."""
+    size, count, width = tangents.shape
+    n = width // 2
+    entries: dict[tuple[int, int], tuple[Array, Array]] = {}
+    for a in range(size):
+        for b in range(a + 1, size):
+            (qa, pa), (qb, pb) = ((t[:, :n], t[:, n:]) for t in (tangents[a], tangents[b]))
+            (dqa, dpa), (dqb, dpb) = ((e[:, :n], e[:, n:]) for e in (errors[a], errors[b]))
+            value = np.sum(pa * qb - pb * qa, axis=1)
+            sizes = np.abs(pa) * dqb + dpa * np.abs(qb) + np.abs(pb) * dqa + dpb * np.abs(qa)
+            rounding = (n + 1) * UNIT * np.sum(np.abs(pa * qb) + np.abs(pb * qa), axis=1)
+            entries[a, b] = value, np.sum(sizes, axis=1) + rounding
+    known: dict[tuple[int, ...], tuple[Array, Array]] = {(): (np.ones(count), np.zeros(count))}
+    return _pfaffian(tuple(range(size)), entries, known)
+
+
+def _pfaffian(
+    rows: tuple[int, ...],
+    entries: dict[tuple[int, int], tuple[Array, Array]],
+    known: dict[tuple[int, ...], tuple[Array, Array]],
+) -> tuple[Array, Array]:
+    """The Pfaffian of the rows by expansion along the first one, each minor once."""
+    if rows not in known:
+        total: Array = 0.0
+        error: Array = 0.0
+        first, *rest = rows
+        for position, b in enumerate(rest):
+            minor, off = _pfaffian(tuple(rest[:position] + rest[position + 1 :]), entries, known)
+            value, bound = entries[first, b]
+            total = total + (-1) ** position * value * minor
+            error = error + bound * np.abs(minor) + np.abs(value) * off + len(rows) * UNIT * np.abs(value * minor)
+        known[rows] = total, error
+    return known[rows]
+
+
+def _points(surface: Surface, u: Array) -> Array:
+    points = np.asarray(surface(u), dtype=float)
+    if points.ndim != 2 or len(points) != len(u) or points.shape[1] % 2 or not points.shape[1]:
+        raise InputError(
+            f"a surface takes parameters (N, {u.shape[1]}) to phase points (N, 2n), not to shape {points.shape}"
+        )
+    finite = np.isfinite(points).all(axis=1)
+    if not finite.all():
+        where = ", ".join(f"{x:.6g}" for x in u[~finite][0])
+        raise InputError(f"the surface has a point that is not finite, at parameters {where}")
+    return points
+
+
+def _scattered(count: int, size: int) -> Array:
+    """Parameters that lie on no grid."""
+    steps = GOLDEN ** np.arange(1, size + 1)
+    return (np.arange(1, count + 1)[:, None] * steps) % 1.0
+
+
+def _check_closed(surface: Surface, periodic: Sequence[bool]) -> None:
+    """Raise where a direction that should close has different points at 0 and 1."""
+    inside = _scattered(BETWEEN, len(periodic))
+    sizes = np.abs(_points(surface, inside)).max(axis=0)
+    for axis in (a for a, closed in enumerate(periodic) if closed):
+        ends = inside.copy(), inside.copy()
+        ends[0][:, axis], ends[1][:, axis] = 0.0, 1.0
+        first, last = (_points(surface, u) for u in ends)
+        if np.any(np.abs(first - last) > 1e-9 * np.maximum(sizes, np.abs(first))):
+            raise InputError(f"the surface does not close in direction {axis + 1}: its points at 0 and 1 differ")
+
+
+def _interpolates(surface: Surface, found: _OnGrid) -> bool:
+    """Whether the interpolant meets the surface between the nodes too: two sums may agree by chance."""
+    u = _scattered(BETWEEN, len(found.grids))
+    exact = _points(surface, u)
+    sizes = np.abs(found.points).reshape(-1, exact.shape[1]).max(axis=0)
+    for place, expected in zip(u, exact, strict=True):
+        value = found.points
+        for x, g in zip(place, found.grids, strict=True):
+            value = np.tensordot(g.interpolation(np.array([x]))[0], value, axes=(0, 0))
+        if np.any(np.abs(value - expected) > CLOSE * np.maximum(sizes, np.abs(expected))):
+            return False
+    return True

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.claims.audit import AuditFailed, AuditReport, audit
+    from canon.claims.invariance import cartan_loop_invariant, loop_invariant, surface_invariant
+    from canon.claims.invariance_report import Invariance, NotInvariant
     from canon.claims.symplectify import MapRepair, MatrixRepair, symplectify
     from canon.claims.verify import verify
     from canon.domain import (
@@ -77,6 +79,8 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.domain": ("Condition", "Domain"),
     "canon.expression": ("Formula",),
     "canon.claims.audit": ("AuditFailed", "AuditReport", "audit"),
+    "canon.claims.invariance": ("cartan_loop_invariant", "loop_invariant", "surface_invariant"),
+    "canon.claims.invariance_report": ("Invariance", "NotInvariant"),
     "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
     "canon.claims.verify": ("verify",),
     "canon.mechanics.phase_space": ("PhaseSpace",),
@@ -131,9 +135,11 @@ __all__ = [
     "Hamiltonian",
     "InfinitesimalTransformation",
     "InputError",
+    "Invariance",
     "Lagrangian",
     "MapRepair",
     "MatrixRepair",
+    "NotInvariant",
     "PhaseSpace",
     "PointTransformation",
     "Subject",
@@ -143,6 +149,7 @@ __all__ = [
     "audit",
     "bracket",
     "bracket_matrix",
+    "cartan_loop_invariant",
     "closed_lie_series",
     "compose",
     "conserved",
@@ -160,9 +167,11 @@ __all__ = [
     "lagrange_matrix",
     "legendre",
     "lie_series",
+    "loop_invariant",
     "poisson_bracket",
     "recovered",
     "standard_j",
+    "surface_invariant",
     "symplectify",
     "truncated_lie_series",
     "verify",

@@ -7,7 +7,7 @@ is a loop like any other. Arnold (1989), section 45.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from canon.mechanics.transformation import Transformation
 
 Array = Any  # numpy arrays
-TRIED = 8
+TRIED: Final = 8
 
 
 def extended(

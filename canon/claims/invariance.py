@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 Array = Any  # numpy arrays
 Loop = Callable[[Array], Array]
-TRIED = 16
+TRIED: Final = 16
 
 
 def loop_invariant(
@@ -83,7 +83,9 @@ def surface_invariant(
 
     **Raises:** `InputError` as `loop_invariant`.
     """
-    order = len(periodic) // 2
+    order, odd = divmod(len(periodic), 2)
+    if odd or not order:
+        raise InputError(f"a surface has 2, 4, 6, … directions, not {len(periodic)}", "periodic")
     evaluate, factor = _evaluated(map, _some(surface, len(periodic)), parameters, scale)
     found = compare_surfaces(evaluate, surface, periodic, factor=factor**order, most_points=most_points)
     return Invariance("∬ dp∧dq" if order == 1 else f"∫ ω^{order}/{order}!", found)
@@ -124,11 +126,14 @@ def cartan_loop_invariant(
 def _some(shape: Loop | Array, directions: int) -> Array:
     """A few of the points, at which the map is tried."""
     if not callable(shape):
-        return np.asarray(shape, dtype=float)[:TRIED]
-    s = (np.arange(1, TRIED + 1)[:, None] * 0.6180339887498949 ** np.arange(1, directions + 1)) % 1.0
-    points = np.asarray(shape(s[:, 0] if directions == 1 else s), dtype=float)
-    if points.ndim != 2 or len(points) != TRIED:
-        raise InputError(f"a loop takes parameters (N,), a surface (N, 2k), to points (N, 2n), not {points.shape}")
+        points = np.asarray(shape, dtype=float)[:TRIED]
+    else:
+        s = (np.arange(1, TRIED + 1)[:, None] * 0.6180339887498949 ** np.arange(1, directions + 1)) % 1.0
+        points = np.asarray(shape(s[:, 0] if directions == 1 else s), dtype=float)
+    if points.ndim != 2 or not len(points) or points.shape[1] % 2:
+        raise InputError(
+            f"a loop takes parameters (N,), a surface (N, 2k), to points (N, 2n), not to shape {points.shape}"
+        )
     return points
 
 

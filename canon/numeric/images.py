@@ -55,9 +55,7 @@ class Comparison:
         return abs(self.difference) <= self.bound if self.resolved else None
 
 
-def rounding_of(
-    evaluate: Map, periods: Sequence[float | None] = (), unit: float = UNIT
-) -> Callable[[Array], Array]:
+def rounding_of(evaluate: Map, periods: Sequence[float | None] = (), unit: float = UNIT) -> Callable[[Array], Array]:
     """An estimate of the rounding of a map's values at points (N, m), of the same shape as these values."""
 
     def noise(points: Array) -> Array:

@@ -131,9 +131,7 @@ def _checked(points: Array, count: int) -> Array:
     return points
 
 
-def _interpolates(
-    points: Array, turns: Array, loop: Loop, sizes: Array, periods: Sequence[float | None]
-) -> bool:
+def _interpolates(points: Array, turns: Array, loop: Loop, sizes: Array, periods: Sequence[float | None]) -> bool:
     """Whether the trigonometric interpolant meets the loop between the nodes too: two sums may agree by chance."""
     count = len(points)
     s = np.arange(1, BETWEEN + 1) * GOLDEN % 1.0

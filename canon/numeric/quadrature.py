@@ -45,7 +45,7 @@ class Grid:
 
     def tail(self, values: Array, axis: int) -> Array:
         """The largest coefficient among the last quarter of the frequencies, for each column of the last axis."""
-        coefficients = np.abs(np.tensordot(self.modes[-(self.count // 4) :], values, axes=(1, axis)))
+        coefficients = np.abs(np.tensordot(self.modes[-max(1, self.count // 4) :], values, axes=(1, axis)))
         return coefficients.reshape(-1, values.shape[-1]).max(axis=0)
 
     def interpolation(self, at: Array) -> Array:

@@ -22,7 +22,7 @@ Array = Any  # numpy arrays
 Surface = Callable[[Array], Array]
 Noise = Callable[[Array, Array], Array]
 
-FIRST_NODES: Final = {1: 16, 2: 8, 3: 4}
+FIRST_NODES: Final = {1: 16, 2: 6, 3: 3}
 SAFETY: Final = 4.0
 MATRIX_ULPS: Final = 4.0
 """The rounding of a differentiation matrix, in units of roundoff of each entry."""

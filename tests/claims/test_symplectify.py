@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 
 from canon import InputError, PhaseSpace, Transformation, audit, symplectify
-from canon.numeric.loops import compare_loops
+from canon.numeric.images import compare_loops
 from canon.numeric.mixed_variables import Pattern, best_conditioned, condition_of
 
 Array = np.ndarray

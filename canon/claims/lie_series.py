@@ -94,7 +94,7 @@ def _parameter(question: Question, *formulas: Formula) -> sp.Symbol:
     parameter = parameter.expr if isinstance(parameter, Formula) else parameter
     if not isinstance(parameter, sp.Symbol):
         raise InputError("a name is expected", "key 'parameter'")
-    if parameter in (*question.space.old, *question.space.new, question.space.t):
+    if parameter in (*question.space.old, *question.space.new):
         raise InputError(f"{parameter} is a variable, not a parameter", "key 'parameter'")
     for formula in formulas:
         if parameter in formula.expr.free_symbols:

@@ -80,7 +80,7 @@ def checked_order(question: Question, order: Any) -> tuple[sp.Symbol, int]:
     eps, highest = order
     if not isinstance(eps, sp.Symbol) or isinstance(highest, bool) or not isinstance(highest, int):
         raise InputError('a name and a number are expected, as in order = ["eps", 2]', where)
-    if eps in (*question.space.old, *question.space.new, question.space.t):
+    if eps in (*question.space.old, *question.space.new):
         raise InputError(f"{eps} is a variable, not a small parameter", where)
     if not 0 <= highest <= HIGHEST_ORDER:
         raise InputError(f"an order from 0 to {HIGHEST_ORDER} is expected, not {highest}", where)

@@ -101,3 +101,14 @@ def test_a_lie_series_is_analytic_at_zero(status, equals):
 def test_the_parameter_is_no_variable(ask):
     with pytest.raises((InputError, AssertionError)):
         ask(lie("p", "q", "q").replace('"s"', '"q"'), space=LINE)
+
+
+def test_time_may_be_the_parameter_of_a_flow(ask):
+    """exp(t {·, H}) q is the motion; and a map may be truncated in time."""
+    flow, early, late = ask(
+        'kind = "lie_series"\ngenerator = "p**2/2 + q**2/2"\nparameter = "t"\nf = "q"\nequals = "q*cos(t) + p*sin(t)"',
+        'kind = "canonical"\norder = ["t", 1]',
+        'kind = "canonical"\norder = ["t", 2]',
+        transformation='Q = ["q + t*p"]\nP = ["p - t*q"]',
+    )
+    assert (flow.status, early.status, late.status) == ("proved", "proved", "refuted")

@@ -28,8 +28,9 @@ LONG_RUN: Final = 1_000_000
 class Run:
     """A run from t0 over `duration`, of which `done` chunks are computed.
 
-    `step` is the step's length; `per_sample` chunks of `per_chunk` steps lie between two stored states. `carry` is
-    what the next chunk starts from, and `stored` has one array (samples, …) for each of the state's.
+    `step` is the step's length, and `compensated` says whether the rounding of additions is kept. `per_sample` chunks
+    of `per_chunk` steps lie between two stored states; `carry` is what the next chunk starts from, and `stored` has one
+    array (samples, …) for each of the state's.
     """
 
     t0: float
@@ -39,6 +40,7 @@ class Run:
     per_sample: int
     per_chunk: int
     done: int
+    compensated: bool
     carry: Any
     stored: State
     ended: bool = False
@@ -132,7 +134,7 @@ def start(
         carry = method.stepper(problem, compensated=keeps).initial(state)
         stored = jax.tree.map(lambda x: jnp.full((samples, *x.shape), jnp.nan).at[0].set(x), state)
     step = duration / (per_chunk * per_sample * (samples - 1))
-    return Run(t0, duration, step, samples, per_sample, per_chunk, 0, carry, stored)
+    return Run(t0, duration, step, samples, per_sample, per_chunk, 0, keeps, carry, stored)
 
 
 def advance(problem: Any, method: Method, run: Run, *, chunks: int | None = None, batched: bool = False) -> Run:
@@ -141,7 +143,7 @@ def advance(problem: Any, method: Method, run: Run, *, chunks: int | None = None
         return run
     last = run.chunks if chunks is None else min(run.done + chunks, run.chunks)
     with double():
-        program = _program(problem, method, _keeps(run), batched)
+        program = _program(problem, method, run.compensated, batched)
         done, carry, stored = program(
             run.carry, run.stored, run.done, last, run.per_sample, run.per_chunk, run.step, run.t0
         )
@@ -172,11 +174,6 @@ def flow_map(problem: Any, method: Method, *, steps: int, h: float, t0: float = 
         return stepper.read(stepper.end(carry, tables, Time(t0, h, float(steps))))
 
     return mapped
-
-
-def _keeps(run: Run) -> bool:
-    """Whether the run's carry has what the additions rounded away."""
-    return isinstance(run.carry, tuple) and len(run.carry) == 2 and run.carry[1] is not None
 
 
 @lru_cache(maxsize=64)

@@ -27,12 +27,14 @@ from canon.decide.region import Region, Requirement, admits
 from canon.decide.search import Sample, evaluate_again, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.errors import InputError
+from canon.mechanics.formulas import replaced
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
 
 MOST_SIDES = 3
 MOST_NAMES = 4
+FURTHER = (sp.S.One, sp.S.Half, sp.Integer(2), sp.S.NegativeOne, sp.Integer(3))
 POINTS = 40
 WIDTH = Fraction(1, 2**20)
 TINY = 1e-100
@@ -84,7 +86,11 @@ def _tables(tape: Tape, minors: Sequence[Node], parameters: Sequence[Node]) -> I
     names = [tape.symbol_at(x) for x in used]
     if names and all(is_short(tape, minor) for minor in minors):
         with contextlib.suppress(*FAILURES):
-            yield from solutions([tape.to_sympy(minor) for minor in minors], names)
+            for table in solutions([tape.to_sympy(minor) for minor in minors], names):
+                free = [name for name in names if any(name in value.free_symbols for value in table.values())]
+                for number in FURTHER if free else FURTHER[:1]:
+                    rest: dict[sp.Symbol, sp.Expr] = dict.fromkeys(free, number)
+                    yield {**{name: replaced(value, rest) for name, value in table.items()}, **rest}
     for value in VALUES:
         yield from ({name: value} for name in names)
         if len(names) > 1:

@@ -25,6 +25,7 @@ from canon.decide.on_surface import vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
 from canon.decide.search import Sample, evaluate_again, extended, samples
+from canon.decide.slivers import points_between_zeros
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
 from canon.errors import InputError
@@ -134,6 +135,8 @@ class _Ladder:
             return
         for node in left():
             self.by_other_arguments(node, answers)
+        if left():
+            self.between_zeros(left(), answers)
         for node in left():
             self.leave(node, answers)
 
@@ -206,6 +209,19 @@ class _Ladder:
                 continue
             if first_refutation and any(answers[n].status == "refuted" for n in nodes if n in answers):
                 return
+
+    def between_zeros(self, nodes: Sequence[Node], answers: Answers) -> None:
+        """The thin parts of the region, before anything is left open."""
+        self.tried.append("points between the zeros of conditions")
+        try:
+            for sample in points_between_zeros(
+                self.tape, nodes, self.region, self.points, self.rng, self.budget.share(0.5)
+            ):
+                self.refute(nodes, sample, sample.balls, answers, 64)
+                if all(node in answers for node in nodes):
+                    return
+        except (BudgetExceeded, Unsupported):
+            return
 
     # -- proofs ---------------------------------------------------------------------------------------
 

@@ -101,7 +101,7 @@ def symplectify(
     where = points_of(domain, names, subject.defaults)
     points = _samples(subject, where, samples, seed)
     lengths = where.lengths
-    mapped = differentiable(subject.function, points, lengths)
+    mapped = differentiable(subject.function, points, lengths, rounded_numbers=subject.rounded_numbers)
     if not mapped.steady:
         raise InputError(
             "two evaluations at the same point differ: a map with hidden state has no symplectic neighbour"
@@ -174,7 +174,7 @@ def _samples(subject: AuditSubject, where: Points, samples: int, seed: int) -> A
     if samples < 1:
         raise InputError("at least one sample is needed", "samples")
     points = np.concatenate(list(where.blocks(samples, max(samples, 1), seed)))
-    inside = points[subject.admits(points)]
+    inside = points[subject.inside(points)]
     if not len(inside):
         raise InputError(f"none of {len(points)} points lies in the domain of the formulas", "domain")
     return inside

@@ -22,8 +22,11 @@ Array = np.ndarray
 INNER: Final = 30
 OUTER: Final = 40
 LEAST_BLOCK: Final = 32
-CLOSE: Final = 16.0
+CLOSE: Final = 1.0
 """So many roundings apart, two iterates are taken for the same."""
+
+SMALL: Final = 1e-10
+"""Iterates that differ by less than this, and by no less than those before, are as close as rounding lets them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,9 +90,9 @@ class RepairedMap:
                     inverse[active] = _broyden(inverse[active], step[active], off - previous[active])
                 move = -np.einsum("bij,bj->bi", inverse[active], off)
                 size = (np.abs(move) / unit).max(axis=1)
-                scale = 1 + (np.abs(y[active]) / unit).max(axis=1)
+                scale = (np.abs(y[active]) / unit).max(axis=1)
                 converged = size <= CLOSE * UNIT * scale
-                stalled = (size >= left[active]) & (size <= 1e-10 * scale)
+                stalled = (size >= left[active]) & (size <= SMALL * (1 + scale))
                 lost = ~np.isfinite(size)
                 done = converged | stalled
                 if done.any():
@@ -143,8 +146,9 @@ class RepairedMap:
             off = values[rows][:, pattern.new_arguments] - y[rows]
             move = -_solved(block, off[:, :, None])[:, :, 0]
             size = (np.abs(move) / unit).max(axis=1)
-            scale = 1 + (np.abs(z[rows][:, pattern.old_conjugates]) / unit).max(axis=1)
-            go_on = (size > CLOSE * UNIT * scale) & ((size < left[rows]) | (size > 1e-10 * scale)) & np.isfinite(size)
+            scale = (np.abs(z[rows][:, pattern.old_conjugates]) / unit).max(axis=1)
+            stalled = (size >= left[rows]) & (size <= SMALL * (1 + scale))
+            go_on = (size > CLOSE * UNIT * scale) & ~stalled & np.isfinite(size)
             lost = rows[~np.isfinite(size)]
             z[lost] = np.nan
             left[rows] = size

@@ -9,26 +9,20 @@ The map is a function of a phase point z (2n,), of a pair (q, p), or of points (
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from itertools import pairwise
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 
 from canon.claims.audit import AuditReport, audit
-from canon.errors import InputError
 
 __all__ = [
     "assert_canonical",
-    "assert_order",
     "assert_reversible",
     "assert_symplectic",
     "assert_volume_preserving",
 ]
 
 Array = np.ndarray
-
-PLATEAU: Final = 1e4
-"""Differences of fewer roundings than this tell nothing about an order."""
 
 
 def assert_symplectic(map: Any, *, dimension: int | None = None, **options: Any) -> AuditReport:  # noqa: A002
@@ -52,7 +46,7 @@ def assert_canonical(
     if report.verdict != "supported":
         valence = "" if scale == 1 else f" with valence {scale:g}"
         reasons = "; ".join(report.failures + report.doubts)
-        raise AssertionError(f"{_name(map)} is not {what}{valence}: {reasons}\n{report}")
+        raise AssertionError(f"{name_of(map)} is not {what}{valence}: {reasons}\n{report}")
     return report
 
 
@@ -62,11 +56,11 @@ def assert_volume_preserving(map: Any, *, dimension: int | None = None, **option
     found = report.volume
     if found.exceeds:
         raise AssertionError(
-            f"{_name(map)} does not preserve volume: |det M| is off by {found.size:.3g}, bound {found.bound:.2g}, "
+            f"{name_of(map)} does not preserve volume: |det M| is off by {found.size:.3g}, bound {found.bound:.2g}, "
             f"at {report.at(found)}"
         )
     if report.doubts:
-        raise AssertionError(f"{_name(map)}: volume could not be audited: {'; '.join(report.doubts)}")
+        raise AssertionError(f"{name_of(map)}: volume could not be audited: {'; '.join(report.doubts)}")
     return report
 
 
@@ -91,13 +85,13 @@ def assert_reversible(
     points = np.concatenate(list(where.blocks(samples, samples, seed)))
     mapped = differentiable(map, points, where.lengths)
     if not mapped.steady:
-        raise AssertionError(f"{_name(map)} depends on hidden state: two evaluations at the same point differ")
+        raise AssertionError(f"{name_of(map)} depends on hidden state: two evaluations at the same point differ")
     residuals = reversal_residuals(mapped, points, involution or momentum_reversal)
     missing = ~np.isfinite(residuals.sizes).all(axis=1)
     if missing.any():
         raise AssertionError(
-            f"{_name(map)} has no finite value at {missing.sum()} of {len(points)} points or their images, "
-            f"for instance from {_place(names, points[missing][0])}"
+            f"{name_of(map)} has no finite value at {missing.sum()} of {len(points)} points or their images, "
+            f"for instance from {place_of(names, points[missing][0])}"
         )
     tally = Tally("reversal")
     tally.add(residuals, points)
@@ -105,66 +99,16 @@ def assert_reversible(
     if found.exceeds:
         variable = names[tally.index[0]]
         raise AssertionError(
-            f"{_name(map)} is not reversible: {variable} comes back off by {found.size:.3g}, "
-            f"bound {found.bound:.2g}, from {_place(names, found.point)}"
+            f"{name_of(map)} is not reversible: {variable} comes back off by {found.size:.3g}, "
+            f"bound {found.bound:.2g}, from {place_of(names, found.point)}"
         )
 
 
-def assert_order(
-    step: Callable[[Array, float], Any],
-    order: int,
-    *,
-    start: Sequence[float] | Array,
-    duration: float = 1.0,
-    steps: int = 8,
-    refinements: int = 5,
-    tolerance: float = 0.25,
-    exact: Sequence[float] | Array | None = None,
-) -> float:
-    """An integrator's order, measured on the user's problem, is at least `order − tolerance`.
-
-    The problem is integrated over `duration` in `steps`, 2·`steps`, 4·`steps`, … steps. The order is the slope of the
-    errors, against `exact` or between neighbours (self-convergence), as long as these are above the rounding plateau.
-    Choose a non-linear problem: methods may be better than they are on linear ones.
-
-    **Arguments:** `step(z, h)`, one step from z. **Returns:** the order measured at the finest steps that tell.
-
-    **Raises:** `AssertionError` where it is less; `InputError` where too few errors are above the plateau.
-    """
-    from canon.numeric.precision import double
-
-    ends = []
-    with double():
-        for level in range(refinements + 1):
-            count = steps * 2**level
-            z: Any = np.asarray(start, dtype=float)
-            for _ in range(count):
-                z = step(z, duration / count)
-            ends.append(np.asarray(z, dtype=float))
-    if not np.all(np.isfinite(ends)):
-        raise AssertionError(f"{_name(step)} does not stay finite over the duration {duration:g}")
-    if exact is None:
-        errors = [float(np.linalg.norm(b - a)) for a, b in pairwise(ends)]
-    else:
-        errors = [float(np.linalg.norm(end - np.asarray(exact, dtype=float))) for end in ends]
-    plateau = PLATEAU * float(np.finfo(float).eps) * (1 + float(np.linalg.norm(ends[-1])))
-    telling = [error for error in errors if error > plateau]
-    if len(telling) < 2:
-        raise InputError(
-            f"{len(telling)} errors are above the rounding plateau {plateau:.2g}, two are needed: take fewer steps"
-        )
-    measured = float(np.log2(telling[-2] / telling[-1]))
-    if measured < order - tolerance:
-        shown = ", ".join(f"{error:.3g}" for error in telling)
-        raise AssertionError(
-            f"{_name(step)} has order {measured:.2f}, not {order}: at halved steps its errors are {shown}"
-        )
-    return measured
-
-
-def _name(map: Any) -> str:  # noqa: A002
+def name_of(map: Any) -> str:  # noqa: A002
+    """What a failure calls the map."""
     return getattr(map, "__name__", type(map).__name__)
 
 
-def _place(names: Sequence[str], point: Sequence[float] | Array) -> str:
+def place_of(names: Sequence[str], point: Sequence[float] | Array) -> str:
+    """A phase point in words."""
     return ", ".join(f"{name} = {x:.6g}" for name, x in zip(names, point, strict=True))

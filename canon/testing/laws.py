@@ -1,6 +1,7 @@
 """The laws of brackets, transformations and generating functions, as data: what must vanish for each.
 
-A law is checked of objects of one's own by `assert_law(law, space, f, g)`; the residuals are there for other uses.
+A law is checked of objects of one's own by `assert_law(law, space, f, g)`, of random ones by `check_laws`; a bracket or
+a composition of one's own is checked by `check_laws(bracket_laws(my_bracket))`. The residuals are there for other uses.
 """
 
 from __future__ import annotations
@@ -15,9 +16,12 @@ from canon.claims.verify import verify
 from canon.mechanics.composition import compose, identity_transformation
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.phase_space import PhaseSpace
-from canon.mechanics.poisson import jacobi_sum, poisson_bracket
+from canon.mechanics.poisson import poisson_bracket
 from canon.mechanics.statements import identity
 from canon.mechanics.transformation import Transformation
+
+Bracket = Callable[[sp.Expr, sp.Expr, PhaseSpace], sp.Expr]
+Composition = Callable[[Transformation, Transformation], Transformation]
 
 
 @dataclass(frozen=True)
@@ -53,14 +57,6 @@ def _difference(one: Transformation, other: Transformation) -> list[sp.Expr]:
     return [f - g.xreplace(renamed) for f, g in zip(one.expressions, other.expressions, strict=True)]
 
 
-def _chained(space: PhaseSpace, *maps: Transformation) -> Transformation:
-    """The maps one after another, each a map of `space`; new variables are renamed on the way."""
-    total = maps[0]
-    for step in maps[1:]:
-        total = compose(total, step)
-    return total
-
-
 def _brackets_of_map(space: PhaseSpace, made: Transformation) -> list[sp.Expr]:
     residual = made.symplectic_residual()
     entries: Any = residual
@@ -75,63 +71,78 @@ def _there_and_back(space: PhaseSpace, F: GeneratingFunction) -> list[sp.Expr]:
     return [(back.F.expr - F.F.expr).diff(u) for u in F.mixed]
 
 
-BRACKET_LAWS = (
-    Law(
-        "antisymmetry", "{f, g} = −{g, f}", ("function", "function"),
-        lambda s, f, g: [poisson_bracket(f, g, s) + poisson_bracket(g, f, s)],
-    ),
-    Law("no self-bracket", "{f, f} = 0", ("function",), lambda s, f: [poisson_bracket(f, f, s)]),
-    Law(
-        "linearity", "{2f + 3g, h} = 2{f, h} + 3{g, h}", ("function", "function", "function"),
-        lambda s, f, g, h: [
-            poisson_bracket(2 * f + 3 * g, h, s) - 2 * poisson_bracket(f, h, s) - 3 * poisson_bracket(g, h, s)
-        ],
-    ),
-    Law(
-        "Leibniz' rule", "{f g, h} = f {g, h} + {f, h} g", ("function", "function", "function"),
-        lambda s, f, g, h: [
-            poisson_bracket(f * g, h, s) - f * poisson_bracket(g, h, s) - poisson_bracket(f, h, s) * g
-        ],
-    ),
-    Law(
-        "Jacobi's identity", "{f, {g, h}} + {g, {h, f}} + {h, {f, g}} = 0", ("function", "function", "function"),
-        lambda s, f, g, h: [jacobi_sum(f, g, h, s)],
-    ),
-    Law(
-        "chain rule", "{sin f, g} = cos f {f, g}", ("function", "function"),
-        lambda s, f, g: [poisson_bracket(sp.sin(f), g, s) - sp.cos(f) * poisson_bracket(f, g, s)],
-    ),
-    Law(
-        "fundamental brackets", "{q_i, p_j} = δ_ij, the others vanish", (),
-        lambda s: [
-            poisson_bracket(x, y, s) - s.J[i, j] for i, x in enumerate(s.old) for j, y in enumerate(s.old)
-        ],
-    ),
-)  # fmt: skip
+def bracket_laws(bracket: Bracket = poisson_bracket) -> tuple[Law, ...]:
+    """The laws of a bracket(f, g, space): of canon's own, or of one that is to be checked."""
 
-GROUP_LAWS = (
-    Law("canonical", "M J Mᵀ = J", ("map",), _brackets_of_map),
-    Law(
-        "identity first", "f ∘ 1 = f", ("map",),
-        lambda s, f: _difference(_chained(s, identity_transformation(s), f), f),
-    ),
-    Law(
-        "identity last", "1 ∘ f = f", ("map",),
-        lambda s, f: _difference(_chained(s, f, identity_transformation(s)), f),
-    ),
-    Law(
-        "associativity", "(h ∘ g) ∘ f = h ∘ (g ∘ f)", ("map", "map", "map"),
-        lambda s, f, g, h: _difference(compose(compose(f, g), h), compose(f, compose(g, h))),
-    ),
-    Law(
-        "closure", "g ∘ f is canonical", ("map", "map"),
-        lambda s, f, g: _brackets_of_map(s, compose(f, g)),
-    ),
-    Law(
-        "inverse", "the inverse of a canonical map is canonical", ("map",),
-        lambda s, f: _brackets_of_map(s, f.inverse()),
-    ),
-)  # fmt: skip
+    def cyclic(s: PhaseSpace, f: sp.Expr, g: sp.Expr, h: sp.Expr) -> sp.Expr:
+        return bracket(f, bracket(g, h, s), s) + bracket(g, bracket(h, f, s), s) + bracket(h, bracket(f, g, s), s)
+
+    return (
+        Law(
+            "antisymmetry", "{f, g} = −{g, f}", ("function", "function"),
+            lambda s, f, g: [bracket(f, g, s) + bracket(g, f, s)],
+        ),
+        Law("no self-bracket", "{f, f} = 0", ("function",), lambda s, f: [bracket(f, f, s)]),
+        Law(
+            "linearity", "{2f + 3g, h} = 2{f, h} + 3{g, h}", ("function", "function", "function"),
+            lambda s, f, g, h: [
+                bracket(2 * f + 3 * g, h, s) - 2 * bracket(f, h, s) - 3 * bracket(g, h, s)
+            ],
+        ),
+        Law(
+            "Leibniz' rule", "{f g, h} = f {g, h} + {f, h} g", ("function", "function", "function"),
+            lambda s, f, g, h: [
+                bracket(f * g, h, s) - f * bracket(g, h, s) - bracket(f, h, s) * g
+            ],
+        ),
+        Law(
+            "Jacobi's identity", "{f, {g, h}} + {g, {h, f}} + {h, {f, g}} = 0", ("function", "function", "function"),
+            lambda s, f, g, h: [cyclic(s, f, g, h)],
+        ),
+        Law(
+            "chain rule", "{sin f, g} = cos f {f, g}", ("function", "function"),
+            lambda s, f, g: [bracket(sp.sin(f), g, s) - sp.cos(f) * bracket(f, g, s)],
+        ),
+        Law(
+            "fundamental brackets", "{q_i, p_j} = δ_ij, the others vanish", (),
+            lambda s: [
+                bracket(x, y, s) - s.J[i, j] for i, x in enumerate(s.old) for j, y in enumerate(s.old)
+            ],
+        ),
+    )  # fmt: skip
+
+
+BRACKET_LAWS = bracket_laws()
+
+
+def group_laws(compose: Composition = compose) -> tuple[Law, ...]:
+    """The laws of a compose(first, second) of transformations: of canon's own, or of one that is to be checked."""
+    return (
+        Law("canonical", "M J Mᵀ = J", ("map",), _brackets_of_map),
+        Law(
+            "identity first", "f ∘ 1 = f", ("map",),
+            lambda s, f: _difference(compose(identity_transformation(s), f), f),
+        ),
+        Law(
+            "identity last", "1 ∘ f = f", ("map",),
+            lambda s, f: _difference(compose(f, identity_transformation(s)), f),
+        ),
+        Law(
+            "associativity", "(h ∘ g) ∘ f = h ∘ (g ∘ f)", ("map", "map", "map"),
+            lambda s, f, g, h: _difference(compose(compose(f, g), h), compose(f, compose(g, h))),
+        ),
+        Law(
+            "closure", "g ∘ f is canonical", ("map", "map"),
+            lambda s, f, g: _brackets_of_map(s, compose(f, g)),
+        ),
+        Law(
+            "inverse", "the inverse of a canonical map is canonical", ("map",),
+            lambda s, f: _brackets_of_map(s, f.inverse()),
+        ),
+    )  # fmt: skip
+
+
+GROUP_LAWS = group_laws()
 
 GENERATING_LAWS = (
     Law(

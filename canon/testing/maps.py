@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any, Final, Literal
 
 import sympy as sp
 from hypothesis import strategies as st
@@ -20,7 +21,10 @@ from canon.testing.strategies import functions, rationals
 
 Images = list[sp.Expr]
 Factor = Callable[[st.DrawFn, PhaseSpace], Images]
-LONGEST = 250
+Kind = Literal["near", "momenta", "coordinates", "sign", "factor", "pair"]
+LONGEST: Final = 250
+KINDS: Final[tuple[Kind, ...]] = ("near", "momenta", "coordinates", "sign", "factor", "pair")
+SIZES: Final = (sp.Rational(1, 10**3), sp.Rational(1, 10**6), sp.Rational(1, 10**9))
 
 
 @dataclass(frozen=True)
@@ -28,12 +32,17 @@ class Mutant:
     """A map that isn't canonical.
 
     **Arguments:** the `transformation`; what was `changed`; the `witness`, a point at which it fails, as a table of
-    the variables' values.
+    the variables' values; the `bracket` that the change spoils ("{Q1,P2}"), and the `defect`, by which it is off. Where
+    the change is `buried`, these are the factor's own brackets, and those of the map follow from it and the factors
+    after it.
     """
 
     transformation: Transformation
     changed: str
     witness: Mapping[sp.Symbol, sp.Rational]
+    bracket: str
+    defect: sp.Rational
+    buried: bool
 
 
 def canonical_maps(
@@ -57,37 +66,57 @@ def _canonical_maps(
 
 
 @st.composite
-def mutants(draw: st.DrawFn, space: PhaseSpace, *, max_factors: int = 2) -> Mutant:
-    """Canonical maps with one factor spoiled: a sign, a factor, a term of 1/1000, an exchanged pair."""
+def mutants(
+    draw: st.DrawFn,
+    space: PhaseSpace,
+    *,
+    max_factors: int = 2,
+    kinds: Sequence[Kind] = KINDS,
+    sizes: Sequence[sp.Rational] = SIZES,
+    buried: bool = True,
+) -> Mutant:
+    """Canonical maps with one factor spoiled, of these `kinds`: a sign, a factor, an exchanged pair; or by one of the
+    `sizes`: a pair's scale ("near"), a momentum that takes up another coordinate ("momenta": {P_i,P_j} ≠ 0), a
+    coordinate that takes up another momentum ("coordinates").
+
+    Unless `buried`, the spoiled factor comes last: the map's own bracket is then off by the defect, at every point.
+    """
     before = draw(st.lists(st.sampled_from(POLYNOMIAL), max_size=max_factors))
-    after = draw(st.lists(st.sampled_from(POLYNOMIAL), max_size=max_factors))
+    after = draw(st.lists(st.sampled_from(POLYNOMIAL), max_size=max_factors)) if buried else []
     images: Images = list(space.old)
     for factor in before:
         images = _composed(space, images, factor(draw, space))
-    spoiled, changed = draw(_spoiled(space))
+    usable = [kind for kind in kinds if space.n > 1 or kind not in ("momenta", "coordinates")]
+    changed = draw(st.sampled_from(usable))
+    spoiled, bracket, defect = draw(_spoiled(space, changed, sizes))
     images = [replaced(f, dict(zip(space.old, images, strict=True))) for f in spoiled]
     for factor in after:
         images = _composed(space, images, factor(draw, space))
     witness = {x: draw(rationals(largest=3)) for x in (*space.old, *space.parameters)}
-    return Mutant(_transformation(space, images), changed, witness)
+    return Mutant(_transformation(space, images), changed, witness, bracket, defect, bool(after))
 
 
 @st.composite
-def _spoiled(draw: st.DrawFn, space: PhaseSpace) -> tuple[Images, str]:
-    """A map of one pair whose bracket is a constant other than 1."""
+def _spoiled(
+    draw: st.DrawFn, space: PhaseSpace, kind: Kind, sizes: Sequence[sp.Rational]
+) -> tuple[Images, str, sp.Rational]:
+    """A linear map one bracket of which is a wrong constant; that bracket, and by how much it is off."""
     f: Images = list(space.old)
-    k = draw(st.integers(0, space.n - 1))
-    other = draw(st.sampled_from((k, k + space.n)))
-    kind = draw(st.sampled_from(("sign", "factor", "1/1000", "pair")))
-    if kind == "sign":
-        f[other] = -f[other]
-    elif kind == "factor":
-        f[other] = draw(rationals().filter(lambda c: c != 1)) * f[other]
-    elif kind == "1/1000":
-        f[other] = f[other] * sp.Rational(1001, 1000)
-    else:
-        f[k], f[k + space.n] = f[k + space.n], f[k]
-    return f, kind
+    n, k = space.n, draw(st.integers(0, space.n - 1))
+    own = f"{{Q{k + 1},P{k + 1}}}"
+    off: sp.Rational = draw(st.sampled_from(list(sizes))) * draw(st.sampled_from((1, -1)))
+    if kind in ("momenta", "coordinates"):
+        i, j = sorted(draw(st.permutations(range(n)))[:2])
+        letter, side, other = ("P", n, 0) if kind == "momenta" else ("Q", 0, n)
+        f[side + i] += (off if kind == "momenta" else -off) * f[other + j]
+        return f, f"{{{letter}{i + 1},{letter}{j + 1}}}", off
+    if kind == "pair":
+        f[k], f[k + n] = f[k + n], f[k]
+        return f, own, sp.Rational(-2)
+    spoiled = draw(st.sampled_from((k, k + n)))
+    factor: Any = -1 if kind == "sign" else 1 + off if kind == "near" else draw(rationals().filter(lambda c: c != 1))
+    f[spoiled] = factor * f[spoiled]
+    return f, own, sp.Rational(factor - 1)
 
 
 def _transformation(space: PhaseSpace, images: Images) -> Transformation:

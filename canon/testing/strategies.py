@@ -83,21 +83,26 @@ def generating_functions(
     types: Sequence[int] = (1, 2, 3, 4),
     mixed: bool = True,
     solvable: bool = True,
+    smallest: sp.Rational | None = None,
 ) -> GeneratingFunction:
-    """Generating functions with a regular mixed Hessian.
+    """Generating functions whose mixed Hessian is regular everywhere.
 
     With old arguments a and new ones b it is Σ c_k a_k b_k + V(a) + W(b) with c_k ≠ 0, of one of the `types` or
     (`mixed`) of another one in each degree of freedom. `solvable` keeps W quadratic, so that the equations can be
-    solved for the new variables; otherwise terms are added that leave the Hessian regular where the arguments are 0.
+    solved for the new variables; otherwise r sin(a_i) sin(b_j) is added, with an r that is less than half of each c_k.
+    One of the c_k is the number `smallest`, if that is given: the Hessian is nearly singular then.
     """
     kinds = draw(st.lists(st.sampled_from(list(types)), min_size=space.n, max_size=space.n))
     kind: int | tuple[int, ...] = tuple(kinds) if mixed and len(set(kinds)) > 1 else kinds[0]
     template = GeneratingFunction(space, kind, 0)
     old, new = template.old_arguments, template.new_arguments
-    F = sp.Add(*(draw(rationals()) * x * y for x, y in zip(old, new, strict=True)))
+    factors = [draw(rationals()) for _ in old]
+    if smallest is not None:
+        factors[draw(st.integers(0, space.n - 1))] = smallest
+    F = sp.Add(*(c * x * y for c, x, y in zip(factors, old, new, strict=True)))
     F += draw(functions(old, transcendental=not solvable)) if solvable else draw(functions(old))
     F += draw(polynomials(new, min_degree=2, max_degree=2, max_terms=2)) if solvable else draw(functions(new))
     if not solvable:
         x, y = draw(st.sampled_from(old)), draw(st.sampled_from(new))
-        F += draw(rationals()) * x**2 * y**2
+        F += min(map(abs, factors)) / draw(st.integers(3, 9)) * sp.sin(x) * sp.sin(y)
     return GeneratingFunction(space, kind, F)

@@ -1,0 +1,106 @@
+"""Laws checked of random objects, in one call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from hypothesis import HealthCheck, Phase, assume, given, settings
+from hypothesis import strategies as st
+
+from canon.errors import InputError
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.transformation import Transformation
+from canon.testing.laws import Law, assert_law
+from canon.testing.maps import canonical_maps
+from canon.testing.strategies import functions, generating_functions, phase_spaces
+
+Maker = Callable[[PhaseSpace], st.SearchStrategy[Any]]
+
+
+def simple_functions(space: PhaseSpace) -> st.SearchStrategy[Any]:
+    """Polynomials of the old variables: three of them may stand in one law."""
+    return functions(space.old, transcendental=False)
+
+
+def short_maps(space: PhaseSpace) -> st.SearchStrategy[Transformation]:
+    """Canonical maps of at most two factors."""
+    return canonical_maps(space, max_factors=2)
+
+
+MAKERS: Mapping[str, Maker] = {
+    "function": simple_functions,
+    "map": short_maps,
+    "generating function": generating_functions,
+}
+"""For each kind of object that a law may take, a strategy of such objects on a phase space."""
+
+
+def check_laws(
+    laws: Iterable[Law],
+    *,
+    spaces: st.SearchStrategy[PhaseSpace] | None = None,
+    makers: Mapping[str, Maker] | None = None,
+    max_examples: int = 10,
+    budget: float = 10.0,
+    derandomize: bool = True,
+) -> int:
+    """Check each law of random objects; objects for which a law can't be written down are passed over.
+
+    **Arguments:** the `laws`; a strategy of phase `spaces` (default: one or two degrees of freedom); `makers`, for each
+    kind of object a function from a phase space to a strategy, in place of canon's own ("function", "map", "generating
+    function"); `max_examples` for each law; `budget`, seconds for each residual. With `derandomize` each call draws the
+    same objects.
+
+    **Returns:** how many laws were checked. **Raises:** `AssertionError` for the first that fails, at a simple example.
+    """
+    chosen = {**MAKERS, **(makers or {})}
+    homes = phase_spaces(max_degrees=2) if spaces is None else spaces
+    count = 0
+    for law in laws:
+        unknown = [kind for kind in law.takes if kind not in chosen]
+        if unknown:
+            raise InputError(f"no strategy for {unknown[0]!r}, which the law {law.name!r} takes: give one in `makers`")
+        _check(law, homes, chosen, max_examples, budget, derandomize)
+        count += 1
+    return count
+
+
+def _check(
+    law: Law,
+    homes: st.SearchStrategy[PhaseSpace],
+    makers: Mapping[str, Maker],
+    max_examples: int,
+    budget: float,
+    derandomize: bool,
+) -> None:
+    @settings(
+        max_examples=max_examples if law.takes else 3,
+        deadline=None,
+        database=None,
+        derandomize=derandomize,
+        phases=(Phase.generate, Phase.shrink),
+        suppress_health_check=list(HealthCheck),
+    )
+    @given(st.data())
+    def holds(data: st.DataObject) -> None:
+        space = data.draw(homes)
+        objects = [_apart(data.draw(makers[kind](space)), k) for k, kind in enumerate(law.takes)]
+        try:
+            residuals = [*law.residuals(space, *objects)]
+        except InputError:
+            assume(False)
+            return
+        fixed = Law(law.name, law.says, law.takes, lambda *_: residuals)
+        assert_law(fixed, space, *objects, budget=budget)
+
+    holds()
+
+
+def _apart(made: Any, k: int) -> Any:
+    """The k-th map with new variables of its own, so that maps of one space can be composed."""
+    if not isinstance(made, Transformation) or made.direction != "forward":
+        return made
+    space = made.space
+    names = ([f"{x.name}_{k}" for x in side] for side in (space.Q, space.P))
+    return Transformation(space.with_new(tuple(names)), Q=made.Q, P=made.P)  # type: ignore[arg-type]

@@ -1,0 +1,108 @@
+"""The order of an integrator, measured above the rounding plateau, on a problem that is not linear.
+
+Many step sizes, the slope only where errors tell, and an independent reference if there is one: the habits of
+DiffEqDevTools.jl.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+from typing import Any, Final
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.testing.assertions import name_of
+
+Array = np.ndarray
+
+PLATEAU: Final = 1e4
+"""Differences of fewer roundings than this tell nothing about an order."""
+
+AFFINE: Final = 1e-12
+"""A step whose second differences are a smaller part of its values is taken to be linear."""
+
+
+def assert_order(
+    step: Callable[[Array, float], Any],
+    order: int,
+    *,
+    start: Sequence[float] | Array,
+    duration: float = 1.0,
+    steps: int = 8,
+    refinements: int = 5,
+    tolerance: float = 0.25,
+    exact: Sequence[float] | Array | None = None,
+    linear: bool = False,
+) -> float:
+    """An integrator's order, measured on the user's problem, is at least `order − tolerance`.
+
+    The problem is integrated over `duration` in `steps`, 2·`steps`, 4·`steps`, … steps. The order is the slope of the
+    errors, against `exact` or between neighbours (self-convergence), as long as these are above the rounding plateau.
+    A problem whose steps are linear is refused, unless `linear` says that it is meant: methods may be better than they
+    are on those.
+
+    **Arguments:** `step(z, h)`, one step from z. **Returns:** the order measured at the finest steps that tell.
+
+    **Raises:** `AssertionError` where it is less; `InputError` where too few errors are above the plateau, or the
+    problem is linear.
+    """
+    from canon.numeric.precision import double
+
+    point = np.asarray(start, dtype=float)
+    ends = []
+    with double():
+        if not linear and _is_affine(step, point, duration / steps):
+            raise InputError(
+                "the step is linear in z, and on linear problems methods may be better than they are: "
+                "take a non-linear one, or say linear=True"
+            )
+        for level in range(refinements + 1):
+            count = steps * 2**level
+            z: Any = point
+            for _ in range(count):
+                z = step(z, duration / count)
+            ends.append(np.asarray(z, dtype=float))
+    if not np.all(np.isfinite(ends)):
+        raise AssertionError(f"{name_of(step)} does not stay finite over the duration {duration:g}")
+    if exact is None:
+        errors = [float(np.linalg.norm(b - a)) for a, b in pairwise(ends)]
+    else:
+        errors = [float(np.linalg.norm(end - np.asarray(exact, dtype=float))) for end in ends]
+    plateau = PLATEAU * float(np.finfo(float).eps) * (1 + float(np.linalg.norm(ends[-1])))
+    telling = _telling(errors, plateau)
+    if len(telling) < 2:
+        raise InputError(
+            f"{len(telling)} errors are above the rounding plateau {plateau:.2g}, two are needed: take fewer steps"
+        )
+    measured = float(np.log2(telling[-2] / telling[-1]))
+    if measured < order - tolerance:
+        shown = ", ".join(f"{error:.3g}" for error in telling)
+        raise AssertionError(
+            f"{name_of(step)} has order {measured:.2f}, not {order}: at halved steps its errors are {shown}"
+        )
+    return measured
+
+
+def _telling(errors: Sequence[float], plateau: float) -> list[float]:
+    """The errors up to the first that is below the plateau."""
+    telling = []
+    for error in errors:
+        if error <= plateau:
+            break
+        telling.append(error)
+    return telling
+
+
+def _is_affine(step: Callable[[Array, float], Any], point: Array, h: float) -> bool:
+    """Whether second differences of a step vanish to rounding, over distances that are not small."""
+    rng = np.random.default_rng(0)
+    for _ in range(3):
+        a, b = rng.uniform(0.3, 1.0, (2, *point.shape)) * np.maximum(np.abs(point), 0.1)
+        corners = [np.asarray(step(z, h), dtype=float) for z in (point, point + a, point + b, point + a + b)]
+        second = corners[3] - corners[2] - corners[1] + corners[0]
+        size = max(float(np.abs(corner).max()) for corner in corners)
+        if not np.all(np.isfinite(second)) or float(np.abs(second).max()) > AFFINE * size:
+            return False
+    return True

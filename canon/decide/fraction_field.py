@@ -15,6 +15,8 @@ from canon.decide.tape import ONE, ZERO
 
 Element = tuple[Polynomial, dict[int, int]]
 MOST_REMEMBERED = 400
+FEW, SHORT = 2, 10
+"""Dividing a short polynomial in vain costs half of what a look at all its degrees does."""
 
 
 class FractionField:
@@ -46,15 +48,19 @@ class FractionField:
         """The remainder of p by the relations, from the top of the tower down."""
         if not self.relations or not p:
             return p
-        ring = self.ring
-        degrees = ring.degrees(p)
+        ring, degrees = self.ring, None
+        left = len(self.relations)
         for generator, degree, _, relation in reversed(self.relations):
-            if degrees[generator] >= degree:
-                ring.charge(len(p) * len(relation))
-                p = p % relation
-                if not p:
-                    return p
+            if degrees is None and (left > FEW or len(p) > SHORT):
                 degrees = ring.degrees(p)
+            left -= 1
+            if degrees is not None and degrees[generator] < degree:
+                continue
+            ring.charge(len(p) * len(relation))
+            p = p % relation
+            if not p:
+                return p
+            degrees = None
         return p
 
     def factor_number(self, f: Polynomial) -> int:
@@ -159,8 +165,7 @@ class FractionField:
         if exponent == 1:
             return x
         numerator, denominator = x
-        degrees = self.ring.degrees(numerator)
-        if not any(degrees[g] > 0 for g, *_ in self.relations):
+        if not self._is_algebraic(numerator):
             n = self.ring.power(numerator, exponent)
         else:
             n, base, k = None, numerator, exponent
@@ -171,6 +176,10 @@ class FractionField:
                 if k:
                     base = self.normal(self.ring.times(base, base))
         return n, {k: e * exponent for k, e in denominator.items()}
+
+    def _is_algebraic(self, p: Polynomial) -> bool:
+        degrees = self.ring.degrees(p) if self.relations else ()
+        return any(degrees[g] > 0 for g, *_ in self.relations)
 
     def combine(self, terms: Iterable[tuple[Fraction, Element]], constant: Fraction = ZERO) -> Element:
         """constant + Σ coefficient · element, over the least common denominator, with eager cancellation."""
@@ -221,8 +230,7 @@ class FractionField:
         """True when the factor contains no generator that has a relation."""
         known = self._free.get(k)
         if known is None:
-            degrees = self.ring.degrees(self.factors[k])
-            known = self._free[k] = not any(degrees[g] > 0 for g, *_ in self.relations)
+            known = self._free[k] = not self._is_algebraic(self.factors[k])
         return known
 
     def negative(self, x: Element) -> Element:

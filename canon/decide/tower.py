@@ -21,6 +21,8 @@ from canon.decide.tape import Node, Tape
 from canon.sign import declared
 
 KERNELS = "rfu"
+SPARE = 2
+"""Generators that a ring may have too many: to carry everything into a smaller one costs more."""
 
 
 class NeedSlots(Exception):
@@ -72,7 +74,7 @@ class Tower:
         self.known_signs: dict[Node, str] = {}
         kernels = sum(1 for i in self.need if tape.ops[i][0] in KERNELS)
         leaves = sum(1 for i in self.need if tape.ops[i][0] in "sc")
-        slots = leaves + min(2 * kernels, 24) + 6
+        slots = max(leaves, 1) + (min(kernels, 24) + SPARE if kernels else 0)
         while True:
             try:
                 self._build(slots)
@@ -240,12 +242,16 @@ class Tower:
 
     def compact(self, limit: float, budget: Budget) -> tuple[FractionField, dict[Node, Element]]:
         """The finished field with just as many generators as there are, and the kernels in it."""
-        size = max(len(self.generators), 1)
+        size = self.ring.size
+        if size - len(self.generators) > SPARE:
+            size = max(len(self.generators), 1)
         ring = Ring(size, limit, budget)
         field = FractionField(ring)
+        same = ring.context is self.ring.context
 
         def carried(p: Polynomial) -> Polynomial:
-            return p.project_to_context(ring.context)  # of generators that were never made nothing is dropped
+            # of generators that were never made nothing is dropped
+            return p if same else p.project_to_context(ring.context)
 
         for generator, degree, lower, _ in self.field.relations:
             field.relate(generator, degree, carried(lower))

@@ -7,7 +7,7 @@ dropped when it is made; one that can't hold anywhere is an `InputError` at once
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal
 
@@ -195,35 +195,56 @@ def function_conditions(
     raise InputError(f"{function} is not a function of the language")
 
 
-def conditions_of(expression: Any) -> tuple[Condition, ...]:
-    """Where a sympy expression is smooth, from its subexpressions as they stand.
+class Smoothness:
+    """Where sympy expressions are smooth, from their subexpressions as they stand; each is inspected once for all.
 
     What sympy has merged before it got here can't be seen: `x/x` arrives as 1.
-
-    **Raises:** `InputError` if that is nowhere, or if the expression isn't in the language: floats (write an exact
-    `Rational`), noncommutative symbols, `Piecewise`, integrals, infinities and so on.
     """
-    reality = Reality()
-    return unique(condition for node in _nodes(expression) for condition in _node_conditions(node, reality))
+
+    def __init__(self) -> None:
+        self._is_complex = Reality()
+        self._known: dict[Any, tuple[Condition, ...]] = {}
+
+    def __call__(self, expression: Any) -> tuple[Condition, ...]:
+        """The conditions of the expression, outermost first, each once.
+
+        **Raises:** `InputError` if it is smooth nowhere, or isn't in the language: floats (write an exact `Rational`),
+        noncommutative symbols, `Piecewise`, integrals, infinities and so on.
+        """
+        known = self._known
+        stack = [expression]
+        while stack:
+            node = stack[-1]
+            if node in known:
+                stack.pop()
+                continue
+            parts = node.args if node.__class__ in _COMMON else _parts(node)
+            try:
+                inner = [found for part in parts if (found := known[part])]
+            except KeyError:
+                stack.extend(reversed(parts))
+                continue
+            stack.pop()
+            own = () if node.__class__ in _EVERYWHERE else _node_conditions(node, self._is_complex)
+            known[node] = unique(own, *inner) if inner else own
+        return known[expression]
 
 
-def _nodes(expression: Any) -> Iterator[Any]:
-    """Every distinct subexpression once, bound variables of derivatives left out."""
-    seen: set[Any] = set()
-    stack: list[Any] = [expression]
-    while stack:
-        node = stack.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        yield node
-        if isinstance(node, sp.Subs):
-            stack.extend(node.args[2].args)
-            stack.extend(_nodes_to_substitute(node))
-        elif isinstance(node, sp.Derivative):
-            stack.append(node.expr)
-        else:
-            stack.extend(reversed(node.args))
+_EVERYWHERE: Final = frozenset((sp.Add, sp.Mul, sp.Integer, sp.Rational, *(type(sp.Integer(k)) for k in (-1, 0, 1))))
+_COMMON: Final = _EVERYWHERE | {sp.Pow, sp.Symbol}
+
+
+def conditions_of(*expressions: Any) -> tuple[Condition, ...]:
+    """Where sympy expressions are all smooth, from their subexpressions as they stand: see `Smoothness`."""
+    smoothness = Smoothness()
+    return unique(*(smoothness(expression) for expression in expressions))
+
+
+def _parts(node: Any) -> tuple[Any, ...]:
+    """The subexpressions that are evaluated where the node is, bound variables of derivatives left out."""
+    if isinstance(node, sp.Subs):
+        return (*node.args[2].args, *_nodes_to_substitute(node))
+    return (node.expr,) if isinstance(node, sp.Derivative) else node.args
 
 
 def _nodes_to_substitute(node: Any) -> list[Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -27,22 +27,32 @@ def load(tape: Tape, expression: sp.Basic | int) -> Node:
     """
     root = expression if isinstance(expression, sp.Basic) else sp.Integer(expression)
     memo = tape.loaded
-    stack: list[tuple[sp.Basic, bool]] = [(root, False)]
+    stack: list[sp.Basic] = [root]
     while stack:
-        item, ready = stack.pop()
+        item = stack[-1]
         if item in memo:
+            stack.pop()
             continue
-        whole = not item.args or isinstance(item, (sp.Derivative, sp.Subs))
-        if ready or whole:
-            memo[item] = _import(tape, item)
+        if isinstance(item, (sp.Derivative, sp.Subs)):
+            memo[stack.pop()] = _import(tape, item, ())
             continue
-        stack.append((item, True))
-        stack.extend((argument, False) for argument in item.args if argument not in memo)
+        try:
+            arguments = [memo[argument] for argument in item.args]
+        except KeyError:
+            stack.extend(argument for argument in item.args if argument not in memo)
+            continue
+        memo[stack.pop()] = _import(tape, item, arguments)
     return memo[root]
 
 
-def _import(tape: Tape, item: sp.Basic) -> Node:
-    memo = tape.loaded
+def _import(tape: Tape, item: sp.Basic, arguments: Sequence[Node]) -> Node:
+    """The node of the item, whose arguments are on the tape already."""
+    if isinstance(item, sp.Add):
+        return tape.add([(a, ONE) for a in arguments])
+    if isinstance(item, sp.Mul):
+        return tape.mul([(a, 1) for a in arguments])
+    if isinstance(item, sp.Pow):
+        return _import_power(tape, item, arguments)
     if isinstance(item, sp.Rational):
         return tape.number(Fraction(int(item.p), int(item.q)))
     if isinstance(item, sp.Symbol):
@@ -63,19 +73,12 @@ def _import(tape: Tape, item: sp.Basic) -> Node:
         points: Any = item.point
         pairs = zip(variables, points, strict=True)
         return substitute(tape, inner, {tape.symbol(s): load(tape, v) for s, v in pairs})
-    arguments = tuple(memo[a] for a in item.args)
-    if isinstance(item, sp.Add):
-        return tape.add([(a, ONE) for a in arguments])
-    if isinstance(item, sp.Mul):
-        return tape.mul([(a, 1) for a in arguments])
-    if isinstance(item, sp.Pow):
-        return _import_power(tape, item, arguments)
     if isinstance(item, AppliedUndef):
         if item.func.is_real is False or any(
             (item.is_positive, item.is_negative, item.is_nonnegative, item.is_integer)
         ):
             raise Unsupported(f"an arbitrary function with assumptions: {item.func}")
-        return tape.arbitrary(item.func.__name__, (0,) * len(arguments), arguments)
+        return tape.arbitrary(item.func.__name__, (0,) * len(arguments), tuple(arguments))
     name = DIRECT.get(item.func)
     if name is not None:
         return tape.call(name, *arguments)
@@ -85,7 +88,7 @@ def _import(tape: Tape, item: sp.Basic) -> Node:
     return rule(tape, *arguments)
 
 
-def _import_power(tape: Tape, item: sp.Pow, arguments: tuple[Node, ...]) -> Node:
+def _import_power(tape: Tape, item: sp.Pow, arguments: Sequence[Node]) -> Node:
     base: Any = item.base
     exponent: Any = item.exp
     if isinstance(exponent, sp.Integer):

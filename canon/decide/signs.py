@@ -37,40 +37,41 @@ def sign_of(tower: Tower, p: Polynomial) -> str | None:
 
 
 def _sign_anew(tower: Tower, p: Polynomial) -> str | None:
+    sign = sign_at_sight(tower, p)
+    if sign in ("pos", "neg") or any(g.sign == "cplx" for g in tower.used(p)):
+        return sign
+    return sign_by_rules(tower, p) or sign
+
+
+def sign_at_sight(tower: Tower, p: Polynomial) -> str | None:
+    """The sign of p where it is a known fact, or follows from its generators' signs term by term, else None."""
     for known, sign in tower.facts:
         if known == p:
             return sign
     total, strict = 0, False
     for monomial, coefficient in tower.ring.terms(p).items():
-        term, certain = (1 if coefficient > 0 else -1), True
+        term, certain = (1 if coefficient.numerator > 0 else -1), True
         for k, e in enumerate(monomial):
             if not e:
                 continue
             sign = tower.generators[k].sign
-            if sign == "cplx":
-                return None
             if sign == "pos":
                 continue
             if sign == "neg":
                 term = -term if e % 2 else term
                 continue
             certain = False
-            if e % 2 == 0 or sign == "nonneg":
+            if sign == "nonneg" or (e % 2 == 0 and sign != "cplx"):
                 continue
-            if sign == "nonpos":
-                term = -term
-                continue
-            return sign_by_rules(tower, p)
+            if sign != "nonpos":
+                return None
+            term = -term
         if total and term != total:
-            return sign_by_rules(tower, p)
+            return None
         total = term
         strict = strict or certain
     if not total:
         return None
-    if not strict:
-        better = sign_by_rules(tower, p)
-        if better is not None:
-            return better
     return ("pos" if strict else "nonneg") if total > 0 else ("neg" if strict else "nonpos")
 
 
@@ -122,9 +123,27 @@ def learn_positive(tower: Tower, elements: Sequence[Element]) -> None:
         for x in elements:
             if not x[0] or tower.is_complex(x):
                 continue
-            sign, _, _, unknown = classify(tower, x)
-            odd = [f for f, e in unknown if e % 2]
-            if len(odd) == 1:
-                add_fact(tower, odd[0] if sign > 0 else -odd[0], "pos")
+            lone = _lone_factor(tower, x)
+            if lone is not None:
+                add_fact(tower, lone, "pos")
         if len(tower.facts) == before:
             return
+
+
+def _lone_factor(tower: Tower, x: Element) -> Polynomial | None:
+    """The one factor of a positive x whose sign must be learned from it, with that sign made positive, else None.
+
+    Signs at sight first: what is said to be positive need not be shown to be, which may be much more work.
+    """
+    content, pieces = split(tower, x)
+    sign, unknown = (1 if content > 0 else -1), []
+    for f, e in pieces:
+        if e % 2:
+            s = sign_at_sight(tower, f)
+            if s is None:
+                unknown.append(f)
+            sign = -sign if s in DOWN else sign
+    if len(unknown) > 1:
+        sign, _, _, rest = classify(tower, x)
+        unknown = [f for f, e in rest if e % 2]
+    return (unknown[0] if sign > 0 else -unknown[0]) if len(unknown) == 1 else None

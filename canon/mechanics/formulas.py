@@ -6,7 +6,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from canon.domain import Condition, Domain, conditions_of
+from canon.domain import Condition, Domain, Smoothness
 from canon.errors import InputError
 from canon.expression import Formula
 
@@ -34,19 +34,25 @@ def as_expression(value: Expression, where: str = "") -> sp.Expr:
     return sp.Integer(value) if isinstance(value, int) else sp.Rational(value.numerator, value.denominator)
 
 
-def as_formula(value: Expression, where: str = "") -> Formula:
-    """`value` as a `Formula`; a plain expression gets the conditions that its own form shows."""
+def as_formula(value: Expression, where: str = "", smoothness: Smoothness | None = None) -> Formula:
+    """`value` as a `Formula`; a plain expression gets the conditions that its own form shows.
+
+    `smoothness` knows them of subexpressions that it has seen before.
+    """
     if isinstance(value, Formula):
         return value
     expression = as_expression(value, where)
-    return Formula(expression, tuple(conditions_of(expression)))
+    return Formula(expression, (smoothness or Smoothness())(expression))
 
 
-def as_formulas(values: Expression | Iterable[Expression], where: str = "") -> tuple[Formula, ...]:
+def as_formulas(
+    values: Expression | Iterable[Expression], where: str = "", smoothness: Smoothness | None = None
+) -> tuple[Formula, ...]:
     """Several of them; a single expression counts as a sequence of one."""
+    smoothness = smoothness or Smoothness()
     if isinstance(values, Formula | sp.Expr | int | Fraction):
-        return (as_formula(values, where),)
-    return tuple(as_formula(value, where) for value in values)
+        return (as_formula(values, where, smoothness),)
+    return tuple(as_formula(value, where, smoothness) for value in values)
 
 
 def check_symbols(formulas: Iterable[Formula], known: Mapping[str, sp.Symbol], where: str = "") -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 import sympy as sp
 
 from canon.claim import Claim
+from canon.domain import Smoothness
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols, substituted
@@ -72,8 +73,9 @@ class Transformation:
         p: Expression | Iterable[Expression] = (),
         generating_function: "GeneratingFunction | None" = None,
     ) -> None:
+        smoothness = Smoothness()
         formulas = {
-            name: as_formulas(value, f"transformation, {name}")
+            name: as_formulas(value, f"transformation, {name}", smoothness)
             for name, value in zip("QPqp", (Q, P, q, p), strict=True)
         }
         given = [name for name in "QPqp" if formulas[name]]

@@ -28,7 +28,7 @@ from canon.budget import Budget
 from canon.decide.ladder import vanish
 from canon.decide.region import Region
 from canon.decide.tape import Tape
-from canon.domain import conditions_of, unique
+from canon.domain import conditions_of
 
 BUDGET = 60.0
 ENOUGH = 4.0
@@ -47,7 +47,7 @@ def verdict(case: Case) -> tuple[str, str]:
         answer = verify(Transformation(space, Q=given.Q, P=given.P).canonical(), budget=BUDGET)
         return answer.status, answer.method
     tape = Tape()
-    domain = Domain(unique(*(conditions_of(residual) for residual in case.residuals)))
+    domain = Domain(conditions_of(*case.residuals))
     region = Region.of(tape, domain)
     answers = vanish(tape, [tape.load(residual) for residual in case.residuals], region, budget=Budget(BUDGET))
     states = {answer.status for answer in answers}

@@ -62,12 +62,15 @@ def _by_fractions(
     ops, last = tower.tape.ops, _last_uses(tower, nodes)
     for i in tower.tape.reach(nodes):
         if i not in values:
-            values[i] = _attempt(lambda i=i: combine(field, ops[i], values)) if _ready(tower, i, values) else None
+            try:
+                values[i] = combine(field, ops[i], values)
+            except (TooCostly, ZeroDivisionError, KeyError):
+                pass  # what was too costly, or needs what was, has no value
         for j in last.get(i, ()):
             if j not in kernels:
                 values.pop(j, None)
     for node in nodes:
-        value = values[node]
+        value = values.get(node)
         if value is None:
             continue
         remainder = _attempt(lambda value=value: (field.normal(value[0]), value[1]))

@@ -40,12 +40,11 @@ class Ring:
 
     def constant(self, value: Fraction | int) -> Polynomial:
         """A rational number as a polynomial."""
-        value = Fraction(value)
-        return self.context.constant(flint.fmpq(value.numerator, value.denominator))
+        return self.context.constant(flint.fmpq(*value.as_integer_ratio()))
 
     def scaled(self, p: Polynomial, value: Fraction) -> Polynomial:
         """value · p."""
-        return p * flint.fmpq(value.numerator, value.denominator)
+        return p * flint.fmpq(*value.as_integer_ratio())
 
     def charge(self, cost: float) -> None:
         """Book a cost in term products; raises TooCostly beyond the limit, BudgetExceeded beyond the time."""
@@ -79,7 +78,7 @@ class Ring:
 
     def polynomial(self, terms: dict[Monomial, Fraction]) -> Polynomial:
         """The polynomial of these coefficients."""
-        return self.context.from_dict({m[::-1]: flint.fmpq(c.numerator, c.denominator) for m, c in terms.items()})
+        return self.context.from_dict({m[::-1]: flint.fmpq(*c.as_integer_ratio()) for m, c in terms.items()})
 
     def factor(self, p: Polynomial) -> tuple[Fraction, list[tuple[Polynomial, int]]]:
         """Content and irreducible factors over Q."""

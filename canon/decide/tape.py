@@ -54,13 +54,15 @@ class Tape:
 
     # -- leaves -----------------------------------------------------------------------------
 
-    def make(self, key: tuple[Any, ...]) -> Node:
-        """The node of this operation, new or old."""
+    def make(self, op: tuple[Any, ...], key: tuple[Any, ...] | None = None) -> Node:
+        """The node of this operation, new or old; `key` stands for the operation where that is quicker to look up."""
+        if key is None:
+            key = op
         node = self._memo.get(key)
         if node is None:
             node = len(self.ops)
-            self.ops.append(key)
-            self._arguments.append(_arguments(key))
+            self.ops.append(op)
+            self._arguments.append(_arguments(op))
             self._memo[key] = node
         return node
 
@@ -113,7 +115,9 @@ class Tape:
         if len(kept) == 1 and not constant and kept[0][1] == 1:
             return kept[0][0]
         kept.sort()
-        return self.make(("+", constant if type(constant) is Fraction else Fraction(constant), tuple(kept)))
+        constant = constant if type(constant) is Fraction else Fraction(constant)
+        key = ("+", constant.as_integer_ratio(), *[(node, *c.as_integer_ratio()) for node, c in kept])
+        return self.make(("+", constant, tuple(kept)), key)  # a hash of integers is quicker than one of fractions
 
     def mul(self, factors: Iterable[tuple[Node, int]], coefficient: Fraction | int = 1) -> Node:
         """The power product coefficient · Π node ** exponent (integer exponents).

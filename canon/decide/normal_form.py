@@ -6,6 +6,7 @@ formulas take there. A numerator that doesn't is no refutation.
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -62,10 +63,9 @@ def _by_fractions(
     ops, last = tower.tape.ops, _last_uses(tower, nodes)
     for i in tower.tape.reach(nodes):
         if i not in values:
-            try:
+            # what is too costly, or needs what was, has no value
+            with contextlib.suppress(TooCostly, ZeroDivisionError, KeyError):
                 values[i] = combine(field, ops[i], values)
-            except (TooCostly, ZeroDivisionError, KeyError):
-                pass  # what was too costly, or needs what was, has no value
         for j in last.get(i, ()):
             if j not in kernels:
                 values.pop(j, None)

@@ -97,6 +97,11 @@ def _angle(tower: Tower, b: Element) -> Pair:
         if tower.field.equal(b, known):
             return pair
     constant = tower.is_constant(b)
+    if _is_whole_turn(tower, b):
+        c = tower.generator("cos", "real", b, relation=(2, tower.ring.one))
+        pair = tower.element(c), tower.field.constant(0)
+        table.append((b, pair))
+        return pair
     if tower.is_complex(b):
         c_sign = s_sign = "cplx"
     else:
@@ -108,6 +113,21 @@ def _angle(tower: Tower, b: Element) -> Pair:
     pair = tower.element(c), tower.element(s)
     table.append((b, pair))
     return pair
+
+
+def _is_whole_turn(tower: Tower, b: Element) -> bool:
+    """True for π times a polynomial with whole coefficients in integer names: its sine is 0, its cosine ±1."""
+    if b[1] or not b[0]:
+        return False
+    for monomial, coefficient in tower.ring.terms(b[0]).items():
+        made = [(tower.generators[k], e) for k, e in enumerate(monomial) if e]
+        turns = [e for g, e in made if g.kind == "pi"]
+        names = [g.data for g, _ in made if g.kind == "symbol"]
+        if turns != [1] or len(names) + 1 != len(made) or coefficient.denominator != 1:
+            return False
+        if not names or not all(tower.tape.symbol_at(n).is_integer for n in names):
+            return False
+    return True
 
 
 def _interval(tower: Tower, b: Element) -> Interval:

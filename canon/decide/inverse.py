@@ -34,6 +34,10 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
         return jacobi_kernels.function(tower, name, arguments[0], arguments[1])
     if name not in REAL_KERNELS:
         raise Unsupported(f"no exact argument about {name}")
+    if name == "lambertw":
+        inverse = _lambertw(tower, arguments[0])
+        if inverse is not None:
+            return inverse
     if name == "gamma":
         return _gamma(tower, arguments[0])
     flipped = name in ODD and bool(arguments[0][0]) and tower.ring.leading(arguments[0][0]) < 0
@@ -58,7 +62,7 @@ def _gamma(tower: Tower, x: Element) -> Element:
     if x[1] or shift == 0 or abs(shift) > FARTHEST_SHIFT:
         shift = 0
     y = field.combine([(ONE, x)], Fraction(-shift))
-    known = _find(tower, "gamma", [y])
+    known = (_reflected(tower, y) if shift else None) or _doubled(tower, y) or _find(tower, "gamma", [y])
     if known is None:
         known = tower.element(_made(tower, "gamma", "real", [y], tower.is_constant(y)))
     steps = [field.combine([(ONE, y)], Fraction(k)) for k in (range(shift) if shift > 0 else range(shift, 0))]
@@ -71,21 +75,61 @@ def _gamma(tower: Tower, x: Element) -> Element:
 def _reflected(tower: Tower, x: Element) -> Element | None:
     """Γ(x) = π/(sin(πz)·Γ(z)), z = 1 − x, where x falls with its leading symbol (DLMF 5.5.3).
 
-    sin(πz) must vanish on a null set only, so x has to vary with symbols that aren't integers.
+    sin(πz) must vanish on a null set only, so x has to vary with symbols that aren't integers; or to be a number
+    between 1/2 and 1.
     """
     field, ring = tower.field, tower.ring
-    if x[1] or x[0].is_constant() or ring.leading(x[0]) > 0:
+    if x[1] or not x[0]:
+        return None
+    if x[0].is_constant():
+        if not Fraction(1, 2) < ring.leading(x[0]) < 1:
+            return None
+    elif ring.leading(x[0]) > 0:
         return None
     if any(g.kind != "symbol" or tower.tape.symbol_at(g.data).is_integer for g in tower.used(x[0])):
         return None
     from canon.decide.angles import cosines_and_sines
 
-    pi = next((g for g in tower.generators if g.kind == "pi"), None)
-    if pi is None:
-        pi = tower.generator("pi", "pos", None, constant=True)
+    pi = _pi(tower)
     z = field.combine([(-ONE, x)], ONE)
-    ((_, sine),) = cosines_and_sines(tower, [field.product([tower.element(pi), z])])
-    return field.product([tower.element(pi), field.inverse(field.product([sine, _gamma(tower, z)]))])
+    ((_, sine),) = cosines_and_sines(tower, [field.product([pi, z])])
+    return field.product([pi, field.inverse(field.product([sine, _gamma(tower, z)]))])
+
+
+def _doubled(tower: Tower, y: Element) -> Element | None:
+    """Γ(2x) = 2**(2x−1) Γ(x) Γ(x+1/2) / √π where y = 2x varies by even multiples of its generators (DLMF 5.5.5)."""
+    field, ring = tower.field, tower.ring
+    if y[1] or not y[0] or y[0].is_constant():
+        return None
+    if any(c.denominator != 1 or c % 2 for m, c in ring.terms(y[0]).items() if any(m)):
+        return None
+    from canon.decide.exponentials import exponential, log_of_factor
+    from canon.decide.radicals import power
+
+    log = log_of_factor(tower, ring.constant(2))
+    (factor,) = exponential(tower, [field.product([field.combine([(ONE, y)], -ONE), log])])
+    root = power(tower, _pi(tower), Fraction(1, 2))
+    parts = [_gamma(tower, field.combine([(Fraction(1, 2), y)], shift)) for shift in (Fraction(0), Fraction(1, 2))]
+    return field.product([factor, *parts, field.inverse(root)])
+
+
+def _pi(tower: Tower) -> Element:
+    pi = next((g for g in tower.generators if g.kind == "pi"), None)
+    return tower.element(pi if pi is not None else tower.generator("pi", "pos", None, constant=True))
+
+
+def _lambertw(tower: Tower, x: Element) -> Element | None:
+    """W(y exp y) = y for y > −1 (DLMF 4.13.1: the principal branch is the inverse there)."""
+    field = tower.field
+    from canon.decide.signs import classify
+
+    for _, made in tower.memory.get("exponentials", []):
+        for times in (1, 2, 3, 4):
+            y = field.combine([(Fraction(times), made.data)])
+            if field.equal(x, field.product([y, field.power(tower.element(made), times)])):
+                sign, _, known, unknown = classify(tower, field.combine([(ONE, y)], ONE))
+                return y if sign > 0 and not unknown and all(_strict(tower, f) for f, _ in known) else None
+    return None
 
 
 def arbitrary(tower: Tower, name: str, orders: tuple[int, ...], arguments: Sequence[Element]) -> Element:

@@ -80,6 +80,8 @@ def _import(tape: Tape, item: sp.Basic, arguments: Sequence[Node]) -> Node:
             raise Unsupported(f"an arbitrary function with assumptions: {item.func}")
         return tape.arbitrary(item.func.__name__, (0,) * len(arguments), tuple(arguments))
     name = DIRECT.get(item.func)
+    if name in COMPLEX and tape.is_complex(arguments[0]):
+        return COMPLEX[name](tape, arguments[0])
     if name is not None:
         return tape.call(name, *arguments)
     rule = RULES.get(item.func.__name__)
@@ -204,6 +206,30 @@ def _acosh(tape: Tape, u: Node) -> Node:
 def _atanh(tape: Tape, u: Node) -> Node:
     over, under = tape.add(((u, ONE),), 1), tape.add(((u, -ONE),), 1)
     return tape.add(((tape.call("log", over), HALF), (tape.call("log", under), -HALF)))
+
+
+def _complex_asin(tape: Tape, u: Node) -> Node:
+    """−i log(iu + √(1 − u²)), principal value (DLMF 4.23.19)."""
+    unit = tape.constant("I")
+    root = tape.sqrt(tape.add(((tape.power(u, 2), -ONE),), 1))
+    return tape.negative(tape.times(unit, tape.call("log", tape.plus(tape.times(unit, u), root))))
+
+
+def _complex_acos(tape: Tape, u: Node) -> Node:
+    return tape.add(((tape.constant("pi"), HALF), (_complex_asin(tape, u), -ONE)))
+
+
+def _complex_atan(tape: Tape, u: Node) -> Node:
+    """(i/2)·[log(1 − iu) − log(1 + iu)], principal value (DLMF 4.23.26)."""
+    unit = tape.constant("I")
+    turned = tape.times(unit, u)
+    above, below = (tape.call("log", tape.add(((turned, sign),), 1)) for sign in (-ONE, ONE))
+    return tape.scaled(tape.times(unit, tape.minus(above, below)), HALF)
+
+
+COMPLEX: dict[str, Callable[[Tape, Node], Node]] = {
+    "asin": _complex_asin, "acos": _complex_acos, "atan": _complex_atan,
+}  # fmt: skip
 
 
 def _elliptic_e(tape: Tape, *arguments: Node) -> Node:

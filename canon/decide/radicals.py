@@ -59,7 +59,7 @@ def factor_power(tower: Tower, f: Polynomial, exponent: Fraction) -> Element:
         order = prime**height
         share = exponent.numerator * pow(exponent.denominator // order, -1, order) % order
         rest -= Fraction(share, order)
-        base = _alias(tower, f) if order == 2 else None
+        base = _alias(tower, f, prime) if height == 1 else None
         if base is None:
             base = tower.element(root_generator(tower, f, prime, height))
         parts.append(field.power(base, share))
@@ -84,16 +84,19 @@ def root_generator(tower: Tower, f: Polynomial, prime: int, height: int) -> Gene
     return made
 
 
-def _alias(tower: Tower, f: Polynomial) -> Element | None:
-    """√f as |s| / √g where f·g = s² by the relations for a radical √g that is there already."""
+def _alias(tower: Tower, f: Polynomial, prime: int) -> Element | None:
+    """f ** (1/p) as s / g ** (1/p) where f·g = s**p by the relations for a root of g that is there already.
+
+    For p = 2 it is |s|; for odd p, s is positive as f and g are.
+    """
     if f.is_constant():
         return None
     ring, field = tower.ring, tower.field
-    roots = [e for e in tower.memory.get("roots", []) if e[1:3] == (2, 1) and not e[0].is_constant()]
+    roots = [e for e in tower.memory.get("roots", []) if e[1:3] == (prime, 1) and not e[0].is_constant()]
     if any(entry[0] == f for entry in roots):
         return None
-    for known, element in tower.memory.setdefault("aliases", []):
-        if known == f:
+    for known, order, element in tower.memory.setdefault("aliases", []):
+        if order == prime and known == f:
             return element
     for radicand, _, _, made in roots:
         try:
@@ -102,13 +105,29 @@ def _alias(tower: Tower, f: Polynomial) -> Element | None:
             continue
         if not product or len(product) > 200:
             continue
-        side = ring.square_root(product)
+        side = _exact_root(tower, product, prime)
         if side is None:
             continue
-        element = field.product([absolute(tower, (side, {})), field.inverse(tower.element(made))])
-        tower.memory["aliases"].append((f, element))
+        element = field.product([side, field.inverse(tower.element(made))])
+        tower.memory["aliases"].append((f, prime, element))
         return element
     return None
+
+
+def _exact_root(tower: Tower, p: Polynomial, prime: int) -> Element | None:
+    """The positive p-th root of a positive polynomial that is a p-th power over Q, else None."""
+    ring = tower.ring
+    if prime == 2:
+        side = ring.square_root(p)
+        return None if side is None else absolute(tower, (side, {}))
+    if any(degree % prime for degree in ring.degrees(p)):
+        return None
+    content, pieces = ring.factor(p)
+    if any(e % prime for _, e in pieces):
+        return None
+    parts = [factor_power(tower, ring.constant(q), Fraction(e, prime)) for q, e in _primes(abs(content))]
+    sign = tower.field.constant(1 if content > 0 else -1)
+    return tower.field.product([sign, *parts, *(((f, {})) for f, e in pieces for _ in range(e // prime))])
 
 
 def group_power(tower: Tower, sign: int, factors: list[tuple[Polynomial, int]], exponent: Fraction) -> Element:

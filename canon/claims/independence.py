@@ -9,6 +9,7 @@ free of radicals up to sign and divisible by f; so f vanishes on no open set, wh
 
 from __future__ import annotations
 
+import contextlib
 import random
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -23,7 +24,7 @@ from canon.claims.bracket import keys_domain, tensor_of
 from canon.claims.determinant import determinant
 from canon.claims.outcome import Outcome, combined, merged
 from canon.claims.scale import never_zero
-from canon.claims.show import is_short
+from canon.claims.show import SHORT, is_short
 from canon.decide.derivative import derivative, substitute
 from canon.decide.nowhere_zero import has_no_zero, nonzero_on_every_cell
 from canon.decide.tape import Node, Tape, Unsupported
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 
 MOST_MINORS = 400
 FEW_MINORS = 70
+FEW_SLOW = 8
 MOST_RADICALS = 3
 MEROMORPHIC = ("sin", "cos", "exp")
 COMPONENTS = "an analytic function that is not zero at one point of a connected set vanishes on no open part of it"
@@ -86,6 +88,7 @@ def full_rank(
     vanishing: list[Outcome] = []
     open_questions: list[str] = []
     fallback: Outcome | None = None
+    nonzero: list[tuple[Node, str, Answer, Region, Sequence[Node] | None, Chart]] = []
     for columns, minor in islice(minors, MOST_MINORS):
         name = ", ".join(str(tape.symbol_at(variables[c])) for c in columns)
         if tape.value(minor) == 0:
@@ -99,10 +102,18 @@ def full_rank(
         if answer.status != "proved":
             open_questions.append(f"is the minor {name} identically zero?")
             continue
-        ranked = _ranked(question, minor, name, answer, region, variables if everywhere else None, chart)
+        found = minor, name, answer, region, variables if everywhere else None, chart
+        ranked = _ranked(question, *found, quick=True)
         if ranked.status == "proved" or question.method == "numeric":
             return ranked
+        nonzero.append(found)
+    for found in nonzero[:FEW_SLOW]:
+        ranked = _ranked(question, *found, quick=False)
+        if ranked.status == "proved":
+            return ranked
         fallback = fallback or ranked
+        if question.budget.spent():
+            break
     if fallback is not None:
         return _dependent_somewhere(question, rows, region, chart, variables if everywhere else None) or fallback
     if open_questions or next(minors, None) is not None:
@@ -143,9 +154,20 @@ def _ranked(
     region: Region,
     everywhere: Sequence[Node] | None,
     chart: Chart,
+    *,
+    quick: bool,
 ) -> Outcome:
-    """What a minor that doesn't vanish at one point says (`everywhere`: of the whole domain, in these variables)."""
+    """What a minor that doesn't vanish at one point says (`everywhere`: of the whole domain, in these variables).
+
+    `quick`: by its values at a few points alone.
+    """
     tape, witness = question.tape, answer.witness
+    fixed = frozenset(tape.support(minor) & _parameters(question, everywhere))
+    conditions = question.domain().conditions
+    exact = question.method != "numeric" and not (region.surface and everywhere is not None)
+    shown = exact and not_zero_for_any_parameters(tape, minor, fixed, conditions, quick=quick)
+    if exact and quick and not shown:
+        return Outcome("supported")
     numeric = answer.numeric if everywhere is not None else None
     point = witness.as_table() if witness is not None else {}
     detail = {"minor": f"det d(functions)/d({name})", "nonzero_at": point}
@@ -155,12 +177,10 @@ def _ranked(
     if region.surface and everywhere is not None:
         note = "full rank at one point of the surface; nothing is shown of its other components"
         return Outcome("supported", method="witness", numeric=numeric, detail=detail, note=note)
-    fixed = frozenset(tape.support(minor) & _parameters(question, everywhere))
-    conditions = question.domain().conditions
     arguments = ({**step, "theorem": THEOREM},)
     method = "minor, analytic continuation"
     proved = Outcome("proved", method=method, numeric=numeric, detail=detail, arguments=arguments)
-    if not_zero_for_any_parameters(tape, minor, fixed, conditions):
+    if shown:
         return proved
     pulled = chart.pull(minor)
     if has_no_zero(tape, pulled, region, question.budget):
@@ -192,19 +212,49 @@ def _harmless(tape: Tape, minor: Node, fixed: frozenset[Node], conditions: Seque
 
 
 def not_zero_for_any_parameters(
-    tape: Tape, node: Node, parameters: frozenset[Node], conditions: Sequence[Condition]
+    tape: Tape, node: Node, parameters: frozenset[Node], conditions: Sequence[Condition], *, quick: bool = False
 ) -> bool:
-    """For all values of the parameters, the node is not identically zero on any open set of its other variables."""
+    """For all values of the parameters, the node is not identically zero on any open set of its other variables.
+
+    `quick`: a long formula isn't expanded for it.
+    """
     if tape.functions_of([node]):
         return False
     try:
         branches = list(_branches(tape, node, parameters))
     except Unsupported:
         return False
-    variables = sorted(tape.support(node) - parameters)
-    if len(branches) == 1 and _has_a_constant_coefficient(tape, node, variables, conditions):
+    variables, short = sorted(tape.support(node) - parameters), is_short(tape, node, SHORT)
+    if short and len(branches) == 1 and _has_a_constant_coefficient(tape, node, variables, conditions):
         return True
-    return any(all(_never_zero_at(tape, b, variables, place, conditions) for b in branches) for place in PLACES)
+    values = [[_value_at(tape, branch, variables, place) for branch in branches] for place in PLACES]
+    if any(all(v is not None and never_zero(v, conditions) for v in there) for there in values):
+        return True
+    if all(_without_common_zero([there[k] for there in values], conditions) for k in range(len(branches))):
+        return True
+    return (
+        not (short or quick) and len(branches) == 1 and _has_a_constant_coefficient(tape, node, variables, conditions)
+    )
+
+
+def _without_common_zero(values: Sequence[sp.Expr | None], conditions: Sequence[Condition]) -> bool:
+    """The values at several points, polynomials over Q in one parameter, have no common zero."""
+    found: list[sp.Poly] = []
+    for value in values:
+        if value is None:
+            continue
+        above, below = sp.fraction(sp.together(value))
+        names = sorted(above.free_symbols, key=str)
+        if below.free_symbols or len(names) != 1 or (found and found[0].gens != tuple(names)):
+            continue
+        with contextlib.suppress(sp.PolynomialError, sp.CoercionFailed):
+            found.append(sp.Poly(above, *names, domain=sp.QQ))
+    if len(found) < 2:
+        return False
+    common = found[0]
+    for value in found[1:]:
+        common = sp.gcd(common, value)
+    return never_zero(common.as_expr(), conditions)
 
 
 def _has_a_constant_coefficient(
@@ -219,22 +269,21 @@ def _has_a_constant_coefficient(
         coefficients = sp.Poly(sp.expand(numerator), *symbols).coeffs()
     except sp.PolynomialError:
         return False
-    return any(never_zero(c, conditions) for c in coefficients)
+    different = dict.fromkeys(c.as_coeff_Mul()[1] for c in coefficients)
+    return any(never_zero(c, conditions) for c in different)
 
 
-def _never_zero_at(
-    tape: Tape, node: Node, variables: Sequence[Node], place: Sequence[Fraction], conditions: Sequence[Condition]
-) -> bool:
-    """The value at a point, as a function of the parameters, has no zero."""
+def _value_at(tape: Tape, node: Node, variables: Sequence[Node], place: Sequence[Fraction]) -> sp.Expr | None:
+    """The value at a point as a formula in the parameters, or None where it is long or isn't defined."""
     values = {x: tape.number(place[k % len(place)]) for k, x in enumerate(variables)}
     try:
         value = substitute(tape, node, values)
     except InputError:
-        return False
+        return None
     if not is_short(tape, value):
-        return False
+        return None
     there = tape.to_sympy(value)
-    return not there.has(sp.zoo, sp.nan, sp.oo) and never_zero(there, conditions)
+    return None if there.has(sp.zoo, sp.nan, sp.oo) else there
 
 
 def _branches(tape: Tape, node: Node, parameters: frozenset[Node]) -> Iterator[Node]:

@@ -16,6 +16,7 @@ import sympy as sp
 
 from canon.budget import BudgetExceeded
 from canon.claims.outcome import Outcome, exact
+from canon.claims.potential import verified_potential
 from canon.decide.cells import cells_of, definite_sign
 from canon.decide.contractible import is_sum_of_squares, loops_contract
 from canon.decide.intervals import intervals_of
@@ -28,29 +29,51 @@ from canon.errors import InputError
 if TYPE_CHECKING:
     from canon.claims.question import Question
 
+FEW_LOOPS, MANY_LOOPS = 6, 60
 STOKES = "the integral of an exact form round a closed loop is 0"
 
 
-def exact_throughout(
-    question: Question, closed: Outcome, slopes: Mapping[Node, Node], potential: sp.Expr | None, region: Region
-) -> Outcome:
-    """What is known of the form Σ slope · d(coordinate), shown to be `closed`, and a `potential` of it, if any."""
+def exact_throughout(question: Question, closed: Outcome, slopes: Mapping[Node, Node], region: Region) -> Outcome:
+    """What is known of the form Σ slope · d(coordinate), which was shown to be `closed`.
+
+    A few loops are looked at before a potential is searched for, which may take long and be found on part of the domain
+    only; many more after it.
+    """
+    theorem = _theorem(question, slopes, region)
+    if theorem is None:
+        refuted = _by_a_loop(question, slopes, region, FEW_LOOPS)
+        if refuted is not None:
+            return refuted
+    potential = verified_potential(question, list(slopes.values()), list(slopes), region)
     outcome = closed.with_detail(potential=None if potential is None else str(potential))
     if potential is not None and smooth_throughout(question, potential, region):
         return outcome
+    if theorem is not None:
+        return _by_theorem(outcome, theorem)
+    refuted = _by_a_loop(question, slopes, region, MANY_LOOPS)
+    return refuted or outcome.with_status(
+        "supported", "the form is closed; that it is exact on all of the domain isn't shown"
+    )
+
+
+def _theorem(question: Question, slopes: Mapping[Node, Node], region: Region) -> str | None:
+    """Why every closed form on the region is exact, if that is shown."""
     if loops_contract(question.tape, region, list(slopes), question.budget):
-        return _by_theorem(outcome, "every loop in the domain can be contracted")
-    if in_convex_pieces(question, region):
-        return _by_theorem(outcome, "Poincare's lemma on convex pieces")
-    budget = question.budget.share(0.5)
+        return "every loop in the domain can be contracted"
+    return "Poincare's lemma on convex pieces" if in_convex_pieces(question, region) else None
+
+
+def _by_a_loop(question: Question, slopes: Mapping[Node, Node], region: Region, most: int) -> Outcome | None:
+    """A refutation by a loop with a period, among so many."""
+    budget, rng = question.budget.share(0.5), random.Random(question.seed)
     try:
-        found = circulation(question.tape, slopes, region, random.Random(question.seed), budget)
+        found = circulation(question.tape, slopes, region, rng, budget, most)
     except BudgetExceeded:
-        found = None
-    if found is not None:
-        loop, value = found.loop.describe(question.tape), found.value.str(12, radius=False)
-        return exact("refuted", STOKES, loop=loop, loop_integral=value)
-    return outcome.with_status("supported", "the form is closed; that it is exact on all of the domain isn't shown")
+        return None
+    if found is None:
+        return None
+    loop, value = found.loop.describe(question.tape), found.value.str(12, radius=False)
+    return exact("refuted", STOKES, loop=loop, loop_integral=value)
 
 
 def _by_theorem(outcome: Outcome, theorem: str) -> Outcome:

@@ -133,11 +133,9 @@ def cartan_invariant(question: Question) -> Outcome:
     if outcome.status != "proved" or question.method == "numeric":
         return outcome
     from canon.claims.exactness import exact_throughout
-    from canon.claims.potential import cartan_slopes, verified_potential
+    from canon.claims.potential import cartan_slopes
 
-    slopes = cartan_slopes(question, question.load(H), question.load(K))
-    potential = verified_potential(question, list(slopes.values()), list(slopes), region)
-    return exact_throughout(question, outcome, slopes, potential, region)
+    return exact_throughout(question, outcome, cartan_slopes(question, question.load(H), question.load(K)), region)
 
 
 def _singular(question: Question) -> Outcome | None:

@@ -13,7 +13,7 @@ import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, islice
 
 from flint import acb, arb
 
@@ -27,7 +27,6 @@ from canon.decide.tape import Node, Tape, Unsupported
 
 BITS = 64
 POINTS = 3
-MOST_LOOPS = 60
 PIECES = 1024
 EVALUATIONS = 4000
 SIZES = (1.0, 1 / 3, 1 / 12, 2.0, 6.0)
@@ -78,12 +77,12 @@ class Circulation:
 
 
 def circulation(
-    tape: Tape, slopes: Mapping[Node, Node], region: Region, rng: random.Random, budget: Budget
+    tape: Tape, slopes: Mapping[Node, Node], region: Region, rng: random.Random, budget: Budget, most: int = 60
 ) -> Circulation | None:
-    """A loop in the region round which the form Σ slope · d(coordinate) has an integral other than 0; None unfound."""
+    """A loop in the region round which the form Σ slope · d(coordinate) has an integral other than 0, among `most`."""
     if region.surface or any(tape.is_complex(node) for node in slopes.values()):
         return None
-    for loop in _loops(tape, list(slopes), list(slopes.values()), region, rng, budget):
+    for loop in islice(_loops(tape, list(slopes), list(slopes.values()), region, rng, budget), most):
         budget.check()
         if not _inside(tape, loop, region, budget):
             continue
@@ -159,16 +158,11 @@ def _loops(
         if requirement.kind in ("positive", "nonzero")
         for node in _factors(tape, requirement.nodes[0])
     ]
-    made = 0
     for place in samples(tape, targets, region, rng, count=POINTS, tries=20, budget=budget):
         for wall in dict.fromkeys(walls):
             for plane in combinations([v for v in movable if v in tape.support(wall)], 2):
                 centre, curvature = _critical_point(tape, wall, plane, place)
-                for loop in _round(place, plane, centre, curvature):
-                    made += 1
-                    yield loop
-                if made > MOST_LOOPS:
-                    return
+                yield from _round(place, plane, centre, curvature)
 
 
 def _factors(tape: Tape, node: Node) -> list[Node]:

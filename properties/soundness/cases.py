@@ -4,42 +4,35 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any
 
 import mpmath as mp
 
 from properties.soundness import oracle
-from properties.soundness.formula import DIGITS, Formula, Outside, TooLarge, call, names, of, value, variable
+from properties.soundness.dynamics import DYNAMICS
+from properties.soundness.formula import DIGITS, Formula, Outside, call, names, of, value, variable
 from properties.soundness.identities import Equation, equation
+from properties.soundness.invariants import INVARIANTS
 from properties.soundness.maps import Map, canonical_map, pick, slope, smooth
 from properties.soundness.mutants import NEAR, mutant
-
-
-@dataclass(frozen=True)
-class Case:
-    """A claim as the text of a file.
-
-    **Arguments:** `truth`, True by construction, False with a witness of the oracle's, None where it isn't known;
-    `confirm`, whether the claim fails at a point, recomputed by mpmath (None where that can't be said).
-    """
-
-    family: str
-    text: str
-    truth: bool | None
-    note: str = ""
-    confirm: Callable[[Mapping[str, Any]], bool | None] = field(default=lambda point: None, compare=False)
+from properties.soundness.series import SERIES
+from properties.soundness.truth import Case, gap, numbers
 
 
 def case(seed: int) -> Case | None:
     """The case of a seed; None where the draw is no claim (an equation that is defined nowhere)."""
     rng = random.Random(seed)
-    family = rng.choice(("map",) * 5 + ("mutant",) * 6 + ("identity",) * 7 + ("generating", "surface", "bracket"))
-    return {
+    own = ("map",) * 5 + ("mutant",) * 6 + ("identity",) * 7 + ("generating", "surface", "bracket")
+    family = rng.choice((*own, *KINDS_OF_CLAIMS))
+    made = {
         "map": _true_map, "mutant": _mutant, "identity": _identity, "generating": _generating, "surface": _surface,
-        "bracket": _bracket,
-    }[family](rng)  # fmt: skip
+        "bracket": _bracket, **KINDS_OF_CLAIMS,
+    }  # fmt: skip
+    return made[family](rng)
+
+
+KINDS_OF_CLAIMS: dict[str, Callable[[random.Random], Case | None]] = {**DYNAMICS, **SERIES, **INVARIANTS}
 
 
 # -- maps -----------------------------------------------------------------------------------------
@@ -109,7 +102,7 @@ def _true_map(rng: random.Random) -> Case:
 def _defect(made: Map, functions: tuple[Formula, ...], scale: Any) -> Callable[[Mapping[str, Any]], bool | None]:
     def confirm(point: Mapping[str, Any]) -> bool | None:
         with mp.workdps(DIGITS):
-            place = _numbers(point)
+            place = numbers(point)
             if place is None or not {*made.variables} <= set(place) or "potential" in made.factors:
                 return None
             place.setdefault("a", mp.mpf(1))
@@ -120,27 +113,6 @@ def _defect(made: Map, functions: tuple[Formula, ...], scale: Any) -> Callable[[
                 return None
 
     return confirm
-
-
-def _numbers(point: Mapping[str, Any]) -> dict[str, Any] | None:
-    """A witness's table as numbers."""
-    out: dict[str, Any] = {}
-    for name, text in point.items():
-        try:
-            if isinstance(text, Mapping):
-                out[name] = mp.mpc(_number(text["re"]), _number(text["im"]))
-            else:
-                out[name] = _number(text)
-        except ValueError:
-            continue
-    return out
-
-
-def _number(text: Any) -> Any:
-    if "." in str(text):
-        return mp.mpf(str(text))
-    fraction = Fraction(str(text))
-    return mp.mpf(fraction.numerator) / fraction.denominator
 
 
 def _mutant(rng: random.Random) -> Case | None:
@@ -215,34 +187,7 @@ def _identity(rng: random.Random) -> Case | None:
     used = [name for name in used if name not in ("pi", "1j")]
     point, seen = oracle.differs(rng, found.lhs, found.rhs, used, box, count=60, integers=integers, inside=inside)
     truth = False if point is not None else None
-    return Case("identity", equation_file(found), truth, found.template, _gap(found)) if seen else None
-
-
-def _gap(found: Equation) -> Callable[[Mapping[str, Any]], bool | None]:
-    def confirm(point: Mapping[str, Any]) -> bool | None:
-        with mp.workdps(oracle.FINER * DIGITS):
-            place = _numbers(point)
-            if place is None or "V(" in f"{found.lhs}{found.rhs}":
-                return None
-            try:
-                differ = oracle.apart(found.lhs, found.rhs, place, noise=oracle.NOISE**8)
-                if not all(value(f, place) > 0 for f in found.positive):
-                    return False
-            except TooLarge:
-                return None
-            except Outside:
-                return False
-            except (KeyError, ZeroDivisionError):
-                return None
-            for name, (low, high) in found.box.items():
-                if name in place:
-                    if low is not None and not place[name] > oracle.edge(low):
-                        return False
-                    if high is not None and not place[name] < oracle.edge(high):
-                        return False
-            return differ
-
-    return confirm
+    return Case("identity", equation_file(found), truth, found.template, gap(found)) if seen else None
 
 
 # -- generating functions and surfaces ----------------------------------------------------------------
@@ -351,5 +296,4 @@ def _bracket(rng: random.Random) -> Case | None:
     truth = True if not what else False if point is not None else None
     text = f"[phase_space]\nq = {q}\np = {p}\n[symbols]\na = 'real'\n"
     text += f"[[claim]]\nkind = 'bracket'\nf = '{f}'\ng = '{g}'\nequals = '{equals}'\n"
-    gap = _gap(Equation(value_of, equals, {}))
-    return Case("bracket", text, truth, what, gap)
+    return Case("bracket", text, truth, what, gap(Equation(value_of, equals, {})))

@@ -114,7 +114,7 @@ def slope(f: Formula, name: str) -> Formula:
     outer: dict[str, Callable[[], Formula]] = {
         "sin": lambda: call("cos", u), "cos": lambda: -call("sin", u), "exp": lambda: f, "log": lambda: 1 / u,
         "sqrt": lambda: 1 / (2 * f), "atan": lambda: 1 / (1 + u**2), "tanh": lambda: 1 - f**2,
-        "sinh": lambda: call("cosh", u),
+        "sinh": lambda: call("cosh", u), "cosh": lambda: call("sinh", u), "cbrt": lambda: f / (3 * u),
     }  # fmt: skip
     return outer[f.head]() * slope(u, name)
 

@@ -14,7 +14,7 @@ from properties.soundness.formula import DIGITS, Formula, Outside, value
 STEP = mp.mpf(10) ** -14
 NOISE = mp.mpf(10) ** -20
 FINER = 6
-Box = Mapping[str, tuple[Fraction | str, Fraction | str]]
+Box = Mapping[str, tuple[Fraction | str | None, Fraction | str | None]]
 
 
 def edge(bound: Any) -> Any:

@@ -55,7 +55,7 @@ def as_formulas(
     return tuple(as_formula(value, where, smoothness) for value in values)
 
 
-def check_symbols(formulas: Iterable[Formula], known: Mapping[str, sp.Symbol], where: str = "") -> None:
+def check_symbols(formulas: Iterable[Formula | sp.Expr], known: Mapping[str, sp.Symbol], where: str = "") -> None:
     """Refuse a symbol that bears a name of the phase space but isn't its symbol: derivatives by that would miss it.
 
     **Arguments:** `known`, the space's symbols by name.
@@ -63,7 +63,8 @@ def check_symbols(formulas: Iterable[Formula], known: Mapping[str, sp.Symbol], w
     **Raises:** `InputError` with what differs and where to take the symbol from.
     """
     for formula in formulas:
-        for symbol in sorted(formula.expr.free_symbols, key=str):
+        expression = formula.expr if isinstance(formula, Formula) else formula
+        for symbol in sorted(expression.free_symbols, key=str):
             meant = known.get(str(symbol))
             if meant is None or meant == symbol:
                 continue

@@ -9,7 +9,7 @@ from canon.claim import Claim
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import statements
-from canon.mechanics.formulas import Expression, as_expression, as_formula
+from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
 from canon.mechanics.one_form import Potential, exterior_derivative, potential
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.poisson import poisson_bracket
@@ -25,6 +25,7 @@ class Hamiltonian:
     def __init__(self, space: PhaseSpace, H: Expression) -> None:
         object.__setattr__(self, "space", space)
         object.__setattr__(self, "H", as_formula(H, "hamiltonian, H"))
+        check_symbols([self.H], space.vocabulary, "hamiltonian, H")
         for symbol in sorted(self.H.expr.free_symbols & {*space.new}, key=str):
             raise InputError(f"H is a function of the old variables, not of {symbol}", "hamiltonian, H")
 
@@ -36,6 +37,7 @@ class Hamiltonian:
     def rate(self, f: Expression) -> sp.Expr:
         """The rate of change of f along the motion: df/dt + {f, H}."""
         value = as_expression(f)
+        check_symbols([value], self.space.vocabulary)
         return value.diff(self.space.t) + poisson_bracket(value, self.H, self.space)
 
     def conserved(self, f: Expression) -> Claim:

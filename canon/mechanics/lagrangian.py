@@ -9,7 +9,7 @@ from canon.claim import Claim
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import statements
-from canon.mechanics.formulas import Expression, as_expression, as_formula, replaced
+from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols, replaced
 from canon.mechanics.hamiltonian import Hamiltonian
 from canon.mechanics.one_form import tidy
 from canon.mechanics.phase_space import PhaseSpace
@@ -31,8 +31,10 @@ class Lagrangian:
         names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
         if len(names) != space.n:
             raise InputError(f"{len(names)} velocities for {space.n} coordinates", "velocities")
+        L = as_formula(L, "L")
+        check_symbols([L], space.vocabulary, "L")
         object.__setattr__(self, "space", space)
-        object.__setattr__(self, "L", as_formula(L, "L"))
+        object.__setattr__(self, "L", L)
         object.__setattr__(self, "velocities", names)
 
     def momenta(self) -> tuple[sp.Expr, ...]:

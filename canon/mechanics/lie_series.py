@@ -9,7 +9,7 @@ from canon.claim import Claim
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import statements
-from canon.mechanics.formulas import Expression, as_expression, as_formula, replaced
+from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols, replaced
 from canon.mechanics.linear_recurrence import constant_recurrence, periodic_sum, recurrent_sum
 from canon.mechanics.one_form import tidy
 from canon.mechanics.phase_space import PhaseSpace
@@ -22,6 +22,7 @@ _LONGEST = 200  # operations in a bracket, after which no pattern is looked for
 def iterated_brackets(f: Expression, generator: Expression, space: PhaseSpace, count: int) -> tuple[sp.Expr, ...]:
     """f, {f, G}, {{f, G}, G}, ...: `count` brackets, so count + 1 functions."""
     G, terms = as_expression(generator), [as_expression(f)]
+    check_symbols([G, *terms], space.vocabulary)
     for _ in range(count):
         terms.append(tidy(bracket_in(terms[-1], G, space.q, space.p)))
     return tuple(terms)
@@ -46,6 +47,7 @@ def closed_lie_series(
     of variables that are such themselves, since exp(s {., G}) commutes with products.
     """
     value, G = as_expression(f), as_expression(generator)
+    check_symbols([value, G], space.vocabulary)
     if value.is_Symbol:
         return _summed(value, G, parameter, space, depth, recurrences=True)
     moving = [x for x in space.old if x in value.free_symbols]
@@ -100,10 +102,13 @@ class InfinitesimalTransformation:
     def __init__(self, space: PhaseSpace, generator: Expression) -> None:
         object.__setattr__(self, "space", space)
         object.__setattr__(self, "generator", as_formula(generator, "generator"))
+        check_symbols([self.generator], space.vocabulary, "generator")
 
     def change(self, f: Expression) -> sp.Expr:
         """{f, G}: the change of f, without the eps."""
-        return bracket_in(as_expression(f), self.generator.expr, self.space.q, self.space.p)
+        value = as_expression(f)
+        check_symbols([value], self.space.vocabulary)
+        return bracket_in(value, self.generator.expr, self.space.q, self.space.p)
 
     def changes(self) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
         """(dq, dp) = (dG/dp, -dG/dq), without the eps."""

@@ -10,6 +10,7 @@ import sympy as sp
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula, read, read_relation
+from canon.mechanics.formulas import check_symbols
 from canon.mechanics.relations import region_of
 from canon.vocabulary import Vocabulary
 
@@ -236,14 +237,19 @@ class PhaseSpace:
         return self.with_domain(region)
 
     def with_domain(self, domain: Domain) -> "PhaseSpace":
-        """The same space with another domain."""
+        """The same space with another domain.
+
+        **Raises:** `InputError` where the domain has a symbol that only shares its name with one of the space.
+        """
+        terms = [term for condition in domain.conditions for term in condition.terms]
+        check_symbols([*terms, *domain.surface], self.vocabulary, "domain")
         return _copy(self, domain=domain)
 
     def with_complex(self, names: Iterable[str]) -> "PhaseSpace":
         """The same space with the variables of these names complex."""
-        fresh = {self.symbol(name): symbol_with(name, ["complex"]) for name in names}
+        fresh: dict[Any, Any] = {self.symbol(name): symbol_with(name, ["complex"]) for name in names}
         sides = {side: tuple(fresh.get(x, x) for x in getattr(self, side)) for side in "qpQP"}
-        domain = self.domain.substitute(dict(fresh))
+        domain = self.domain.substitute(fresh)
         return _copy(self, **sides, domain=domain, plain=self.plain - {x.name for x in fresh})
 
     def with_new(self, new: tuple[Names, Names] | None) -> "PhaseSpace":

@@ -7,7 +7,7 @@ import sympy as sp
 
 from canon.errors import InputError
 from canon.expression import Formula
-from canon.mechanics.formulas import Expression, as_formula, as_formulas
+from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.one_form import tidy
 from canon.mechanics.phase_space import PhaseSpace
@@ -47,6 +47,7 @@ class PointTransformation:
         if len(given) != space.n or len(space.Q) != space.n:
             raise InputError(f"{len(given)} formulas for {space.n} coordinates", "point transformation")
         gauge = as_formula(shift, "shift")
+        check_symbols((*given, gauge), space.vocabulary, "point transformation")
         allowed = {*(space.q if forward else space.Q)}
         for formula in (*given, gauge):
             for symbol in sorted(formula.expr.free_symbols & ({*space.old, *space.new} - allowed), key=str):

@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
-from canon.mechanics.formulas import Expression, as_expression
+from canon.mechanics.formulas import Expression, as_expression, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 
 
@@ -21,7 +21,9 @@ def standard_j(n: int) -> sp.ImmutableMatrix:
 
 def poisson_bracket(f: Expression, g: Expression, space: PhaseSpace) -> sp.Expr:
     """{f, g} in the old variables of `space`. Goldstein, Poole and Safko (2002), eq. 9.67."""
-    return bracket_in(as_expression(f), as_expression(g), space.q, space.p)
+    values = as_expression(f), as_expression(g)
+    check_symbols(values, space.vocabulary)
+    return bracket_in(*values, space.q, space.p)
 
 
 def bracket_in(f: sp.Expr, g: sp.Expr, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol]) -> sp.Expr:
@@ -78,6 +80,7 @@ def bracket_matrix(functions: Sequence[Expression], space: PhaseSpace, names: Se
     values = [as_expression(function) for function in functions]
     if not values:
         raise InputError("no functions to take brackets of")
+    check_symbols(values, space.vocabulary)
     size = len(values)
     upper = {
         (i, j): bracket_in(values[i], values[j], space.q, space.p) for i in range(size) for j in range(i + 1, size)

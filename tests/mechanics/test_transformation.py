@@ -3,13 +3,22 @@ import sympy as sp
 
 from canon import (
     GeneratingFunction,
+    Hamiltonian,
+    InfinitesimalTransformation,
     InputError,
+    Lagrangian,
     PhaseSpace,
+    PointTransformation,
     Transformation,
     bracket,
+    bracket_matrix,
+    closed_lie_series,
     compose,
     extended_by_time,
     identity_transformation,
+    jacobi_sum,
+    poisson_bracket,
+    truncated_lie_series,
     verify,
 )
 from canon.mechanics.time_dependence import hamiltonian_shift, new_hamiltonian_residuals
@@ -190,3 +199,21 @@ def test_a_symbol_that_only_shares_its_name_is_refused():
         real.pull_back(sp.Symbol("Q") ** 2)
     with pytest.raises(InputError, match="hamiltonian"):
         real.symmetry(q**2 + p**2)
+    mine = space.symbols("p")
+    for attempt in (
+        lambda: poisson_bracket(q, mine, space),
+        lambda: bracket_matrix([mine, q], space),
+        lambda: jacobi_sum(mine, mine, q, space),
+        lambda: Hamiltonian(space, q**2),
+        lambda: Hamiltonian(space, mine**2).rate(q),
+        lambda: Lagrangian(space, q**2, sp.Symbol("v", real=True)),
+        lambda: PointTransformation(space, Q=2 * q),
+        lambda: truncated_lie_series(q, mine, sp.Symbol("s"), space, 2),
+        lambda: closed_lie_series(mine, q, sp.Symbol("s"), space),
+        lambda: InfinitesimalTransformation(space, q),
+        lambda: InfinitesimalTransformation(space, mine).change(q),
+        lambda: space.where(q > 0),
+        lambda: space.where(sp.Eq(q, 0)),
+    ):
+        with pytest.raises(InputError, match="this q is a symbol without assumptions"):
+            attempt()

@@ -62,23 +62,23 @@ class Formula:
 class Vocabulary:
     """The names that a formula may use; declared ones win over built-in ones.
 
-    **Arguments:** `symbols` by name; `functions`, the names of arbitrary functions, and `signs`, the words "positive",
-    "negative" or "nonzero" that some of them are declared with; `definitions`, abbreviations with
+    **Arguments:** `symbols` by name; `functions`, the names of arbitrary functions; `definitions`, abbreviations with
     their formula, or with the error in it that is reported where they are used; `pairs`, the canonical pairs
     (q_i, p_i) of `bracket`; `new`, the names of new variables, which its arguments can't contain; `refused`, names
     that are declared but out of place here, each with the reason; `no_bracket`, why `bracket` is out of place, if it
-    is; `later`, abbreviations that are defined further down.
+    is; `later`, abbreviations that are defined further down; `signs`, the words "positive", "negative" or "nonzero"
+    that some of the functions are declared with.
     """
 
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
     functions: frozenset[str] = frozenset()
-    signs: Mapping[str, str] = field(default_factory=dict)
     definitions: Mapping[str, Formula | InputError] = field(default_factory=dict)
     pairs: tuple[tuple[sp.Symbol, sp.Symbol], ...] = ()
     new: frozenset[str] = frozenset()
     refused: Mapping[str, str] = field(default_factory=dict)
     no_bracket: str = ""
     later: frozenset[str] = frozenset()
+    signs: Mapping[str, str] = field(default_factory=dict)
 
     def refusing(self, names: Iterable[str], reason: str, no_bracket: str = "") -> Vocabulary:
         """The same with `names` out of place, `reason` said of each."""

@@ -141,11 +141,12 @@ def _inside(finder: Finder, points: Mapping[Node, Array], functions: Mapping[str
         kept &= np.isfinite(values)
     place = evaluate_many(finder.tape, finder.conditions, points, functions)
     for requirement in finder.region.requirements:
-        kept &= _holds(requirement, [place[node] for node in requirement.nodes])
+        kept &= satisfied(requirement, [place[node] for node in requirement.nodes])
     return {node: values[kept] for node, values in points.items()}
 
 
-def _holds(requirement: Requirement, terms: Sequence[Rounded]) -> Array:
+def satisfied(requirement: Requirement, terms: Sequence[Rounded]) -> Array:
+    """Where a requirement holds by more than the rounding of its terms."""
     value, bound = terms[0]
     kind = requirement.kind
     nonzero = np.abs(value) > bound

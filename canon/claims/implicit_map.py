@@ -1,0 +1,232 @@
+"""The map of a generating function by numbers, left implicit: its equations are solved at each point."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from canon.budget import Budget
+from canon.claims.mixed_derivatives import OnTape
+from canon.claims.near_caustic import solve_deeply
+from canon.claims.question import Question
+from canon.decide.cloud import cloud_around
+from canon.decide.search import Finder, Sample
+from canon.decide.tape import Node, Unsupported
+from canon.errors import InputError
+from canon.numeric.implicit import MixedSolution, solve_mixed
+from canon.numeric.mixed_variables import Types
+from canon.numeric.precision import UNIT
+
+if TYPE_CHECKING:
+    from canon.mechanics import GeneratingFunction
+
+Array = Any  # numpy arrays
+
+SEEDS: Final = 8
+GUESSES: Final = 512
+NEAREST: Final = 3
+BLOCK: Final = 1024
+DEEP: Final = 1e6
+"""Where an image loses more digits than this, it is found in more of them."""
+
+
+@dataclass(frozen=True)
+class ImplicitImages:
+    """Images of N points under the map of a generating function.
+
+    **Fields:** `images` (N, 2n), nan where the equations were not solved (`solved`, (N,)); `jacobians` (N, 2n, 2n) of
+    the map; `errors` (N, 2n), estimates of the images' rounding; `condition` (N,), by how much that is larger than one
+    roundoff; `iterations` (N,) of Newton's method; `types`, for each point the type that its image was found in, F's own
+    or near a caustic another; `bits` (N,).
+    """
+
+    images: Array
+    jacobians: Array
+    errors: Array
+    condition: Array
+    iterations: Array
+    types: tuple[Types, ...]
+    bits: Array
+
+    @property
+    def solved(self) -> Array:
+        """At which points (N,) the equations were solved."""
+        return np.isfinite(self.images).all(axis=1)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is worth saying: points not solved, and those near a caustic, with the type used there."""
+        lines = []
+        count = len(self.images)
+        if not self.solved.all():
+            lines.append(f"not solved at {int((~self.solved).sum())} of {count} points")
+        for types in dict.fromkeys(self.types[k] for k in np.flatnonzero(self.bits > 53)):
+            near = [k for k in np.flatnonzero(self.bits > 53) if self.types[k] == types]
+            name = types[0] if len(set(types)) == 1 else list(types)
+            most = max(int(self.bits[k]) for k in near)
+            lines.append(f"near a caustic at {len(near)} of {count} points: found as type {name}, in {most} bits")
+        return tuple(lines)
+
+    def __str__(self) -> str:
+        found = self.condition[self.solved]
+        most = f"{found.max():.2g}" if len(found) else "unknown"
+        return "; ".join((f"{int(self.solved.sum())} of {len(self.images)} points, condition at most {most}", *self.notes))
+
+
+@dataclass(frozen=True, eq=False)
+class ImplicitMap:
+    """(q, p) -> (Q, P) by a generating function whose equations are solved by Newton's method, point by point.
+
+    It is called with one phase point (2n,), with points (N, 2n), or with a pair (q, p), and returns the same; where the
+    equations could not be solved it is nan. `.solve` tells more. Where they have several solutions, that with the
+    new arguments nearest to the `guess` is taken (to zero without one) among those that Newton's method finds.
+
+    **Arguments:** the `generating` function; `parameters`, values of its parameters (and of the time) by name.
+
+    **Raises:** `InputError` for a parameter without a value, an arbitrary function, or an F that defines no map.
+    """
+
+    generating: GeneratingFunction
+    parameters: Mapping[str, float]
+
+    def __post_init__(self) -> None:
+        space = self.generating.space
+        known = {symbol.name for symbol in (*space.parameters, space.t)}
+        for name in self.parameters:
+            if name not in known:
+                raise InputError(f"{name!r} is no parameter of this generating function", "parameters")
+        free = self.generating.F.expr.free_symbols - {*self.generating.mixed}
+        for symbol in sorted(free, key=str):
+            if symbol.name not in self.parameters:
+                raise InputError(f"no value is given for {symbol}: give one in `parameters`", "parameters")
+
+    @cached_property
+    def _seeded(self) -> tuple[OnTape, Array]:
+        """F on a tape, and mixed points u (K, 2n) of its region."""
+        question = Question(self.generating.transformation().canonical(), Budget(10.0))
+        tape = question.tape
+        names = {symbol.name: symbol for symbol in (*self.generating.space.parameters, self.generating.space.t)}
+        values: dict[Node, Node] = {
+            tape.symbol(names[name]): tape.number(Fraction(float(value))) for name, value in self.parameters.items()
+        }
+        F = OnTape.of(question, self.generating, values)
+        if tape.functions_of(F.gradient):
+            raise InputError("an arbitrary function has no values", "generating_function, F")
+        finder = Finder(tape, F.nodes, F.region, random.Random(0))
+        seeds: list[Sample] = []
+        for attempt in range(8 * SEEDS):
+            point = finder.attempt(64, nice=attempt < 4, effort=attempt)
+            seeds += [point] if point is not None else []
+            if len(seeds) == SEEDS:
+                break
+        if not seeds:
+            raise InputError("no point was found at which this generating function defines a map")
+        try:
+            cloud = cloud_around(finder, seeds, GUESSES, Budget(10.0), 0)
+        except Unsupported as reason:
+            raise InputError(f"a function without a numerical form: {reason}", "generating_function, F") from reason
+        fixed = np.ones(cloud.size)
+        u = np.stack([cloud.points[node] if node in cloud.points else fixed for node in F.u], axis=1)
+        return F, u
+
+    def __call__(self, *arguments: Any) -> Any:
+        """The image of a phase point, of points, or of a pair (q, p)."""
+        if len(arguments) == 2:
+            q, p = (np.asarray(part, dtype=float) for part in arguments)
+            new = self(np.concatenate([q, p], axis=-1))
+            return new[..., : q.shape[-1]], new[..., q.shape[-1] :]
+        (z,) = arguments
+        points = np.asarray(z, dtype=float)
+        flat = points.reshape(-1, points.shape[-1])
+        return self.solve(flat).images.reshape(points.shape)
+
+    def solve(self, points: Array, guess: Array | None = None) -> ImplicitImages:
+        """Images with all that is known of them.
+
+        **Arguments:** `points` (N, 2n); `guess` (N, n) or (n,), first guesses of the new arguments of F (Q or P in each
+        degree of freedom); without it, starts are taken from F's own region, and of several solutions found that with
+        the smallest new arguments.
+
+        **Raises:** `InputError` for points of another shape.
+        """
+        z = np.atleast_2d(np.asarray(points, dtype=float))
+        size = 2 * self.generating.space.n
+        if z.ndim != 2 or z.shape[1] != size:
+            raise InputError(f"points have shape (N, {size}), not {np.shape(points)}", "points")
+        F, _ = self._seeded
+        wanted = None if guess is None else np.broadcast_to(np.asarray(guess, dtype=float), (len(z), size // 2))
+        parts = [
+            self._solved(F, z[k : k + BLOCK], None if wanted is None else wanted[k : k + BLOCK])
+            for k in range(0, len(z), BLOCK)
+        ]
+        return parts[0] if len(parts) == 1 else _joined(parts)
+
+    def _solved(self, F: OnTape, z: Array, guess: Array | None) -> ImplicitImages:
+        n = z.shape[1] // 2
+        starts = self._starts(z) if guess is None else [guess]
+        target = np.zeros((len(z), n)) if guess is None else guess
+        best: MixedSolution | None = None
+        with np.errstate(all="ignore"):
+            for start in starts:
+                found = solve_mixed(F, F.pattern, z, start)
+                best = found if best is None else _nearer(best, found, target)
+        assert best is not None
+        return with_caustics(F, z, best)
+
+    def _starts(self, z: Array) -> list[Array]:
+        """New arguments at the points of F's region whose old variables are nearest to z."""
+        F, u = self._seeded
+        n = u.shape[1] // 2
+        found = F(u, np.arange(len(u)))
+        old = np.empty_like(u)
+        old[:, F.pattern.old_arguments] = u[:, :n]
+        old[:, F.pattern.old_conjugates] = F.pattern.old_signs * found.gradient[:, :n]
+        usable = found.inside & np.isfinite(old).all(axis=1)
+        old, new = old[usable], u[usable, n:]
+        scale = np.median(np.abs(old), axis=0) + np.abs(z).mean(axis=0) + 1e-300
+        away = np.linalg.norm((z[:, None, :] - old[None, :, :]) / scale, axis=2)
+        order = np.argsort(away, axis=1)[:, :NEAREST]
+        return [new[order[:, k]] for k in range(order.shape[1])]
+
+
+def with_caustics(F: OnTape, z: Array, found: MixedSolution, most: int | None = None) -> ImplicitImages:
+    """The solution with points near a caustic found again, in more digits (`most` of them at most, the worst)."""
+    count = len(z)
+    n = z.shape[1] // 2
+    images, M = found.images.copy(), found.M.copy()
+    errors, condition = found.errors.copy(), found.condition.copy()
+    types = [F.pattern.types] * count
+    bits = np.full(count, 53)
+    worst = [k for k in np.argsort(-np.where(found.solved, condition, 0.0)) if found.solved[k] and condition[k] > DEEP]
+    for k in worst[:most]:
+        deep = solve_deeply(F, z[k], found.u[k, n:], int(k), float(condition[k]))
+        if deep is not None:
+            images[k], M[k], types[k], bits[k] = deep.image, deep.M, deep.types, deep.bits
+            errors[k], condition[k] = UNIT * np.abs(deep.image), 1.0
+    return ImplicitImages(images, M, errors, condition, found.iterations, tuple(types), bits)
+
+
+def _nearer(one: MixedSolution, other: MixedSolution, target: Array) -> MixedSolution:
+    """Of two solutions at each point the one whose new arguments are nearer to the target."""
+    n = target.shape[1]
+    first, second = (np.linalg.norm(s.u[:, n:] - target, axis=1) for s in (one, other))
+    take = other.solved & (~one.solved | (second < first * (1 - 1e-9)))
+
+    def mixed(a: Array, b: Array) -> Array:
+        return np.where(take.reshape(-1, *[1] * (a.ndim - 1)), b, a)
+
+    names = ("u", "solved", "images", "errors", "M", "M_errors", "condition", "iterations")
+    return MixedSolution(*(mixed(getattr(one, name), getattr(other, name)) for name in names))
+
+
+def _joined(parts: list[ImplicitImages]) -> ImplicitImages:
+    names = ("images", "jacobians", "errors", "condition", "iterations")
+    arrays = [np.concatenate([getattr(part, name) for part in parts]) for name in names]
+    types = tuple(types for part in parts for types in part.types)
+    return ImplicitImages(*arrays, types, np.concatenate([part.bits for part in parts]))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.claims.audit import AuditFailed, AuditReport, audit
+    from canon.claims.implicit_map import ImplicitImages, ImplicitMap
     from canon.claims.invariance import cartan_loop_invariant, loop_invariant, surface_invariant
     from canon.claims.invariance_report import Invariance, NotInvariant
     from canon.claims.symplectify import MapRepair, MatrixRepair, symplectify
@@ -79,6 +80,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.domain": ("Condition", "Domain"),
     "canon.expression": ("Formula",),
     "canon.claims.audit": ("AuditFailed", "AuditReport", "audit"),
+    "canon.claims.implicit_map": ("ImplicitImages", "ImplicitMap"),
     "canon.claims.invariance": ("cartan_loop_invariant", "loop_invariant", "surface_invariant"),
     "canon.claims.invariance_report": ("Invariance", "NotInvariant"),
     "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
@@ -133,6 +135,8 @@ __all__ = [
     "Formula",
     "GeneratingFunction",
     "Hamiltonian",
+    "ImplicitImages",
+    "ImplicitMap",
     "InfinitesimalTransformation",
     "InputError",
     "Invariance",

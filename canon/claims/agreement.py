@@ -22,6 +22,8 @@ def compared(symbolic: Outcome, numeric: Outcome) -> Outcome:
     A witness that sampling finds outweighs an exact attempt that came to nothing; one that it doesn't find says
     nothing against a refutation by a point, nor against an exact one, unless that leaves no point at all.
     """
+    if "alarm" in numeric.detail:
+        return alarm(symbolic, numeric)
     if numeric.status == "refuted":
         if symbolic.status == "refuted":
             return symbolic
@@ -33,7 +35,8 @@ def compared(symbolic: Outcome, numeric: Outcome) -> Outcome:
         merged = {**numeric.detail, **symbolic.detail}
         note = "; ".join(dict.fromkeys(part for part in (symbolic.note, numeric.note) if part))
         return replace(numeric, detail=merged, note=note)
-    return replace(symbolic, numeric=numeric.numeric or symbolic.numeric)
+    solved = numeric.detail.get("solved")
+    return replace(symbolic, numeric=numeric.numeric or symbolic.numeric).with_detail(solved=solved)
 
 
 def alarm(symbolic: Outcome, numeric: Outcome) -> Outcome:

@@ -27,11 +27,29 @@ BY_THEOREM = "theorem on generating functions"
 THEOREM = "the map of a generating function is canonical with scale 1 where the mixed Hessian is not singular"
 
 
-def hessian_outcome(question: Question, *formulas: Formula) -> Outcome:
-    """The mixed Hessian is not singular everywhere; if it is: refuted by an exact argument."""
+def hessian_outcome(question: Question, *formulas: Formula, solving: bool = True) -> Outcome:
+    """The mixed Hessian is not singular everywhere; if it is: refuted by an exact argument.
+
+    Numerically the map's equations are solved besides (unless `solving` is False), and its Jacobian looked at.
+    """
     node = question.chart.hessian
     assert node is not None
-    return hessian_outcome_of(question, node, question.region(*formulas, regular=False))
+    outcome = hessian_outcome_of(question, node, question.region(*formulas, regular=False))
+    if question.method == "numeric" and outcome.status == "supported" and solving:
+        return _solved(question, outcome)
+    return outcome
+
+
+def _solved(question: Question, outcome: Outcome) -> Outcome:
+    """The outcome with the evidence on the map as it is solved for; an alarm where that denies the theorem."""
+    from canon.claims.agreement import ALARM
+    from canon.claims.implicit_evidence import solved_numerically
+
+    found = solved_numerically(question)
+    if found is None:
+        return outcome
+    outcome = replace(outcome, numeric=found.evidence).with_detail(solved=found.words)
+    return outcome if found.holds else outcome.with_status("undecided").with_detail(alarm=ALARM)
 
 
 def hessian_outcome_of(question: Question, node: Node, region: Region) -> Outcome:

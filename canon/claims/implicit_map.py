@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final
@@ -42,8 +42,8 @@ class ImplicitImages:
 
     **Fields:** `images` (N, 2n), nan where the equations were not solved (`solved`, (N,)); `jacobians` (N, 2n, 2n) of
     the map; `errors` (N, 2n), estimates of the images' rounding; `condition` (N,), by how much that is larger than one
-    roundoff; `iterations` (N,) of Newton's method; `types`, for each point the type that its image was found in, F's own
-    or near a caustic another; `bits` (N,).
+    roundoff; `iterations` (N,) of Newton's method; `types`, for each point the type that its image was found in, F's
+    own or near a caustic another; `bits` (N,).
     """
 
     images: Array
@@ -76,7 +76,9 @@ class ImplicitImages:
     def __str__(self) -> str:
         found = self.condition[self.solved]
         most = f"{found.max():.2g}" if len(found) else "unknown"
-        return "; ".join((f"{int(self.solved.sum())} of {len(self.images)} points, condition at most {most}", *self.notes))
+        return "; ".join(
+            (f"{int(self.solved.sum())} of {len(self.images)} points, condition at most {most}", *self.notes)
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +95,7 @@ class ImplicitMap:
     """
 
     generating: GeneratingFunction
-    parameters: Mapping[str, float]
+    parameters: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         space = self.generating.space
@@ -132,7 +134,7 @@ class ImplicitMap:
         except Unsupported as reason:
             raise InputError(f"a function without a numerical form: {reason}", "generating_function, F") from reason
         fixed = np.ones(cloud.size)
-        u = np.stack([cloud.points[node] if node in cloud.points else fixed for node in F.u], axis=1)
+        u = np.stack([cloud.points.get(node, fixed) for node in F.u], axis=1)
         return F, u
 
     def __call__(self, *arguments: Any) -> Any:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from canon.claims.audit_subject import formulas_as_map
+from canon.claims.implicit_map import ImplicitMap
 from canon.claims.invariance_report import Invariance
 from canon.errors import InputError
 from canon.numeric.images import compare_loops, compare_surfaces
@@ -152,6 +153,8 @@ def _evaluated(
         if parameters:
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
         return point_map(map, points).evaluate, scale
+    if map.direction == "implicit" and map.generating_function is not None:
+        return ImplicitMap(map.generating_function, parameters or {}), scale
     subject = formulas_as_map(map, parameters or {}, scale)
     if points.shape[1] != len(subject.names):
         raise InputError(

@@ -144,7 +144,7 @@ def _singular(question: Question) -> Outcome | None:
         return None
     from canon.claims.generating_function import hessian_outcome
 
-    outcome = hessian_outcome(question)
+    outcome = hessian_outcome(question, solving=False)
     return outcome if outcome.status == "refuted" else None
 
 

@@ -1,4 +1,4 @@
-"""A generating function's first and second derivatives at many points, in double precision; and at one point in more."""
+"""A generating function's first and second derivatives at many points in double precision, and at one point in more."""
 
 from __future__ import annotations
 
@@ -84,9 +84,7 @@ class OnTape:
         size = len(self.u)
         curvature, curvature_bounds = stacked([node for row in self.hessian for node in row])
         shape = (count, size, size)
-        return MixedDerivatives(
-            slopes, curvature.reshape(shape), slope_bounds, curvature_bounds.reshape(shape), inside
-        )
+        return MixedDerivatives(slopes, curvature.reshape(shape), slope_bounds, curvature_bounds.reshape(shape), inside)
 
     def deeply(self, u: Sequence[Ball], row: int, bits: int) -> tuple[list[Ball], list[list[Ball]]]:
         """∂F/∂u and ∂²F/∂u² at one mixed point in this precision.

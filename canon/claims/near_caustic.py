@@ -80,7 +80,7 @@ def _rounded(F: OnTape, x: list[Ball], y: list[Ball], row: int, bits: int) -> De
 
 
 def _jacobian(F: OnTape, hessian: list[list[Ball]]) -> Array:
-    """M with the digits that cancel between second derivatives kept: the blocks are combined before they are rounded."""
+    """M, its blocks combined before they are rounded, since second derivatives cancel in it."""
     pattern, n = F.pattern, len(F.u) // 2
     size = 2 * n
     old, new = ([[arb(0)] * size for _ in range(size)] for _ in range(2))

@@ -31,7 +31,8 @@ FLIPPED: Final = 0.3
 """How often a coordinate of either sign changes its own."""
 
 SPREAD: Final = (-3.0, 0.3)
-"""Powers of ten between which the size of a step relative to the coordinate is chosen."""
+"""Powers of ten between which the size of a step relative to the coordinate is chosen at first; the lower one falls
+from round to round, for regions that are thin."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ def cloud_around(finder: Finder, seeds: Sequence[Sample], count: int, budget: Bu
         proposed = _columns(finder, fresh)
         parts = [proposed, _flipped(finder, proposed, rng)]
         if _size(found):
-            parts.append(_moved(finder, found, missing, rng))
+            parts.append(_moved(finder, found, missing, SPREAD[0] - tried + 1, rng))
         new = _inside(finder, _joined(parts), functions)
         found = {node: values[:count] for node, values in _joined([found, new]).items()}
     return Cloud(found, functions)
@@ -115,10 +116,12 @@ def _flipped(finder: Finder, points: Mapping[Node, Array], rng: np.random.Genera
     return out
 
 
-def _moved(finder: Finder, points: Mapping[Node, Array], count: int, rng: np.random.Generator) -> dict[Node, Array]:
+def _moved(
+    finder: Finder, points: Mapping[Node, Array], count: int, least: float, rng: np.random.Generator
+) -> dict[Node, Array]:
     """Each coordinate changed by a random part of itself, of a size that is drawn for each point."""
     chosen = rng.integers(0, _size(points), count)
-    size = 10.0 ** rng.uniform(*SPREAD, count)
+    size = 10.0 ** rng.uniform(least, SPREAD[1], count)
     out: dict[Node, Array] = {}
     for node, values in points.items():
         start = values[chosen]

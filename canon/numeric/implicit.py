@@ -1,9 +1,9 @@
-"""The map that a generating function defines, solved for: Newton's method in the mixed variables, at many points at once.
+"""The map that a generating function defines, solved for by Newton's method in the mixed variables, at many points.
 
-With old arguments x and new ones y of F the equations are v = ±∂F/∂x and w = ±∂F/∂y; given (x, v) the first is solved for
-y, and the second gives w. The steps are damped so that the next correction shrinks, a test that doesn't depend on the
-units of the equations (Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.3). The Jacobian of the map
-follows from the second derivatives of F at the solution.
+With old arguments x and new ones y of F the equations are v = ±∂F/∂x and w = ±∂F/∂y; given (x, v) the first is solved
+for y, and the second gives w. The steps are damped so that the next correction shrinks, a test that doesn't depend on
+the units of the equations (Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.3). The Jacobian of the
+map follows from the second derivatives of F at the solution.
 """
 
 from __future__ import annotations
@@ -47,9 +47,10 @@ Derivatives = Callable[[Array, Array], MixedDerivatives]
 class MixedSolution:
     """What Newton's method found at N points.
 
-    `u` (N, 2n), the mixed variables; `solved` (N,); `images` (N, 2n), nan where not solved, with an estimate `errors` of
-    what the rounding of F's derivatives makes of them; `M` (N, 2n, 2n), the map's Jacobian, with a bound `M_errors` on
-    its rounding; `condition` (N,), the largest relative error of an image in units of roundoff; `iterations` (N,).
+    `u` (N, 2n), the mixed variables; `solved` (N,); `images` (N, 2n), nan where not solved, with estimates `errors` of
+    what is left of the equations and what rounding makes of them; `M` (N, 2n, 2n), the map's Jacobian, with a bound
+    `M_errors` on its rounding; `condition` (N,), the largest relative error of an image in units of roundoff;
+    `iterations` (N,).
     """
 
     u: Array
@@ -100,7 +101,7 @@ def solve_mixed(derivatives: Derivatives, pattern: Pattern, z: Array, start: Arr
             iterations[rows] += 1
             rows, off, block, noise = _damped(at, y, rows, off, block, noise, move)
         u = np.concatenate([x, y], axis=1)
-        return _solution(derivatives(u, np.arange(count)), pattern, u, solved, iterations)
+        return _solution(derivatives(u, np.arange(count)), pattern, u, v, solved, iterations)
 
 
 def _damped(
@@ -147,21 +148,29 @@ def jacobians(pattern: Pattern, hessian: Array, bound: Array) -> tuple[Array, Ar
     """(M, E) from the second derivatives of F: M = ∂(Q,P)/∂u (∂(q,p)/∂u)⁻¹, and a bound on its rounding."""
     count, size, _ = hessian.shape
     n = size // 2
-    old, new = np.zeros((2, count, size, size))
+    old, new, inverse = np.zeros((3, count, size, size))
     off_old, off_new = np.zeros((2, count, size, size))
-    old[:, pattern.old_arguments, np.arange(n)] = 1.0
-    new[:, pattern.new_arguments, n + np.arange(n)] = 1.0
-    old[:, pattern.old_conjugates] = pattern.old_signs[:, None] * hessian[:, :n]
-    new[:, pattern.new_conjugates] = pattern.new_signs[:, None] * hessian[:, n:]
-    off_old[:, pattern.old_conjugates], off_new[:, pattern.new_conjugates] = bound[:, :n], bound[:, n:]
-    inverse = _inverse(old)
+    old[:, :n, :n] = np.eye(n)
+    old[:, n:] = pattern.old_signs[:, None] * hessian[:, :n]
+    off_old[:, n:] = bound[:, :n]
+    new[:, :n, n:] = np.eye(n)
+    new[:, n:] = pattern.new_signs[:, None] * hessian[:, n:]
+    off_new[:, n:] = bound[:, n:]
+    # in the order (x, v) the inverse has a block of exact zeros, which a factorisation of the whole would blur
+    block = _inverse(old[:, n:, n:])
+    inverse[:, :n, :n], inverse[:, n:, n:] = np.eye(n), block
+    inverse[:, n:, :n] = -block @ old[:, n:, :n]
     M = new @ inverse
-    off = off_new + np.abs(M) @ off_old + size * UNIT * (np.abs(M) @ np.abs(old) + np.abs(new))
-    return M, off @ np.abs(inverse) + UNIT * np.abs(M)
+    left = np.abs(np.eye(size) - old @ inverse) + (size + 2) * UNIT * (np.abs(old) @ np.abs(inverse) + np.eye(size))
+    off = off_new + np.abs(M) @ off_old + size * UNIT * np.abs(new)
+    E = off @ np.abs(inverse) + np.abs(new) @ (np.abs(inverse) @ left) + UNIT * np.abs(M)
+    rows = np.argsort(np.concatenate([pattern.new_arguments, pattern.new_conjugates]))
+    columns = np.argsort(np.concatenate([pattern.old_arguments, pattern.old_conjugates]))
+    return M[:, rows][:, :, columns], E[:, rows][:, :, columns]
 
 
 def _solution(
-    found: MixedDerivatives, pattern: Pattern, u: Array, solved: Array, iterations: Array
+    found: MixedDerivatives, pattern: Pattern, u: Array, v: Array, solved: Array, iterations: Array
 ) -> MixedSolution:
     count, size = u.shape
     n = size // 2
@@ -170,7 +179,8 @@ def _solution(
     images[:, pattern.new_conjugates] = pattern.new_signs * found.gradient[:, n:]
     block = np.abs(_inverse(found.hessian[:, :n, n:]))
     noise = found.gradient_bound + UNIT * np.abs(found.gradient)
-    off_y = np.einsum("bij,bj->bi", block, noise[:, :n]) + UNIT * np.abs(u[:, n:])
+    left = np.abs(pattern.old_signs * found.gradient[:, :n] - v)
+    off_y = np.einsum("bij,bj->bi", block, noise[:, :n] + left) + UNIT * np.abs(u[:, n:])
     errors[:, pattern.new_arguments] = off_y
     across = np.einsum("bij,bj->bi", np.abs(found.hessian[:, n:, n:]), off_y)
     errors[:, pattern.new_conjugates] = noise[:, n:] + across

@@ -1,0 +1,185 @@
+"""Maps of generating functions, solved for: exact values, branches, caustics, evidence, and a flaw made on purpose."""
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from canon import GeneratingFunction, ImplicitMap, InputError, PhaseSpace, loop_invariant, verify
+from canon.numeric import implicit
+
+Array = np.ndarray
+RNG = np.random.default_rng(5)
+
+OSCILLATOR = PhaseSpace("q", "p", new=("phi", "I"), positive="m omega")
+q, p, phi, m, omega = OSCILLATOR.symbols("q p phi m omega")
+TYPE_1 = GeneratingFunction(OSCILLATOR, type=1, F=m * omega * q**2 * sp.cot(phi) / 2)
+
+PLANE = PhaseSpace("q", "p", new=("Q", "P"), symbols={"tau": "real"})
+x, Q, tau = PLANE.symbols("q Q tau")
+FLOW = GeneratingFunction(PLANE, type=1, F=((x**2 + Q**2) * sp.cos(tau) - 2 * x * Q) / (2 * sp.sin(tau)))
+
+FOUR = PhaseSpace("q1 q2", "p1 p2", new=("Q1 Q2", "P1 P2"))
+q1, q2, P1, P2 = FOUR.symbols("q1 q2 P1 P2")
+KICKED = GeneratingFunction(
+    FOUR, type=2, F=q1 * P1 + q2 * P2 + (P1**2 / 2 + P2**4 / 4 - sp.cos(q1 - q2) + q1 * P2**2 / 3) / 10
+)
+
+
+def symplectic_defect(M: Array) -> float:
+    n = M.shape[1] // 2
+    J = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
+    return float(np.abs(M @ J @ np.swapaxes(M, 1, 2) - J).max())
+
+
+def test_the_oscillator_in_angle_and_action() -> None:
+    found = ImplicitMap(TYPE_1, {"m": 2.0, "omega": 3.0}).solve(RNG.uniform(-1, 1, (300, 2)))
+    assert found.solved.all()
+    assert found.notes == ()
+    assert symplectic_defect(found.jacobians) < 1e-10
+
+
+def test_the_images_satisfy_the_equations_within_the_errors_that_are_told() -> None:
+    z = RNG.uniform(-1, 1, (200, 2))
+    found = ImplicitMap(TYPE_1, {"m": 2.0, "omega": 3.0}).solve(z)
+    action = (z[:, 1] ** 2 / 4 + 9 * z[:, 0] ** 2) / 3
+    off = np.abs(found.images[:, 1] - action)
+    assert np.all(off <= found.errors[:, 1] + 4e-16 * action)
+    assert np.all(np.abs(np.tan(found.images[:, 0]) * z[:, 1] - 6 * z[:, 0]) < 1e-10)
+
+
+def test_a_guess_chooses_the_branch() -> None:
+    turned = ImplicitMap(TYPE_1, {"m": 1.0, "omega": 1.0})
+    z = np.array([[0.5, 0.8]])
+    near, far = (turned.solve(z, guess=np.array([start])).images[0] for start in (0.5, 0.5 + np.pi))
+    assert far[0] - near[0] == pytest.approx(np.pi)
+    assert far[1] == pytest.approx(near[1])
+    assert turned.solve(z).images[0, 0] == pytest.approx(near[0])
+
+
+def test_one_point_many_points_and_pairs() -> None:
+    f = ImplicitMap(KICKED)
+    z = RNG.uniform(-1, 1, (5, 4))
+    many = f(z)
+    assert np.array_equal(f(z[3]), many[3])
+    new_q, new_p = f(z[:, :2], z[:, 2:])
+    assert np.array_equal(np.concatenate([new_q, new_p], axis=1), many)
+
+
+def test_derivatives_are_those_of_the_map() -> None:
+    f = ImplicitMap(KICKED)
+    z = RNG.uniform(-1, 1, (20, 4))
+    M = f.solve(z).jacobians
+    for k in range(4):
+        step = np.zeros(4)
+        step[k] = 1e-5
+        assert np.allclose((f(z + step) - f(z - step)) / 2e-5, M[:, :, k], atol=1e-9)
+
+
+def test_the_map_keeps_loops() -> None:
+    def loop(s: Array) -> Array:
+        a = 2 * np.pi * s
+        return np.stack([np.cos(a), np.sin(a), 0.5 * np.sin(2 * a), 0.3 * np.cos(a)], axis=1)
+
+    assert loop_invariant(KICKED.transformation(), loop).preserved is True
+
+
+@pytest.mark.parametrize(("time", "switched"), [(1.0, False), (1e-2, False), (1e-8, True), (1e-12, True)])
+def test_near_a_caustic_another_type_keeps_all_digits(time: float, switched: bool) -> None:
+    """For short times the type-1 function of a flow has a caustic: q and Q are nearly the same variable."""
+    z = np.array([[0.7, 0.3], [0.2, -1.0]])
+    found = ImplicitMap(FLOW, {"tau": time}).solve(z)
+    c, s = np.cos(time), np.sin(time)
+    exact = np.stack([z[:, 0] * c - z[:, 1] * s, z[:, 0] * s + z[:, 1] * c], axis=1)
+    assert np.abs(found.images - exact).max() < 1e-13
+    assert bool(found.notes) is switched
+    if switched:
+        assert found.types == ((2,), (2,)) or found.types == ((3,), (3,))
+        assert "near a caustic at 2 of 2 points: found as type" in str(found)
+        assert np.allclose(found.jacobians, [[c, -s], [s, c]], rtol=0, atol=1e-15)
+
+
+def test_double_precision_alone_would_lose_them() -> None:
+    """The other side of the last test: without more digits half of them are gone."""
+    from canon.claims import implicit_map
+
+    z = np.array([[0.7, 0.3]])
+    kept = implicit_map.DEEP
+    try:
+        implicit_map.DEEP = np.inf
+        found = ImplicitMap(FLOW, {"tau": 1e-8}).solve(z)
+    finally:
+        implicit_map.DEEP = kept
+    off = abs(found.images[0, 1] - 0.3)
+    assert 1e-11 < off <= found.errors[0, 1]
+    assert found.condition[0] > 1e6
+
+
+def test_where_there_is_no_image_there_is_none() -> None:
+    """p = ∂F/∂q = eᴾ has no solution for p < 0."""
+    P = PLANE.symbols("P")
+    f = ImplicitMap(GeneratingFunction(PLANE, type=2, F=x * sp.exp(P)))
+    found = f.solve(np.array([[1.0, 2.0], [1.0, -2.0]]))
+    assert list(found.solved) == [True, False]
+    assert found.images[0] == pytest.approx([2.0, np.log(2)])
+    assert np.isnan(found.images[1]).all()
+    assert "not solved at 1 of 2 points" in str(found)
+
+
+def test_what_is_missing_is_said() -> None:
+    with pytest.raises(InputError, match="no value is given for omega"):
+        ImplicitMap(TYPE_1, {"m": 1.0})
+    with pytest.raises(InputError, match="'k' is no parameter"):
+        ImplicitMap(TYPE_1, {"m": 1.0, "omega": 1.0, "k": 2.0})
+    with pytest.raises(InputError, match="shape"):
+        ImplicitMap(KICKED)(np.zeros((3, 2)))
+
+
+# -- evidence for claims -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("generating", [TYPE_1, FLOW, KICKED])
+def test_a_claim_about_an_implicit_map_has_numbers(generating: GeneratingFunction) -> None:
+    claim = generating.transformation().canonical()
+    for method, status in (("numeric", "supported"), ("all", "proved")):
+        verdict = verify(claim, method=method)
+        assert verdict.status == status
+        assert verdict.numeric is not None
+        assert verdict.numeric.points > 900
+        assert verdict.numeric.max_residual <= verdict.numeric.bound
+        assert "Newton's method" in verdict.detail["solved"]
+    assert verify(claim).numeric is None
+
+
+def test_evidence_says_that_points_lie_near_a_caustic() -> None:
+    """A short time, and momenta of ordinary size: q and Q nearly agree at every point of the domain."""
+    space = PLANE.where("-1 < p", "p < 1", "-1 < P", "P < 1")
+    short = FLOW.F.expr.subs(tau, sp.Rational(1, 10**8))
+    verdict = verify(GeneratingFunction(space, type=1, F=short).transformation().canonical(), method="numeric")
+    assert verdict.status == "supported"
+    assert "near a caustic" in verdict.detail["solved"]
+    assert "found as type" in verdict.detail["solved"]
+
+
+def test_evidence_that_denies_the_theorem_is_an_alarm(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A sign wrong on purpose in the equations for the new variables."""
+    from canon.numeric import mixed_variables
+
+    right = mixed_variables.Pattern.new_signs
+    wrong = property(lambda self: -1.5 * right.fget(self))  # type: ignore[misc]
+    monkeypatch.setattr(mixed_variables.Pattern, "new_signs", wrong)
+    for method in ("numeric", "all"):
+        verdict = verify(KICKED.transformation().canonical(), method=method)
+        assert verdict.status == "undecided"
+        assert "contradict" in verdict.detail["alarm"]
+        assert verdict.numeric is not None
+        assert verdict.numeric.max_residual > 1e3 * verdict.numeric.bound
+
+
+def test_few_steps_are_taken() -> None:
+    """Newton's method, not a slower one: a cubic equation to all digits in a few steps."""
+    P = PLANE.symbols("P")
+    cubic = ImplicitMap(GeneratingFunction(PLANE, type=2, F=x * P + x * P**3 / 3))
+    found = cubic.solve(RNG.uniform(-2, 2, (500, 2)), guess=np.array([0.1]))
+    assert found.solved.all()
+    assert found.iterations.max() <= 12
+    assert implicit.ITERATIONS > 12

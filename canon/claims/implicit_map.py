@@ -30,7 +30,11 @@ Array = Any  # numpy arrays
 
 SEEDS: Final = 8
 GUESSES: Final = 512
-NEAREST: Final = 3
+NEAREST: Final = 2
+SMALLEST: Final = 3
+AROUND: Final = 32
+"""Starts are the nearest of the guesses, and of so many near ones those with the smallest new arguments."""
+
 BLOCK: Final = 1024
 DEEP: Final = 1e6
 """Where an image loses more digits than this, it is found in more of them."""
@@ -182,7 +186,7 @@ class ImplicitMap:
         return with_caustics(F, z, best)
 
     def _starts(self, z: Array) -> list[Array]:
-        """New arguments at the points of F's region whose old variables are nearest to z."""
+        """New arguments at points of F's region whose old variables are near z: the nearest, and those that are small."""
         F, u = self._seeded
         n = u.shape[1] // 2
         found = F(u, np.arange(len(u)))
@@ -193,7 +197,10 @@ class ImplicitMap:
         old, new = old[usable], u[usable, n:]
         scale = np.median(np.abs(old), axis=0) + np.abs(z).mean(axis=0) + 1e-300
         away = np.linalg.norm((z[:, None, :] - old[None, :, :]) / scale, axis=2)
-        order = np.argsort(away, axis=1)[:, :NEAREST]
+        near = np.argsort(away, axis=1)[:, :AROUND]
+        size = np.linalg.norm(new / (np.median(np.abs(new), axis=0) + 1e-300), axis=1)
+        small = np.take_along_axis(near, np.argsort(size[near], axis=1), axis=1)[:, :SMALLEST]
+        order = np.concatenate([near[:, :NEAREST], small], axis=1)
         return [new[order[:, k]] for k in range(order.shape[1])]
 
 

@@ -186,7 +186,7 @@ class ImplicitMap:
         return with_caustics(F, z, best)
 
     def _starts(self, z: Array) -> list[Array]:
-        """New arguments at points of F's region whose old variables are near z: the nearest, and those that are small."""
+        """New arguments at points of the region whose old variables are near z: the nearest, and the smallest."""
         F, u = self._seeded
         n = u.shape[1] // 2
         found = F(u, np.arange(len(u)))

@@ -15,14 +15,16 @@ from fractions import Fraction
 from flint import fmpq_poly
 
 from canon.budget import Budget
+from canon.decide.components import pieces
 from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
+from canon.decide.load import conjugate
 from canon.decide.region import Region, Requirement
 from canon.decide.ring import TooCostly
 from canon.decide.signs import classify, sign_of
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
 
-MOST_CELLS = 48
+MOST_CELLS, MOST_QUARTERS = 48, 20
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,10 @@ def cells_of(tape: Tape, region: Region, nodes: Sequence[Node], budget: Budget) 
                 known = cuts.setdefault(symbol, [])
                 if all(edge.compare(other) for other in known):
                     known.append(edge)
+        for symbol, edge in _quarter_turns(tape, requirement, box):
+            known = cuts.setdefault(symbol, [])
+            if all(edge.compare(other) for other in known):
+                known.append(edge)
     pieces = {n: _pieces(box[n], cuts.get(n, ())) for n in symbols}
     total = 1
     for intervals in pieces.values():
@@ -78,10 +84,41 @@ def cells_of(tape: Tape, region: Region, nodes: Sequence[Node], budget: Budget) 
 
 
 def _factors(tape: Tape, requirement: Requirement) -> Iterable[Node]:
+    if requirement.kind == "slit":
+        for found in pieces(tape, parts_of_slit(tape, requirement)[:1]):
+            yield from (piece.node for piece in found)
+        return
     for node in requirement.nodes:
         yield node
         if tape.ops[node][0] == "*":
             yield from (inner for inner, _ in tape.ops[node][1])
+
+
+def parts_of_slit(tape: Tape, requirement: Requirement) -> tuple[Node, ...]:
+    """The imaginary and the real part of what must not lie in (−∞, 0], for an expression in real names."""
+    (node,) = requirement.nodes
+    unit, other = tape.constant("I"), conjugate(tape, node)
+    imaginary = tape.scaled(tape.times(unit, tape.minus(node, other)), Fraction(-1, 2))
+    return imaginary, tape.scaled(tape.plus(node, other), Fraction(1, 2))
+
+
+def _quarter_turns(tape: Tape, requirement: Requirement, box: dict[Node, Interval]) -> Iterable[tuple[Node, Edge]]:
+    """Where i times a bounded angle in an exponent passes a multiple of π/2: its cosine and sine change sign there."""
+    if requirement.kind != "slit":
+        return
+    unit = tape.constant("I")
+    for i in tape.reach(requirement.nodes):
+        op = tape.ops[i]
+        form = exact_affine(tape, tape.mul(((op[2][0], 1), (unit, -1)))) if op[:2] == ("f", "exp") else None
+        if form is None or form[2] not in box:
+            continue
+        constant, slope, symbol = form
+        image = box[symbol].affine(slope, constant)
+        if image.low is None or image.high is None:
+            continue
+        first = Edge(image.low.rational * 2, image.low.pi * 2).floor_of_multiple_of_pi()
+        for k in range(first, first + MOST_QUARTERS):
+            yield symbol, Edge(Fraction(0), Fraction(k, 2)).plus(constant.scaled(Fraction(-1))).scaled(1 / slope)
 
 
 def _zeros(tape: Tape, node: Node) -> list[tuple[Node, Edge]]:
@@ -151,6 +188,10 @@ def _state(tape: Tape, region: Region, intervals: dict[Node, Interval], budget: 
     """ "inside", "outside" or "unsure": whether each condition has a definite sign on the box."""
     unsure = False
     for requirement in region.requirements:
+        if requirement.kind == "slit":
+            imaginary, real = (definite_sign(tape, n, intervals, budget) for n in parts_of_slit(tape, requirement))
+            unsure = unsure or (imaginary is None and real != "pos")
+            continue
         sign = definite_sign(tape, requirement.nodes[0], intervals, budget)
         if requirement.kind == "positive":
             if sign == "neg":

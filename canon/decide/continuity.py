@@ -2,7 +2,7 @@
 
 What one normal form cannot show on the whole region may hold on each convex cell of it: because signs
 are known there (√(x²) = −x for x < 0), or because the cell is connected, so that a residual with zero
-gradient, or with values in 2πZ, or with a vanishing product of conjugates, is constant on it.
+gradient, or with values in 2πZ or 2πiZ, or with a vanishing product of conjugates, is constant on it.
 """
 
 from __future__ import annotations
@@ -63,6 +63,8 @@ def vanishes_on_cell(tape: Tape, node: Node, cell: Cell, rng: random.Random, bud
     point = _base_point(tape, node, cell, rng, budget)
     if point is None or _refuted(tape, node, point):
         return None
+    if _contains(tape, node, ("log",)) and tape.is_complex(node) and _winds(tape, node, cell, point, budget):
+        return "values in 2 pi i Z on a connected cell"
     if _contains(tape, node, INVERSE) and _turns(tape, node, cell, point, budget):
         return "values in 2 pi Z on a connected cell"
     if reduced is not None and reduced[1] is not None and _conjugates(reduced[1], reduced[2], reduced[3], point):
@@ -113,6 +115,15 @@ def _turns(tape: Tape, node: Node, cell: Cell, point: Sample, budget: Budget) ->
             with precision(64):
                 return bool(abs(point.balls[node]) * arb(rational(k)) < 2 * arb.pi())
     return False
+
+
+def _winds(tape: Tape, node: Node, cell: Cell, point: Sample, budget: Budget) -> bool:
+    """exp(x) = 1 on the cell puts x into 2πiZ; a ball within the circle at one point makes it 0."""
+    reduced = _reduce(tape, tape.add(((tape.call("exp", node), 1),), -1), cell, budget)
+    if reduced is None or not reduced[0]:
+        return False
+    with precision(64):
+        return bool(abs(point.balls[node]) < 2 * arb.pi())
 
 
 def _gradient(

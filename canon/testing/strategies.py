@@ -100,8 +100,9 @@ def generating_functions(
     if smallest is not None:
         factors[draw(st.integers(0, space.n - 1))] = smallest
     F = sp.Add(*(c * x * y for c, x, y in zip(factors, old, new, strict=True)))
-    F += draw(functions(old, transcendental=not solvable)) if solvable else draw(functions(old))
-    F += draw(polynomials(new, min_degree=2, max_degree=2, max_terms=2)) if solvable else draw(functions(new))
+    nothing = st.just(sp.S.Zero)
+    F += draw(nothing | functions(old, transcendental=not solvable))
+    F += draw(nothing | (polynomials(new, min_degree=2, max_degree=2, max_terms=2) if solvable else functions(new)))
     if not solvable:
         x, y = draw(st.sampled_from(old)), draw(st.sampled_from(new))
         F += min(map(abs, factors)) / draw(st.integers(3, 9)) * sp.sin(x) * sp.sin(y)

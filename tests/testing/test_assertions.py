@@ -93,3 +93,31 @@ def test_orders_are_measured(step: Any, order: int) -> None:
 def test_an_order_below_the_plateau_is_not_guessed() -> None:
     with pytest.raises(InputError, match="above the rounding plateau"):
         assert_order(rk4, 4, start=[0.7, 0.3], duration=1e-3)
+
+
+def test_a_linear_problem_is_no_measure_of_an_order() -> None:
+    def of_oscillator(z: Array, h: float) -> Array:
+        p = z[1] - h / 2 * z[0]
+        q = z[0] + h * p
+        return np.array([q, p - h / 2 * q])
+
+    with pytest.raises(InputError, match="the step is linear in z"):
+        assert_order(of_oscillator, 2, start=[0.7, 0.3])
+    assert assert_order(of_oscillator, 2, start=[0.7, 0.3], linear=True) == pytest.approx(2, abs=0.1)
+
+
+def nested(field: Any, z: Array, h: float) -> Array:
+    """z + h f(z + h/2 f(z + h/3 f(z))), Jameson's scheme: of order 3 for linear fields, of order 2 for others."""
+    return z + h * field(z + h / 2 * field(z + h / 3 * field(z)))
+
+
+def test_a_method_that_is_better_on_linear_problems_is_caught() -> None:
+    def on_line(z: Array, h: float) -> Array:
+        return nested(lambda z: np.array([z[1], -z[0]]), z, h)
+
+    def on_pendulum(z: Array, h: float) -> Array:
+        return nested(lambda z: np.array([z[1], -np.sin(z[0]) - z[0] ** 3]), z, h)
+
+    assert assert_order(on_line, 3, start=[0.7, 0.3], linear=True) == pytest.approx(3, abs=0.25)
+    with pytest.raises(AssertionError, match="on_pendulum has order 2"):
+        assert_order(on_pendulum, 3, start=[0.7, 0.3])

@@ -1,0 +1,78 @@
+"""Flows of Hamiltonians pass, and what isn't one is told what fails: the start, the velocity, or symplecticity."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from canon import Hamiltonian, InputError, PhaseSpace
+from canon.testing import assert_hamiltonian_flow
+
+Array = np.ndarray
+
+
+def turn(z: Array, t: float) -> Array:
+    """The oscillator of frequency 2."""
+    c, s = np.cos(2 * t), np.sin(2 * t)
+    return np.array([c * z[0] + s * z[1] / 2, -2 * s * z[0] + c * z[1]])
+
+
+def energy(z: Array) -> Any:
+    return z[1] ** 2 / 2 + 2 * z[0] ** 2
+
+
+def test_the_flow_of_a_function_and_of_a_formula() -> None:
+    assert_hamiltonian_flow(turn, energy, dimension=2, samples=10)
+    space = PhaseSpace("q", "p", positive="w")
+    q, p, w = space.symbols("q p w")
+    oscillator = Hamiltonian(space, p**2 / 2 + w**2 * q**2 / 2)
+    assert_hamiltonian_flow(turn, oscillator, dimension=2, samples=10, parameters={"w": 2})
+    with pytest.raises(AssertionError, match="its velocity isn't J ∇H"):
+        assert_hamiltonian_flow(turn, oscillator, dimension=2, samples=10, parameters={"w": 2 + 1e-9})
+
+
+@pytest.mark.parametrize(
+    ("flow", "message"),
+    [
+        (lambda z, t: turn(z, t + 1e-9), r"doesn't start where it should at t = 0: p is off by 1\.\d+e-09"),
+        (lambda z, t: turn(z, -t), r"at t = 0.1 its velocity isn't J ∇H: . is off by .*, bound .*, from q = "),
+        (lambda z, t: turn(z, t) * (1 + 1e-9 * t), "its velocity isn't J ∇H"),
+        (lambda z, t: turn(z, t * (1 + 1e-10)), "its velocity isn't J ∇H"),
+    ],
+)
+def test_what_is_no_flow_of_it(flow: Any, message: str) -> None:
+    with pytest.raises(AssertionError, match=message):
+        assert_hamiltonian_flow(flow, energy, dimension=2, samples=10)
+
+
+def test_a_velocity_field_may_agree_at_single_points_alone() -> None:
+    """Each orbit is right, but at a wrong phase that depends on where it began: the velocity is, the map isn't."""
+
+    def late(z: Array, t: float) -> Array:
+        return turn(z, t + 1e-3 * np.sin(10 * np.pi * t) ** 4 * z[0] ** 2)
+
+    with pytest.raises(AssertionError):
+        assert_hamiltonian_flow(late, energy, dimension=2, times=(0.05, 0.1), samples=10)
+
+
+def test_an_approximate_flow_needs_a_tolerance() -> None:
+    def kick_and_drift(z: Array, t: float, steps: int = 200) -> Array:
+        q, p = z
+        h = t / steps
+        for _ in range(steps):
+            p = p - h / 2 * 4 * q
+            q = q + h * p
+            p = p - h / 2 * 4 * q
+        return np.array([q, p])
+
+    assert_hamiltonian_flow(kick_and_drift, energy, dimension=2, times=(0.5,), samples=4, tolerance=1e-4)
+    with pytest.raises(AssertionError, match="kick_and_drift is not the flow of this Hamiltonian"):
+        assert_hamiltonian_flow(kick_and_drift, energy, dimension=2, times=(0.5,), samples=4)
+
+
+def test_bad_input() -> None:
+    with pytest.raises(InputError, match="a Hamiltonian, or a function of z, is expected, not float"):
+        assert_hamiltonian_flow(turn, 1.0, dimension=2)  # type: ignore[arg-type]
+    space = PhaseSpace("x y", "u v")
+    with pytest.raises(InputError, match="H has 2 degrees of freedom, the flow 1"):
+        assert_hamiltonian_flow(turn, Hamiltonian(space, space.p[0]), dimension=2)

@@ -1,4 +1,4 @@
-"""What strategies promise holds: symplectic matrices of a condition, stated defects, known integrals, regular Hessians."""
+"""What strategies promise holds: symplectic matrices of a condition, stated defects, known integrals, Hessians."""
 
 import numpy as np
 import sympy as sp

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from canon.claims.implicit_map import ImplicitImages, ImplicitMap
     from canon.claims.invariance import cartan_loop_invariant, loop_invariant, surface_invariant
     from canon.claims.invariance_report import Invariance, NotInvariant
+    from canon.claims.certify import DefectBound, certify
     from canon.claims.symplectify import MapRepair, MatrixRepair, symplectify
     from canon.claims.verify import verify
     from canon.domain import (
@@ -83,6 +84,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claims.implicit_map": ("ImplicitImages", "ImplicitMap"),
     "canon.claims.invariance": ("cartan_loop_invariant", "loop_invariant", "surface_invariant"),
     "canon.claims.invariance_report": ("Invariance", "NotInvariant"),
+    "canon.claims.certify": ("DefectBound", "certify"),
     "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
     "canon.claims.verify": ("verify",),
     "canon.mechanics.phase_space": ("PhaseSpace",),
@@ -131,6 +133,7 @@ __all__ = [
     "ClaimFailed",
     "Condition",
     "Conventions",
+    "DefectBound",
     "Domain",
     "Formula",
     "GeneratingFunction",
@@ -154,6 +157,7 @@ __all__ = [
     "bracket",
     "bracket_matrix",
     "cartan_loop_invariant",
+    "certify",
     "closed_lie_series",
     "compose",
     "conserved",

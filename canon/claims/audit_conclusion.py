@@ -103,16 +103,23 @@ def _gaps(run: AuditRun, samples: int) -> list[str]:
 
 
 def _confirmed(run: AuditRun, name: str) -> Mapping[str, Any] | None:
-    """The witness in balls of a family's worst bracket, if the map is given by formulas."""
-    subject = run.subject
-    if subject.transformation is None:
-        return None
-    from canon.claims.confirm import certified_failure
-
-    tally = run.tallies[name]
+    """The witness in balls of a family's worst bracket, if the map is given by formulas or by a jax program."""
+    subject, tally = run.subject, run.tallies[name]
     n = len(subject.names) // 2
     i, j = tally.index
     row, column = (i if name[1] == "Q" else i + n), (j if name[3] == "Q" else j + n)
-    expected = subject.exact_scale if name == "{Q,P}" and i == j else Fraction(0)
-    found = certified_failure(subject.transformation, row, column, expected, tally.point, subject.parameters)
-    return None if found is None else found.as_table()
+    if subject.transformation is not None:
+        from canon.claims.confirm import certified_failure
+
+        expected = subject.exact_scale if name == "{Q,P}" and i == j else Fraction(0)
+        found = certified_failure(subject.transformation, row, column, expected, tally.point, subject.parameters)
+        return None if found is None else found.as_table()
+    assert run.map is not None
+    if run.map.program is None:
+        return None
+    from canon.claims.confirm import confirmed_by_program
+
+    values = run.map.program.select(run.map.program.outputs[: 2 * n])
+    if not confirmed_by_program(values, row, column, subject.exact_scale, tally.point, tally.bound):
+        return None
+    return {name: str(Fraction(x)) for name, x in zip(subject.names, tally.point, strict=True)}

@@ -1,4 +1,4 @@
-"""A bracket of a transformation at one exact point, in balls: what turns numerical evidence into a refutation."""
+"""A bracket of a map at one exact point, in balls: what turns numerical evidence into a refutation."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ from canon.decide.answer import Witness
 from canon.decide.derivative import poisson_bracket
 from canon.decide.enclosure import excludes_zero
 from canon.decide.search import Finder
+from canon.decide.series_program import Unenclosed
+from canon.decide.symplectic_defect import defect_at
 from canon.decide.tape import Unsupported
+from canon.program import Program
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -56,3 +59,20 @@ def certified_failure(
     if sample is None or not excludes_zero(sample.balls[residual]):
         return None
     return Witness.of(tape, sample, sample.balls[residual])
+
+
+def confirmed_by_program(
+    values: Program, row: int, column: int, scale: Fraction, point: Sequence[float], bound: float
+) -> bool:
+    """Whether the entry of M J Mᵀ − scale J in a row and column certainly exceeds the rounding `bound` at a point.
+
+    `values` is the program of a map's 2n values, its numbers taken exactly; M is its true Jacobian, whatever
+    derivatives the map's author has declared. More than 0 is asked for because those numbers were rounded.
+    """
+    try:
+        entries = defect_at(values, [Fraction(x) for x in point], scale)
+    except (Unenclosed, Unsupported):
+        return False
+    if row == column:
+        return False
+    return bool(entries[min(row, column), max(row, column)].abs_lower() > bound)

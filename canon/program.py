@@ -6,6 +6,7 @@ in balls. Equal operations are one node, and what multiplies by 0 or 1 has gone,
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Final, NamedTuple
@@ -123,7 +124,7 @@ class Builder:
         """The finished program, without what its outputs do not need."""
         return Program(self.inputs, tuple(self.operations), outputs).select(outputs)
 
-    def _simplified(self, name: str, operands: tuple[Node, ...], values: list[object]) -> Node | None:
+    def _simplified(self, name: str, operands: tuple[Node, ...], values: Sequence[object]) -> Node | None:
         if name == "neg":
             inner = self.operations[operands[0]]
             if inner.name == "neg":

@@ -82,7 +82,7 @@ class AuditRun:
     def examine(self, index: Array, *, counted: bool = True) -> None:
         """Examine the points of these indices; those that a sweep has counted already are not `counted` again."""
         points = self.where.at(index, self.seed)
-        inside = points[self.subject.inside(points)]
+        inside = points[self.subject.admits(points)]
         if counted:
             self.outside += len(points) - len(inside)
         if not len(inside):
@@ -99,8 +99,8 @@ class AuditRun:
         M, E = self.map.linearise(inside)
         if first:
             self._check(inside, M, E)
-        finite = np.isfinite(values).all(axis=1)
-        smooth = finite & np.isfinite(M).all(axis=(1, 2))
+        finite = np.asarray(np.isfinite(values).all(axis=1))
+        smooth = finite & np.asarray(np.isfinite(M).all(axis=(1, 2)))
         if counted:
             self._leave_out(inside, finite, smooth)
         if smooth.any():
@@ -193,7 +193,7 @@ class AuditRun:
             self.where,
             self.seed,
             self.subject.scale,
-            admits=self.subject.admits,
+            admits=self.subject.membership,
             rounded_numbers=self.subject.rounded_numbers,
         )
         worst: list[Array] = []

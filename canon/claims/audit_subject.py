@@ -27,7 +27,7 @@ Array = np.ndarray
 class AuditSubject:
     """A map of points, the names and default ranges of their entries, and the scale that M J Mᵀ = scale J expects.
 
-    For a map given by formulas: the `transformation`, its `parameters`, which points its domain `admits`; and
+    For a map given by formulas: the `transformation`, its `parameters`, the `membership` in its domain; and
     `rounded_numbers` says that the function's numbers are rounded ones of the formulas.
     """
 
@@ -38,16 +38,16 @@ class AuditSubject:
     kind: str = ""
     transformation: Transformation | None = None
     parameters: Mapping[sp.Symbol, float] = field(default_factory=dict)
-    admits: Membership | None = None
+    membership: Membership | None = None
     rounded_numbers: bool = False
     exact_scale: Fraction = field(init=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "exact_scale", Fraction(self.scale))
 
-    def inside(self, points: Array) -> Array:
+    def admits(self, points: Array) -> Array:
         """Which points (N, 2n) satisfy the conditions of the formulas, as far as floats tell."""
-        return np.ones(len(points), dtype=bool) if self.admits is None else self.admits(list(points.T))
+        return np.ones(len(points), dtype=bool) if self.membership is None else self.membership(list(points.T))
 
 
 def formulas_as_map(transformation: Transformation, parameters: Mapping[str, float], scale: float) -> AuditSubject:
@@ -88,6 +88,6 @@ def formulas_as_map(transformation: Transformation, parameters: Mapping[str, flo
         kind="formulas",
         transformation=transformation,
         parameters=values,
-        admits=membership(stated, arguments, values),
+        membership=membership(stated, arguments, values),
         rounded_numbers=True,
     )

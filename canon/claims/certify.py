@@ -34,8 +34,6 @@ CLOSE: Final = 1.05
 FINEST: Final = Fraction(1, 2**12)
 """A part of the box this much narrower, where the map still can't be enclosed, is given up."""
 
-TRIALS: Final = 16
-
 
 def certify(
     map: Transformation | Callable[..., Any],  # noqa: A002 - the field's own word
@@ -85,8 +83,7 @@ def certify(
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
         names, exact = variables(dimension, space), Fraction(scale)
         low, high = _box(box, names)
-        trial = np.random.default_rng(0).uniform(low, high, (TRIALS, len(names)))
-        program = program_of_function(map, trial)
+        program = program_of_function(map, len(names))
     whole = Box(
         tuple((Fraction(a) + Fraction(b)) / 2 for a, b in zip(low, high, strict=True)),
         tuple((Fraction(b) - Fraction(a)) / 2 for a, b in zip(low, high, strict=True)),

@@ -6,13 +6,11 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from canon.decide.tape import Tape, Unsupported
 from canon.decide.tape_program import program_of
 from canon.errors import InputError
-from canon.numeric.map_shape import point_map
 from canon.numeric.scalar_program import Unscalar, scalar_program
+from canon.numeric.traced import traced
 from canon.program import Program
 
 if TYPE_CHECKING:
@@ -37,20 +35,22 @@ def program_of_formulas(transformation: Transformation, parameters: Mapping[sp.S
         raise InputError(f"these formulas have no enclosure by power series: {reason}") from reason
 
 
-def program_of_function(function: Callable[..., Any], points: np.ndarray) -> Program:
-    """The program of a jax function's 2n values; it is tried at `points` (N, 2n) to see how it takes them.
+def program_of_function(function: Callable[..., Any], size: int) -> Program:
+    """The program of a jax function's values, for points of `size` variables.
 
     Its numbers are the floats in it, taken exactly.
 
-    **Raises:** `InputError` where the function is no straight-line program that jax can trace.
+    **Raises:** `InputError` where jax cannot trace the function, or it is no straight-line program.
     """
-    one = point_map(function, points).one
+    if not callable(function):
+        raise InputError(f"a map is a function or a transformation, not {type(function).__name__}")
+    program = traced(function, size)
+    if program is None:
+        raise InputError(
+            f"jax cannot trace the function as a map of {size} variables, so that balls cannot follow it: "
+            "write it with jax.numpy instead of numpy, or give formulas"
+        )
     try:
-        return scalar_program(one, points.shape[1])
+        return scalar_program(program.one, size)
     except Unscalar as reason:
         raise InputError(f"the function is no straight-line program of elementary functions: {reason}") from reason
-    except Exception as reason:  # a function of numpy may raise anything when it is given a tracer
-        raise InputError(
-            "jax cannot trace the function, so that balls cannot follow it: write it with jax.numpy instead of numpy, "
-            f"or give formulas ({type(reason).__name__})"
-        ) from reason

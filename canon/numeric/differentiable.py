@@ -16,11 +16,12 @@ import numpy as np
 from canon.errors import InputError
 from canon.numeric.differences import central_differences, complex_step, neighbours
 from canon.numeric.emit import run
-from canon.numeric.map_shape import PointMap, point_map
+from canon.numeric.map_shape import TRIALS, point_map, shown
 from canon.numeric.precision import UNIT, UNIT_32, double
 from canon.numeric.rounding import Unbounded, with_rounding
 from canon.numeric.running_bound import run_bounded
 from canon.numeric.scalar_program import Unscalar, values_and_jacobian
+from canon.numeric.traced import Traced, traced
 from canon.program import Program
 
 Method = Literal["forward-mode AD", "complex step", "central differences"]
@@ -78,10 +79,10 @@ def differentiable(
     **Raises:** `InputError` where the function raises at every point tried, or returns a wrong shape or complex
     numbers.
     """
+    program = traced(function, points.shape[1]) if callable(function) else None
+    if program is not None:
+        return _of_jax(program, points, rounded_numbers)
     mapped = point_map(function, points)
-    traced = _traced(mapped, points, rounded_numbers)
-    if traced is not None:
-        return traced
     unit = UNIT_32 if mapped.single else UNIT
     trial = points[mapped.usable[:TRIAL_POINTS]]
     M, E = central_differences(mapped.evaluate, trial, lengths, unit)
@@ -109,38 +110,21 @@ def differentiable(
     )
 
 
-def _traced(mapped: PointMap, points: Array, rounded_numbers: bool) -> Differentiable | None:
-    """The map with jax's derivatives; None where jax cannot trace the function."""
-    import jax
-    import jax.numpy as jnp
-    from jax.extend.core import jaxpr_as_fun
-
+def _of_jax(traced: Traced, points: Array, rounded_numbers: bool) -> Differentiable:
+    """The map with jax's derivatives."""
     size = points.shape[1]
-    with double():
-        try:
-            closed, shape = jax.make_jaxpr(mapped.one, return_shape=True)(jnp.zeros(size))
-        except Exception:  # a function of numpy may raise anything when it is given a tracer
-            return None
-        if getattr(shape, "shape", None) != (size,):
-            return None
-        if np.issubdtype(shape.dtype, np.complexfloating):
-            raise InputError("the map returns complex numbers: an audit is of a real map")
-    single = "f32[" in str(closed)
-    unit = UNIT_32 if single else UNIT
-
-    def one(z: Any) -> Any:
-        """The function, without its own Python code."""
-        (value,) = jaxpr_as_fun(closed)(z)
-        return value
-
+    unit = UNIT_32 if traced.single else UNIT
     try:
-        if single or size > LARGEST_TAKEN_APART:
+        if traced.single or size > LARGEST_TAKEN_APART:
             raise Unscalar("too large, or float32")
-        program = values_and_jacobian(one, size)
+        program = values_and_jacobian(traced.one, size)
         evaluate, linearise, bounded = _run_directly(program, rounded_numbers)
     except Unscalar:
         program = None
-        evaluate, linearise, bounded = _compiled(one, size, unit)
+        evaluate, linearise, bounded = _compiled(traced.one, size, unit)
+    trial = points[:TRIALS]
+    if not np.isfinite(evaluate(trial)).all(axis=1).any():
+        raise InputError(f"the map has no finite value at any of {len(trial)} points tried, as at {shown(trial[0])}")
     return Differentiable(
         dimension=size,
         kind="jax",
@@ -149,9 +133,9 @@ def _traced(mapped: PointMap, points: Array, rounded_numbers: bool) -> Different
         evaluate=evaluate,
         linearise=linearise,
         unit=unit,
-        form=mapped.form,
-        steady=mapped.steady,
-        said=mapped.said,
+        form=traced.form,
+        steady=traced.steady,
+        said=lambda: "",
         program=program,
     )
 

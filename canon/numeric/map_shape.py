@@ -55,7 +55,7 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
     trial = points[:TRIALS]
     reasons: list[Exception] = []
     form, one, results = "", function, []
-    for form, one in _forms(function, size):  # noqa: B007 - the first that works is kept
+    for form, one in forms(function, size):  # noqa: B007 - the first that works is kept
         results, reason = _tried(one, trial)
         if reason is not None:
             reasons.append(reason)
@@ -66,10 +66,10 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
         wrong = next((reason for reason in reasons if isinstance(reason, _WrongShape)), None)
         if wrong is not None:
             raise InputError(f"{wrong}. {EXPECTED}") from wrong
-        shown = f"{type(reasons[0]).__name__}: {reasons[0]}"
-        raise InputError(f"the map raises at every point tried, for instance at {_shown(trial[0])}: {shown}")
+        said = f"{type(reasons[0]).__name__}: {reasons[0]}"
+        raise InputError(f"the map raises at every point tried, for instance at {shown(trial[0])}: {said}")
     if not usable:
-        raise InputError(f"the map has no finite value at any of {len(trial)} points tried, as at {_shown(trial[0])}")
+        raise InputError(f"the map has no finite value at any of {len(trial)} points tried, as at {shown(trial[0])}")
     found = [np.asarray(results[k]) for k in usable]
     if any(np.iscomplexobj(value) for value in found):
         raise InputError("the map returns complex numbers: an audit is of a real map")
@@ -97,8 +97,11 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
     return PointMap(one, evaluate, single, steady, np.array(usable), form, many, lambda: first[0] if first else "")
 
 
-def _forms(function: Callable[..., Any], size: int) -> list[tuple[str, Callable[[Any], Any]]]:
-    """The ways in which the function may take a point, likely ones first."""
+def forms(function: Callable[..., Any], size: int) -> list[tuple[str, Callable[[Any], Any]]]:
+    """The ways in which the function may take a point, likely ones first: each as a name and a function of z (2n,).
+
+    These functions raise where what is returned is no point.
+    """
     n = size // 2
 
     def of_pair(z: Any) -> Any:
@@ -217,5 +220,6 @@ def _first_right(
     return None
 
 
-def _shown(point: Array) -> str:
+def shown(point: Array) -> str:
+    """A point's coordinates."""
     return "(" + ", ".join(f"{x:.6g}" for x in point) + ")"

@@ -195,7 +195,8 @@ def _read(words: Array) -> Sweep:
         unusable = np.union1d(void, rough)
         exceeds, unresolved = np.setdiff1d(exceeds, unusable), np.setdiff1d(unresolved, unusable)
         halves[:, unusable] = 0
-    return Sweep(*halves, outside, undefined, rough, exceeds, unresolved)
+    ratio, QQ, PP, QP = halves
+    return Sweep(ratio, QQ, PP, QP, outside, undefined, rough, exceeds, unresolved)
 
 
 def number(half: Any) -> float:

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.claims.audit import AuditFailed, AuditReport, audit
+    from canon.claims.certify import DefectBound, certify
     from canon.claims.implicit_map import ImplicitImages, ImplicitMap
     from canon.claims.invariance import cartan_loop_invariant, loop_invariant, surface_invariant
     from canon.claims.invariance_report import Invariance, NotInvariant
-    from canon.claims.certify import DefectBound, certify
     from canon.claims.symplectify import MapRepair, MatrixRepair, symplectify
     from canon.claims.verify import verify
     from canon.domain import (

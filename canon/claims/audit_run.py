@@ -82,7 +82,7 @@ class AuditRun:
     def examine(self, index: Array, *, counted: bool = True) -> None:
         """Examine the points of these indices; those that a sweep has counted already are not `counted` again."""
         points = self.where.at(index, self.seed)
-        inside = points[self.subject.admits(points)]
+        inside = points[self.subject.inside(points)]
         if counted:
             self.outside += len(points) - len(inside)
         if not len(inside):

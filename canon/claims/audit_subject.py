@@ -45,7 +45,7 @@ class AuditSubject:
     def __post_init__(self) -> None:
         object.__setattr__(self, "exact_scale", Fraction(self.scale))
 
-    def admits(self, points: Array) -> Array:
+    def inside(self, points: Array) -> Array:
         """Which points (N, 2n) satisfy the conditions of the formulas, as far as floats tell."""
         return np.ones(len(points), dtype=bool) if self.membership is None else self.membership(list(points.T))
 

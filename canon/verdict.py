@@ -16,6 +16,10 @@ GLANCES: Final = 2
 STATUSES: Final[tuple[Status, ...]] = ("proved", "refuted", "supported", "undecided")
 
 
+NUMBERS: Final[Mapping[str, str]] = {"independent": "the minor's size"}
+"""What the number of the evidence is, for kinds that claim that something doesn't vanish; else the largest residual."""
+
+
 @dataclass(frozen=True)
 class Evidence:
     """What sampling found: at `points` points in `bits` bits, the largest residual and its rounding bound.
@@ -31,8 +35,12 @@ class Evidence:
     bits: int = 53
 
     def __str__(self) -> str:
+        return self.words("largest residual")
+
+    def words(self, number: str) -> str:
+        """The evidence in words; `number` says what it is that was looked at."""
         counted = f"{self.points} point{'s' * (self.points != 1)} in {self.bits} bits"
-        return f"{counted}, largest residual {self.max_residual:.3g} against a rounding bound of {self.bound:.3g}"
+        return f"{counted}, {number} {self.max_residual:.3g} against a rounding bound of {self.bound:.3g}"
 
 
 @dataclass(frozen=True)
@@ -88,7 +96,7 @@ class Verdict:
             lines.append("  at " + ", ".join(f"{key} = {_value(value)}" for key, value in self.witness.items()))
         lines += [f"  {key.replace('_', ' ')}: {_value(value)}" for key, value in self.detail.items()]
         if self.numeric is not None and (self.status in ("supported", "undecided") or self.numeric.points > GLANCES):
-            lines.append(f"  {self.numeric}")
+            lines.append(f"  {self.numeric.words(NUMBERS.get(self.kind, 'largest residual'))}")
         return "\n".join(lines)
 
     def _repr_markdown_(self) -> str:

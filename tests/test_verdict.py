@@ -75,6 +75,12 @@ def test_errors_name_their_place():
     assert pickle.loads(pickle.dumps(error)).where == error.where  # noqa: S301 - our own
 
 
+def test_the_number_of_a_claim_that_something_is_not_zero_is_no_residual() -> None:
+    evidence = Evidence(1, 2.0, 1e-16)
+    assert "1 point in 53 bits, the minor's size 2 " in str(Verdict("supported", "independent", numeric=evidence))
+    assert "1 point in 53 bits, largest residual 2 " in str(Verdict("supported", "bracket", numeric=evidence))
+
+
 def test_a_notebook_shows_certificate_and_witness() -> None:
     data = {"kind": "canonical", "domain": ["m_1 > 0"], "arguments": [{"method": "normal form", "x": None}]}
     certificate = Certificate(lambda: data)

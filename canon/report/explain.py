@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from canon.report.words import Record, duration, name, value, visible
-from canon.verdict import GLANCES
+from canon.verdict import GLANCES, NUMBERS
 
 FEW: Final = 12
 """Up to so many claims, refutations that were expected are explained too."""
@@ -38,7 +38,8 @@ def explanation(claim: Record) -> Iterator[str]:
     numeric = claim["numeric"]
     if numeric and (claim["verdict"] != "refuted" or numeric["points"] > GLANCES):
         counted = f"{numeric['points']} sample point{'s' * (numeric['points'] != 1)}"
-        yield f"  {counted}: largest residual {numeric['max_residual']}, rounding bound {numeric['bound']}"
+        number = NUMBERS.get(claim["kind"], "largest residual")
+        yield f"  {counted}: {number} {numeric['max_residual']}, rounding bound {numeric['bound']}"
     if claim["verdict"] == "undecided":
         hint = "; a larger --budget may help" if "budget" in str(claim["detail"]) else ""
         yield f"  undecided after {duration(claim['seconds'])}{hint}"

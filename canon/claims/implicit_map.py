@@ -109,7 +109,7 @@ class ImplicitMap:
                 raise InputError(f"{name!r} is no parameter of this generating function", "parameters")
         free = self.generating.F.expr.free_symbols - {*self.generating.mixed}
         for symbol in sorted(free, key=str):
-            if symbol.name not in self.parameters:
+            if str(symbol) not in self.parameters:
                 raise InputError(f"no value is given for {symbol}: give one in `parameters`", "parameters")
 
     @cached_property
@@ -235,7 +235,12 @@ def _nearer(one: MixedSolution, other: MixedSolution, target: Array) -> MixedSol
 
 
 def _joined(parts: list[ImplicitImages]) -> ImplicitImages:
-    names = ("images", "jacobians", "errors", "condition", "iterations")
-    arrays = [np.concatenate([getattr(part, name) for part in parts]) for name in names]
-    types = tuple(types for part in parts for types in part.types)
-    return ImplicitImages(*arrays, types, np.concatenate([part.bits for part in parts]))
+    return ImplicitImages(
+        images=np.concatenate([part.images for part in parts]),
+        jacobians=np.concatenate([part.jacobians for part in parts]),
+        errors=np.concatenate([part.errors for part in parts]),
+        condition=np.concatenate([part.condition for part in parts]),
+        iterations=np.concatenate([part.iterations for part in parts]),
+        types=tuple(types for part in parts for types in part.types),
+        bits=np.concatenate([part.bits for part in parts]),
+    )

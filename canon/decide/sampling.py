@@ -121,8 +121,8 @@ def _by_clouds(
     groups = [[s] for s in seeds[:GROUPS]] if seeds[0].functions else [list(seeds)]
     scans = []
     for number, group in enumerate(groups):
-        size = points // len(groups) + (number < points % len(groups))
-        scans.append(_scanned(finder, nodes, group, size, budget, seed + number))
+        share = points // len(groups) + (number < points % len(groups))
+        scans.append(_scanned(finder, nodes, group, share, budget, seed + number))
     found = sum(scan.points for scan in scans)
     if not found:
         return _evidence_of(seeds, nodes, 53), None
@@ -132,7 +132,8 @@ def _by_clouds(
         return None, refuted
     if suspects and suspects[0].ratio > 1:
         raise Underestimated
-    return Evidence(found, *max(scan.largest for scan in scans), 53), None
+    size, bound = max(scan.largest for scan in scans)
+    return Evidence(found, size, bound, 53), None
 
 
 def _scanned(
@@ -148,7 +149,8 @@ def _scanned(
     if not cloud.size:
         return _Scan(0, (0.0, 0.0), ())
     place = evaluate_many(finder.tape, finder.everything, cloud.points, cloud.functions)
-    pairs = [tuple(np.broadcast_to(part, cloud.size) for part in place[node]) for node in nodes]
+    found = [place[node] for node in nodes]
+    pairs = [(np.broadcast_to(v, cloud.size), np.broadcast_to(b, cloud.size)) for v, b in found]
     usable = np.logical_and.reduce([np.isfinite(value) & np.isfinite(bound) for value, bound in pairs])
     largest, suspects = (0.0, 0.0), []
     for value, bound in pairs:

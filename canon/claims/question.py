@@ -111,6 +111,8 @@ class Question:
         if values is None:
             raise InputError(f"a claim of kind {self.claim.kind!r} needs the key {name!r}")
         values = (values,) if isinstance(values, Formula) else tuple(values)
+        if not values:
+            raise InputError("the list is empty", f"key {name!r}")
         if count is not None and len(values) != count:
             raise InputError(f"{count} expressions are expected, not {len(values)}", f"key {name!r}")
         return tuple(self.checked(value, name, side) for value in values)

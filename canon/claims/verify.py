@@ -39,6 +39,8 @@ def verify(claim: Claim, *, budget: float = 10.0, seed: int = 0, method: Method 
     """
     if method not in METHODS:
         raise InputError(f"a method is one of {', '.join(METHODS)}, not {method!r}")
+    if not isinstance(claim, Claim) or claim.subject is None:
+        raise InputError(f"a claim about something is expected, as transformation.canonical() makes one, not {claim!r}")
     decide = kind_named(claim.kind)
     start = time.monotonic()
     whole = Budget(claim.budget if claim.budget is not None else budget)

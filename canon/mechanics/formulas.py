@@ -24,6 +24,7 @@ def as_expression(value: Expression, where: str = "") -> sp.Expr:
         return value.expr
     if isinstance(value, bool) or not isinstance(value, int | Fraction | sp.Expr):
         advice = "; write Rational('0.1') for an exact 0.1" if isinstance(value, float) else ""
+        advice = "; text is read by space.formula(...)" if isinstance(value, str) else advice
         raise InputError(f"an expression is expected, not {value!r}{advice}", where)
     if isinstance(value, sp.Expr):
         if value.has(sp.Float):

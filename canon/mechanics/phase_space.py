@@ -144,7 +144,11 @@ class PhaseSpace:
         called = tuple(name for name in rest if "function" in words[name])
         for name in called:
             if set(words[name]) != {"function"}:
-                raise InputError(f"{name!r} is a function; other assumptions do not apply to it", "symbols")
+                raise InputError(
+                    f"{name!r} is a function, of which nothing more is assumed here; restrict its values by "
+                    f"space.where(...), as in '{name}(x) > 0'",
+                    "symbols",
+                )
         put = object.__setattr__
         put(self, "q", old)
         put(self, "p", momenta)

@@ -18,6 +18,7 @@ from canon.domain import Condition
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import PhaseSpace, Transformation
+from canon.mechanics.statements import independent
 
 SPACE = PhaseSpace("q", "p", new=("Q", "P"), positive="m")
 q, p, m = SPACE.symbols("q p m")
@@ -51,6 +52,14 @@ def test_methods():
     assert {verify(false, method=method).status for method in ("symbolic", "numeric", "all")} == {"refuted"}
     with pytest.raises(InputError, match="method"):
         verify(true, method="quick")  # type: ignore[arg-type]
+
+
+def test_what_is_no_claim():
+    for nothing in ("canonical", Claim("canonical", None), exchange()):
+        with pytest.raises(InputError, match="a claim about something is expected"):
+            verify(nothing)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="key 'functions': the list is empty"):
+        verify(independent(SPACE, []))
 
 
 @pytest.mark.parametrize("method", ["symbolic", "numeric", "all"])

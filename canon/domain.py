@@ -202,7 +202,7 @@ class Smoothness:
     """
 
     def __init__(self) -> None:
-        self._is_complex = Reality()
+        self.is_complex = Reality()
         self._known: dict[Any, tuple[Condition, ...]] = {}
 
     def __call__(self, expression: Any) -> tuple[Condition, ...]:
@@ -225,7 +225,7 @@ class Smoothness:
                 stack.extend(reversed(parts))
                 continue
             stack.pop()
-            own = () if node.__class__ in _EVERYWHERE else _node_conditions(node, self._is_complex)
+            own = () if node.__class__ in _EVERYWHERE else _node_conditions(node, self.is_complex)
             known[node] = unique(own, *inner) if inner else own
         return known[expression]
 

@@ -65,10 +65,9 @@ def check_symbols(formulas: Iterable[Formula | sp.Expr], known: Mapping[str, sp.
     """
     for formula in formulas:
         expression = formula.expr if isinstance(formula, Formula) else formula
-        for symbol in sorted(expression.free_symbols, key=str):
-            meant = known.get(str(symbol))
-            if meant is None or meant == symbol:
-                continue
+        others = [s for s in expression.free_symbols if known.get(getattr(s, "name", ""), s) != s]
+        for symbol in sorted(others, key=str):
+            meant = known[symbol.name]
             mine, its = (_assumed(x) for x in (symbol, meant))
             raise InputError(
                 f"this {symbol} is {mine}, and the {symbol} of the phase space is {its}: two different symbols; "

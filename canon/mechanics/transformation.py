@@ -14,7 +14,6 @@ from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.poisson import BracketMatrix, bracket_matrix, lagrange_matrix, standard_j
 from canon.mechanics.subject import Subject
-from canon.sign import is_complex
 
 if TYPE_CHECKING:
     from canon.mechanics.generating_function import GeneratingFunction
@@ -34,8 +33,9 @@ def _check(
         raise InputError(f"{len(formulas)} formulas for {len(targets)} variables", where)
     check_symbols(formulas, space.vocabulary, where)
     side, other = (space.old, space.new) if forward else (space.new, space.old)
+    strangers = {*other} - {*side}
     for formula in formulas:
-        for symbol in sorted(formula.expr.free_symbols & {*other} - {*side}, key=str):
+        for symbol in sorted(formula.expr.free_symbols & strangers, key=str):
             raise InputError(f"{symbol} cannot occur here: the formula is one in {', '.join(map(str, side))}", where)
 
 
@@ -84,7 +84,7 @@ class Transformation:
         for name in given:
             _check(formulas[name], getattr(space, name), space, "Q" in given, f"transformation, {name}")
         pairs = [pair for name in given for pair in zip(getattr(space, name), formulas[name], strict=True)]
-        imaginary = [x.name for x, formula in pairs if x.name in space.plain and is_complex(formula.expr)]
+        imaginary = [x.name for x, formula in pairs if x.name in space.plain and smoothness.is_complex(formula.expr)]
         space = space.with_complex(imaginary) if imaginary else space
         if given != ["Q", "P"] and len(space.Q) != space.n:
             raise InputError("as many new pairs as old ones are needed here", "transformation")

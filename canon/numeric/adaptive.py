@@ -57,7 +57,7 @@ def integrate_adaptively(
 ) -> AdaptiveRun:
     """The orbit from `state` at times[0], at the other times, in one direction.
 
-    **Arguments:** `problem`, a `Field` or a `Splitting`; `relative` and `absolute`, the bounds of a step's error estimate.
+    **Arguments:** `problem`, a `Field` or a `Splitting`; `relative` and `absolute`, bounds of a step's estimated error.
 
     **Raises:** `InputError` where the times don't go one way, or a tolerance isn't positive.
     """

@@ -1,0 +1,93 @@
+"""Unit quaternions (w, x, y, z) as rotations, with components on the first axis; q v q* takes body to space."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def multiply(a: Any, b: Any) -> Any:
+    """Hamilton's product: first the rotation b, then a."""
+    import jax.numpy as jnp
+
+    aw, ax, ay, az = a
+    bw, bx, by, bz = b
+    return jnp.stack(
+        [
+            aw * bw - ax * bx - ay * by - az * bz,
+            aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw,
+        ]
+    )
+
+
+def conjugate(a: Any) -> Any:
+    """The inverse of a unit quaternion."""
+    import jax.numpy as jnp
+
+    return jnp.stack([a[0], -a[1], -a[2], -a[3]])
+
+
+def rotate(a: Any, v: Any) -> Any:
+    """a v a*: the vector (3, …) in space of one in the body."""
+    import jax.numpy as jnp
+
+    w, x, y, z = a
+    u = jnp.stack([x, y, z])
+    twice = 2 * cross(u, v)
+    return v + w * twice + cross(u, twice)
+
+
+def matrix(a: Any) -> Any:
+    """The rotation's matrix (3, 3, …), body to space."""
+    import jax.numpy as jnp
+
+    w, x, y, z = a
+    return jnp.stack(
+        [
+            jnp.stack([1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)]),
+            jnp.stack([2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)]),
+            jnp.stack([2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]),
+        ]
+    )
+
+
+def about_axis(axis: int, angle: Any) -> Any:
+    """The rotation by an angle about a coordinate axis."""
+    import jax.numpy as jnp
+
+    zero = jnp.zeros_like(angle)
+    parts = [jnp.cos(angle / 2), zero, zero, zero]
+    parts[axis + 1] = jnp.sin(angle / 2)
+    return jnp.stack(parts)
+
+
+def about_vector(vector: Any) -> Any:
+    """The rotation by |v| about v; the identity for v = 0."""
+    import jax.numpy as jnp
+
+    from canon.numeric.exact.stumpff import stumpff
+
+    square = vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2
+    cosine, sinc, _, _ = stumpff(square / 4)
+    return jnp.concatenate([cosine[None], sinc * vector / 2])
+
+
+def normalised(a: Any) -> Any:
+    """A quaternion that is nearly a unit one, with its norm put right to second order."""
+    return a * (1.5 - 0.5 * (a[0] ** 2 + a[1] ** 2 + a[2] ** 2 + a[3] ** 2))
+
+
+def cross(a: Any, b: Any) -> Any:
+    """The vector product of (3, …) and (3, …)."""
+    import jax.numpy as jnp
+
+    return jnp.stack([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+
+def from_euler(phi: float, theta: float, psi: float) -> Any:
+    """The attitude of z-x-z Euler angles: turned by φ about z, by θ about the line of nodes, by ψ about the new z."""
+    import jax.numpy as jnp
+
+    angles = [jnp.asarray(angle, dtype=float) for angle in (phi, theta, psi)]
+    return multiply(multiply(about_axis(2, angles[0]), about_axis(0, angles[1])), about_axis(2, angles[2]))

@@ -21,11 +21,14 @@ def complete_k(m1: Any) -> Any:
 def carlson_rf(x: Any, y: Any, z: Any) -> Any:
     """R_F(x, y, z) = ½∫₀^∞ dt/√((t+x)(t+y)(t+z)), by duplication. Carlson (1995), Numer. Algorithms 10, 13."""
     import jax.numpy as jnp
+    from jax import lax
 
-    for _ in range(_DUPLICATIONS):
-        rx, ry, rz = jnp.sqrt(x), jnp.sqrt(y), jnp.sqrt(z)
+    def duplicate(_: Any, point: Any) -> Any:
+        rx, ry, rz = (jnp.sqrt(value) for value in point)
         shift = rx * ry + ry * rz + rz * rx
-        x, y, z = (x + shift) / 4, (y + shift) / 4, (z + shift) / 4
+        return tuple((value + shift) / 4 for value in point)
+
+    x, y, z = lax.fori_loop(0, _DUPLICATIONS, duplicate, tuple(jnp.broadcast_arrays(x * 1.0, y * 1.0, z * 1.0)))
     mean = (x + y + z) / 3
     dx, dy = 1 - x / mean, 1 - y / mean
     dz = -dx - dy
@@ -36,16 +39,20 @@ def carlson_rf(x: Any, y: Any, z: Any) -> Any:
 def carlson_rj(x: Any, y: Any, z: Any, p: Any) -> Any:
     """R_J(x, y, z, p) = (3/2)∫₀^∞ dt/((t+p)√((t+x)(t+y)(t+z))) for p > 0, by duplication. Carlson (1995)."""
     import jax.numpy as jnp
+    from jax import lax
 
-    total, power = 0.0, 1.0
-    for _ in range(_DUPLICATIONS):
+    def duplicate(_: Any, loop: Any) -> Any:
+        x, y, z, p, total, power = loop
         rx, ry, rz, rp = jnp.sqrt(x), jnp.sqrt(y), jnp.sqrt(z), jnp.sqrt(p)
         shift = rx * ry + ry * rz + rz * rx
         d = (rp + rx) * (rp + ry) * (rp + rz)
         e = (p - x) * (p - y) * (p - z) / (d * d)
-        total = total + power / d * _rc_one(e)
-        x, y, z, p = (x + shift) / 4, (y + shift) / 4, (z + shift) / 4, (p + shift) / 4
-        power = power / 4
+        quarters = ((x + shift) / 4, (y + shift) / 4, (z + shift) / 4, (p + shift) / 4)
+        return (*quarters, total + power / d * _rc_one(e), power / 4)
+
+    point = jnp.broadcast_arrays(x * 1.0, y * 1.0, z * 1.0, p * 1.0)
+    begin = (*point, jnp.zeros_like(point[0]), jnp.ones_like(point[0]))
+    x, y, z, p, total, power = lax.fori_loop(0, _DUPLICATIONS, duplicate, begin)
     mean = (x + y + z + 2 * p) / 5
     dx, dy, dz = 1 - x / mean, 1 - y / mean, 1 - z / mean
     dp = -(dx + dy + dz) / 2

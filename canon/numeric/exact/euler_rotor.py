@@ -38,24 +38,25 @@ def sn_cn_dn(u: Any, m1: Any) -> tuple[Any, Any, Any]:
     Bulirsch (1965), Numer. Math. 7, 78; Abramowitz and Stegun 16.4. At m1 = 0 they are tanh and sech.
     """
     import jax.numpy as jnp
+    from jax import lax
 
-    m1 = jnp.clip(m1, 0.0, 1.0)
-    least = jnp.maximum(m1, 1e-300)
-    a, b = jnp.ones_like(least), jnp.sqrt(least)
-    pairs = []
-    for _ in range(LEVELS):
-        pairs.append((a, b))
-        a, b = (a + b) / 2, jnp.sqrt(a * b)
+    u, m1 = jnp.broadcast_arrays(u * 1.0, jnp.clip(m1 * 1.0, 0.0, 1.0))
+
+    def descend(pair: Any, _: Any) -> Any:
+        a, b = pair
+        return ((a + b) / 2, jnp.sqrt(a * b)), pair
+
+    def ascend(loop: Any, pair: Any) -> Any:
+        ratio, c, d = loop
+        (upper, lower), ratio = pair, c * ratio
+        c = c * d
+        return (c / upper, c, (lower + ratio) / (upper + ratio)), None
+
+    (a, _), pairs = lax.scan(descend, (jnp.ones_like(m1), jnp.sqrt(jnp.maximum(m1, 1e-300))), None, length=LEVELS)
     angle = u * a
     sine, cosine = jnp.sin(angle), jnp.cos(angle)
-    safe = jnp.where(sine == 0, 1.0, sine)
-    ratio = cosine / safe
-    c, d = a * ratio, jnp.ones_like(a)
-    for upper, lower in reversed(pairs):
-        ratio = c * ratio
-        c = c * d
-        d = (lower + ratio) / (upper + ratio)
-        ratio = c / upper
+    ratio = cosine / jnp.where(sine == 0, 1.0, sine)
+    (_, c, d), _ = lax.scan(ascend, (ratio, a * ratio, jnp.ones_like(a)), pairs, reverse=True)
     length = 1 / jnp.sqrt(c * c + 1)
     sn = jnp.where(sine < 0, -length, length)
     sn = jnp.where(sine == 0, 0.0, sn)

@@ -38,3 +38,12 @@ def _series(psi: Any, k: int) -> Any:
     for j in range(_TERMS - 1, -1, -1):
         total = 1.0 / factorial(2 * j + k) - psi * total
     return total
+
+
+def stumpff_4(psi: Any) -> Any:
+    """c_4(ψ) = (1/2 − c_2(ψ))/ψ."""
+    import jax.numpy as jnp
+
+    small = jnp.abs(psi) <= SERIES_BELOW
+    far = jnp.where(small, SERIES_BELOW, psi)
+    return jnp.where(small, _series(jnp.where(small, psi, 0.0), 4), (0.5 - stumpff(far)[2]) / far)

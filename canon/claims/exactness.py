@@ -17,11 +17,12 @@ import sympy as sp
 from canon.budget import BudgetExceeded
 from canon.claims.outcome import Outcome, exact
 from canon.claims.potential import verified_potential
-from canon.decide.cells import cells_of, definite_sign
+from canon.decide.cells import cells_of
 from canon.decide.contractible import is_sum_of_squares, loops_contract
 from canon.decide.intervals import intervals_of
 from canon.decide.loops import circulation
 from canon.decide.region import Region
+from canon.decide.sign_on_box import definite_sign
 from canon.decide.tape import Node
 from canon.domain import conditions_of
 from canon.errors import InputError

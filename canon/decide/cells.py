@@ -16,20 +16,20 @@ from flint import fmpq_poly
 
 from canon.budget import Budget
 from canon.decide.components import pieces
+from canon.decide.connected import is_connected
+from canon.decide.derivative import derivative
 from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
 from canon.decide.load import conjugate
 from canon.decide.region import Region, Requirement
-from canon.decide.ring import TooCostly
-from canon.decide.signs import classify, sign_of
-from canon.decide.tape import Node, Tape, Unsupported
-from canon.decide.tower import Tower
+from canon.decide.sign_on_box import definite_sign
+from canon.decide.tape import Node, Tape
 
 MOST_CELLS, MOST_QUARTERS = 48, 20
 
 
 @dataclass(frozen=True)
 class Cell:
-    """A box of exact intervals; `connected` says that it lies in the region wholly, up to nothing."""
+    """A box of exact intervals; `connected` says that its part in the region is, as where the whole box is in it."""
 
     intervals: dict[Node, Interval]
     connected: bool
@@ -46,8 +46,14 @@ class Cell:
         return ", ".join(parts) or "everywhere"
 
 
-def cells_of(tape: Tape, region: Region, nodes: Sequence[Node], budget: Budget) -> list[Cell] | None:
-    """The cells of the region that can contain points, or None where it can't be cut so (surfaces, complex symbols)."""
+def cells_of(
+    tape: Tape, region: Region, nodes: Sequence[Node], budget: Budget, *, finer: bool = False
+) -> list[Cell] | None:
+    """The cells of the region that can contain points, or None where it can't be cut so (surfaces, complex symbols).
+
+    `finer`: cut where the derivatives of conditions vanish too, and look whether what is left of a box is connected;
+    None where that shows no more.
+    """
     if region.surface:
         return None
     symbols = set().union(*(tape.support(n) for n in [*nodes, *region.nodes()]))
@@ -62,7 +68,7 @@ def cells_of(tape: Tape, region: Region, nodes: Sequence[Node], budget: Budget) 
                 known = cuts.setdefault(symbol, [])
                 if all(edge.compare(other) for other in known):
                     known.append(edge)
-        for symbol, edge in _quarter_turns(tape, requirement, box):
+        for symbol, edge in (*_quarter_turns(tape, requirement, box), *_turning_points(tape, requirement, finer)):
             known = cuts.setdefault(symbol, [])
             if all(edge.compare(other) for other in known):
                 known.append(edge)
@@ -77,9 +83,12 @@ def cells_of(tape: Tape, region: Region, nodes: Sequence[Node], budget: Budget) 
     for choice in itertools.product(*(pieces[n] for n in names)):
         budget.check()
         intervals = dict(zip(names, choice, strict=True))
-        state = _state(tape, region, intervals, budget)
+        state, unsure = _state(tape, region, intervals, budget)
         if state != "outside":
-            out.append(Cell(intervals, state == "inside", region.also(*_walls(tape, intervals))))
+            inside = state == "inside" or (
+                finer and unsure is not None and is_connected(tape, unsure, intervals, budget)
+            )
+            out.append(Cell(intervals, inside, region.also(*_walls(tape, intervals))))
     return out
 
 
@@ -184,57 +193,48 @@ def _pieces(box: Interval, cuts: Iterable[Edge]) -> list[Interval]:
     return out
 
 
-def _state(tape: Tape, region: Region, intervals: dict[Node, Interval], budget: Budget) -> str:
-    """ "inside", "outside" or "unsure": whether each condition has a definite sign on the box."""
-    unsure = False
+def _turning_points(tape: Tape, requirement: Requirement, finer: bool) -> Iterable[tuple[Node, Edge]]:
+    """Zeros of the derivatives of a condition that isn't affine."""
+    if not finer or requirement.kind != "positive" or exact_affine(tape, requirement.nodes[0]) is not None:
+        return
+    for symbol in sorted(tape.support(requirement.nodes[0])):
+        for found in pieces(tape, [derivative(tape, requirement.nodes[0], symbol)]):
+            for piece in found:
+                yield from _zeros(tape, piece.node)
+
+
+State = tuple[str, list[Node] | None]
+
+
+def _state(tape: Tape, region: Region, intervals: dict[Node, Interval], budget: Budget) -> State:
+    """ "inside", "outside" or "unsure": whether each condition has a definite sign on the box.
+
+    With it those that must be positive and aren't known to be; None where there are others of which nothing is known.
+    """
+    open_ones: list[Node] = []
+    others: list[Node | None] = []
     for requirement in region.requirements:
         if requirement.kind == "slit":
             imaginary, real = (definite_sign(tape, n, intervals, budget) for n in parts_of_slit(tape, requirement))
-            unsure = unsure or (imaginary is None and real != "pos")
+            others += [None] * (imaginary is None and real != "pos")
             continue
-        sign = definite_sign(tape, requirement.nodes[0], intervals, budget)
+        node = requirement.nodes[0]
+        sign = definite_sign(tape, node, intervals, budget)
         if requirement.kind == "positive":
             if sign == "neg":
-                return "outside"
-            unsure = unsure or sign != "pos"
+                return "outside", None
+            open_ones += [node] * (sign != "pos")
         elif requirement.kind == "nonzero":
-            unsure = unsure or sign is None
+            others += [node] * (sign is None)
         elif requirement.kind == "uncut":
             x = definite_sign(tape, requirement.nodes[1], intervals, budget)
-            unsure = unsure or (sign is None and x != "pos")
+            others += [None] * (sign is None and x != "pos")
         else:
-            unsure = True
-    return "unsure" if unsure else "inside"
-
-
-def definite_sign(tape: Tape, node: Node, intervals: dict[Node, Interval], budget: Budget) -> str | None:
-    """ "pos" or "neg" where the node has that sign on the whole box, else None."""
-    form = exact_affine(tape, node)
-    if form is not None:
-        constant, slope, symbol = form
-        interval = intervals.get(symbol, declared(tape, symbol)).affine(slope, constant)
-        return interval.sign()
-    try:
-        tower = Tower(tape, [node], intervals=intervals, budget=budget)
-        value = tower.values.get(node)
-        if value is None:
-            field, kernels = tower.field, tower.values
-            from canon.decide.tower import combine
-
-            values = dict(kernels)
-            for i in tape.reach([node]):
-                if i not in values:
-                    values[i] = combine(field, tape.ops[i], values)
-            value = values[node]
-        if tower.is_complex(value) or not value[0]:
-            return None
-        sign, _, known, unknown = classify(tower, value)
-        strict = all(sign_of(tower, f) in ("pos", "neg") for f, _ in known)
-    except (Unsupported, TooCostly, ZeroDivisionError):
-        return None
-    if unknown or not strict:
-        return None
-    return "pos" if sign > 0 else "neg"
+            others.append(None)
+    if not open_ones and not others:
+        return "inside", []
+    implied = {*open_ones, *(tape.negative(node) for node in open_ones)}
+    return "unsure", open_ones if all(node in implied for node in others) else None
 
 
 def _walls(tape: Tape, intervals: dict[Node, Interval]) -> list[Requirement]:

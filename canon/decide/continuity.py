@@ -36,7 +36,16 @@ def vanishes_by_cells(
     tape: Tape, node: Node, region: Region, rng: random.Random, budget: Budget
 ) -> tuple[str, list[str]] | None:
     """A proof that the node is 0 on every cell: (the arguments used, the cells), or None."""
-    cells = cells_of(tape, region, [node], budget)
+    coarse = cells_of(tape, region, [node], budget)
+    found = _on_all(tape, node, coarse, rng, budget)
+    if found is None and coarse and not all(cell.connected for cell in coarse):
+        found = _on_all(tape, node, cells_of(tape, region, [node], budget, finer=True), rng, budget)
+    return found
+
+
+def _on_all(
+    tape: Tape, node: Node, cells: Sequence[Cell] | None, rng: random.Random, budget: Budget
+) -> tuple[str, list[str]] | None:
     if not cells:
         return None
     arguments: set[str] = set()

@@ -17,10 +17,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import permutations
 
 from canon.budget import Budget
-from canon.decide.cells import definite_sign
 from canon.decide.derivative import derivative, substitute
 from canon.decide.intervals import Interval, intervals_of
 from canon.decide.region import Region, Requirement
+from canon.decide.sign_on_box import definite_sign
 from canon.decide.tape import Node, Tape
 from canon.errors import InputError
 from canon.sign import declared

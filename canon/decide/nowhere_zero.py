@@ -11,11 +11,12 @@ import random
 from collections.abc import Iterator
 
 from canon.budget import Budget
-from canon.decide.cells import cells_of, definite_sign
+from canon.decide.cells import cells_of
 from canon.decide.enclosure import excludes_zero
 from canon.decide.intervals import intervals_of
 from canon.decide.region import Region
 from canon.decide.search import samples
+from canon.decide.sign_on_box import definite_sign
 from canon.decide.tape import Node, Tape, Unsupported
 
 POINTS = 3

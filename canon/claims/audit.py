@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,8 +13,10 @@ from canon.claims.audit_conclusion import conclude
 from canon.claims.audit_report import AuditFailed, AuditReport
 from canon.claims.audit_run import AuditRun
 from canon.claims.audit_subject import AuditSubject, formulas_as_map
+from canon.claims.implicit_map import ImplicitMap
+from canon.claims.invariance import loop_invariant, surface_invariant
 from canon.errors import InputError
-from canon.numeric.points import DEFAULT, points_of
+from canon.numeric.points import DEFAULT, DEFAULT_POSITIVE, points_of
 
 if TYPE_CHECKING:
     from canon.mechanics.phase_space import PhaseSpace
@@ -34,20 +37,25 @@ def audit(
     seed: int = 0,
     scale: float = 1.0,
     parameters: Mapping[str, float] | None = None,
+    loops: Sequence[Any] = (),
+    surfaces: Sequence[tuple[Any, Sequence[bool]]] = (),
 ) -> AuditReport:
     """Numerical evidence on whether a map is symplectic: M J Mᵀ = scale J for its Jacobian M, at many points.
 
     **Arguments:**
 
-    - `map`: a `Transformation` given by formulas, or a Python function of one phase point z = (q₁…q_n, p₁…p_n) of
-      shape (2n,), of a pair (q, p), or of points (…, 2n), which returns the same. A function that jax can trace has
-      derivatives by forward-mode AD; any other has them by the complex step or by extrapolated differences.
+    - `map`: a `Transformation`, given by formulas or by a generating function (whose equations are solved), or a Python
+      function of one phase point z = (q₁…q_n, p₁…p_n) of shape (2n,), of a pair (q, p), or of points (…, 2n), which
+      returns the same. A function that jax can trace has derivatives by forward-mode AD; any other has them by the
+      complex step or by extrapolated differences.
     - `dimension`: 2n, for a function; or `space`, whose variables' names the report then uses.
     - `domain`: where to sample: (low, high) for all variables, one such pair for each, a table by name, or an array
       of points (N, 2n). Default: (−1, 1), and (0.1, 2) for variables assumed positive.
     - `samples`, `seed`: how many random points, and which.
     - `scale`: the valence that is expected.
     - `parameters`: values of a transformation's parameters, by name.
+    - `loops`: closed loops around which ∮ p dq is compared before and after the map, as `loop_invariant` takes them.
+    - `surfaces`: pairs of a surface and its `periodic`, as `surface_invariant` takes them.
 
     **Returns:** an `AuditReport`. Its verdict is `refuted` only for formulas whose failure balls confirm at an exact
     point: a black box that fails plainly is `undecided`, with the evidence in `failures`.
@@ -62,7 +70,9 @@ def audit(
         raise InputError("at least one sample is needed", "samples")
     if not (np.isfinite(scale) and scale != 0):
         raise InputError("a finite scale other than 0 is needed", "scale")
-    if isinstance(map, Transformation):
+    if isinstance(map, Transformation) and map.direction == "implicit":
+        subject = _solved_for(map, parameters or {}, scale)
+    elif isinstance(map, Transformation):
         subject = formulas_as_map(map, parameters or {}, scale)
     else:
         if parameters:
@@ -72,7 +82,23 @@ def audit(
     where = points_of(domain, subject.names, subject.defaults)
     run = AuditRun(subject, where, seed)
     run.audit(samples)
-    return conclude(run, samples if where.given is None else len(where.given), start)
+    report = conclude(run, samples if where.given is None else len(where.given), start)
+    found = [loop_invariant(map, loop, scale=scale, parameters=parameters) for loop in loops]
+    found += [
+        surface_invariant(map, surface, periodic=periodic, scale=scale, parameters=parameters)
+        for surface, periodic in surfaces
+    ]
+    return replace(report.with_integrals(found), seconds=time.monotonic() - start) if found else report
+
+
+def _solved_for(transformation: Transformation, parameters: Mapping[str, float], scale: float) -> AuditSubject:
+    """The map of a generating function as one of points, by Newton's method."""
+    generating = transformation.generating_function
+    assert generating is not None
+    variables = transformation.space.old
+    defaults = [DEFAULT_POSITIVE if symbol.is_positive else DEFAULT for symbol in variables]
+    solved = ImplicitMap(generating, parameters)
+    return AuditSubject(solved, [symbol.name for symbol in variables], defaults, scale, kind="generating function")
 
 
 def variables(dimension: int | None = None, space: PhaseSpace | None = None) -> tuple[str, ...]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from typing import Any, Literal
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, Literal
 
 from canon.errors import CanonError
 from canon.numeric.worst import Defect
+
+if TYPE_CHECKING:
+    from canon.claims.invariance_report import Invariance
 
 
 class AuditFailed(CanonError):
@@ -40,8 +43,9 @@ class AuditReport:
       where a bracket exceeds its bound; `unresolved`: those whose bound on {Q,P} is too large to tell anything. Every
       bracket of every audited point is compared with its own bound; `examined` counts the points, the first ones and
       the worst of the others, of which the rest (det M, condition, invariants, typical sizes) is known.
-    - `failures`: brackets that exceed their bounds; `doubts`: other reasons why the verdict isn't `supported` (hidden
-      state, wrong derivatives, too few points); `notes`: what else was noticed.
+    - `integrals`: ∮ p dq and ∬ dp∧dq before and after the map, where the audit was asked for them.
+    - `failures`: brackets and integrals that exceed their bounds; `doubts`: other reasons why the verdict isn't
+      `supported` (hidden state, wrong derivatives, too few points); `notes`: what else was noticed.
     """
 
     verdict: Literal["supported", "refuted", "undecided"]
@@ -66,11 +70,28 @@ class AuditReport:
     condition: float
     invariants: tuple[Defect, ...]
     variables: tuple[str, ...]
+    integrals: tuple[Invariance, ...] = ()
     failures: tuple[str, ...] = ()
     doubts: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     witness: Mapping[str, Any] | None = None
     seconds: float = field(default=0.0, compare=False)
+
+    def with_integrals(self, found: Sequence[Invariance]) -> AuditReport:
+        """The report with integral invariants: one that changes is a failure, one that isn't resolved a note."""
+        changed = tuple(
+            f"{item.name} changes by {item.difference:.2g} (bound {item.bound:.2g})"
+            for item in found
+            if item.preserved is False
+        )
+        unknown = tuple(f"{item.name} is not resolved" for item in found if item.preserved is None)
+        return replace(
+            self,
+            verdict="undecided" if changed and self.verdict == "supported" else self.verdict,
+            integrals=(*self.integrals, *found),
+            failures=(*self.failures, *changed),
+            notes=(*self.notes, *unknown),
+        )
 
     @property
     def worst(self) -> Defect:
@@ -114,6 +135,8 @@ class AuditReport:
         if self.invariants:
             shown = ", ".join(f"{d.size:.2g} (bound {d.bound:.2g})" for d in self.invariants)
             lines.append(f"  integral invariants of orders 1 to {len(self.invariants)}: {shown}")
+        for item in self.integrals:
+            lines.append(f"  {item.name} {item.before:.12g}, after the map {item.after:.12g} (bound {item.bound:.2g})")
         lines += [f"  note: {text}" for text in self.notes]
         return "\n".join(lines)
 
@@ -140,6 +163,7 @@ class AuditReport:
             "determinant": [_number(x) for x in self.determinant],
             "condition": _number(self.condition),
             "invariants": [self._defect(defect) for defect in self.invariants],
+            "integrals": [item.as_record() for item in self.integrals],
             "failures": list(self.failures),
             "doubts": list(self.doubts),
             "notes": list(self.notes),

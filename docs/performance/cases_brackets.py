@@ -254,4 +254,9 @@ def c52_nbody5(error: sp.Rational = NONE) -> Case:
     return nbody(5, error)
 
 
+def c53_nbody6() -> Case:
+    """Six bodies."""
+    return nbody(6)
+
+
 CASES = {name: build for name, build in list(globals().items()) if name[:1] in "cn" and name[1:3].isdigit()}

@@ -13,10 +13,10 @@ from collections.abc import Sequence
 from typing import Final
 
 import canon
-from canon.cli import verify
+from canon.cli import simulate, verify
 from canon.cli.parser import Parser
 
-COMMANDS: Final = {"verify": verify}
+COMMANDS: Final = {"verify": verify, "simulate": simulate}
 EPILOG: Final = """\
 examples:
   canon verify                      check the built-in catalogue

@@ -91,6 +91,21 @@ class _Bar:
             self.progress.stop()
 
 
+class part_bar:  # noqa: N801 - it is called as a function, and kept while a run goes on
+    """A progress bar of one run, which appears when the wait has become long."""
+
+    def __init__(self) -> None:
+        self.bar = _Bar(100, Console(stderr=True))
+
+    def update(self, part: float) -> None:
+        """Draw the bar anew: this part of the run is done."""
+        self.bar.update(round(100 * part), "simulating")
+
+    def close(self) -> None:
+        """Take the bar away."""
+        self.bar.close()
+
+
 def _tables(claims: list[Record], width: int) -> Iterator[RenderableType]:
     """Yield the table piece by piece: a heading, and for each file its name and its claims, in columns that agree."""
     method = min(max(len("method"), *(len(visible(claim["method"])) for claim in claims)), max(16, width // 4))

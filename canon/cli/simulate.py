@@ -1,0 +1,179 @@
+"""`canon simulate`: run a scene, and show where it went and what was conserved."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, Final
+
+from canon.cli.parser import BAD_INPUT, seconds
+
+if TYPE_CHECKING:
+    from canon.scenes.scene import Scene
+    from canon.scenes.simulate import Result
+
+HELP: Final = "run a scene: bodies and effects, a system of the catalogue, or a Hamiltonian of your own"
+DESCRIPTION: Final = (
+    "Simulates a scene. Only the effects that it names are computed; the method and its step are chosen for the "
+    "accuracy. Exit status 1 says that the accuracy was not reached, that the run ended early, or that something "
+    "drifted that must be conserved; what was computed is written all the same."
+)
+_PICTURES: Final = ("png", "svg", "pdf")
+
+
+def declare(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments of the command."""
+    parser.add_argument(
+        "scene", metavar="SCENE.toml", help="a scene file, or the name of a system (see `canon scenes`)"
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+    parser.add_argument("--plot", metavar="FILE", type=_picture, help="draw the orbit into a .png, .svg or .pdf file")
+    parser.add_argument("--out", metavar="FILE.npz", help="write the stored states into a file")
+    how = parser.add_mutually_exclusive_group()
+    how.add_argument(
+        "--accuracy", type=_fraction, metavar="A", help="of the states, relative to the largest (default: 1e-9)"
+    )
+    how.add_argument("--budget", type=seconds, metavar="SECONDS", help="be as accurate as this time allows")
+    how.add_argument("--step", type=_length, metavar="H", help="a fixed step")
+    parser.add_argument("--integrator", metavar="NAME", help="instead of the one that the planner would choose")
+    parser.add_argument(
+        "--explain", action="store_true", help="show the Hamiltonian, its splitting, the method, its price"
+    )
+
+
+def _picture(text: str) -> str:
+    if text.rpartition(".")[2].lower() not in _PICTURES:
+        raise argparse.ArgumentTypeError(f"{text!r} is no figure's name: it ends with .png, .svg or .pdf")
+    return text
+
+
+def _fraction(text: str) -> float:
+    value = _length(text)
+    if not 1e-15 <= value < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is no accuracy: give one from 1e-15 to 1, as 1e-9")
+    return value
+
+
+def _length(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (value > 0 and math.isfinite(value)):
+        raise argparse.ArgumentTypeError(f"{text!r} is no positive number: give one as 0.01")
+    return value
+
+
+def execute(arguments: argparse.Namespace) -> int:
+    """Run the scene, print and write what is asked for, and return the exit status."""
+    from canon.errors import InputError
+
+    try:
+        scene = _with_options(_read(arguments.scene), arguments)
+        _check_folders(arguments)
+        from canon.scenes.simulate import simulate
+
+        with _watched(arguments.json) as watch:
+            result = simulate(scene, watch=watch)
+    except InputError as error:
+        return _refuse(arguments, error)
+    _write(result, arguments)
+    _print(result, arguments)
+    return 0 if result.ok else 1
+
+
+def _read(name: str) -> Scene:
+    from canon.scenes.reader import read_scene
+
+    return read_scene(name)
+
+
+def _with_options(scene: Scene, arguments: argparse.Namespace) -> Scene:
+    """The scene with the command line's settings in place of its own."""
+    settings = scene.settings
+    if arguments.step is not None:
+        settings = replace(settings, step=arguments.step, accuracy=None)
+    elif arguments.budget is not None:
+        settings = replace(settings, budget=arguments.budget, accuracy=None, step=None)
+    elif arguments.accuracy is not None:
+        settings = replace(settings, accuracy=arguments.accuracy, step=None)
+    if arguments.integrator is not None:
+        settings = replace(settings, integrator=arguments.integrator)
+    return replace(scene, settings=settings)
+
+
+def _check_folders(arguments: argparse.Namespace) -> None:
+    """Refuse files that can't be written before anything is computed."""
+    from canon.errors import InputError
+
+    for option, path in (("--plot", arguments.plot), ("--out", arguments.out)):
+        if path is None:
+            continue
+        folder = os.path.dirname(path) or os.curdir
+        if not os.path.isdir(folder):
+            raise InputError(f"there is no folder {folder!r} to write to", option)
+        if not os.access(folder, os.W_OK) or os.path.isdir(path):
+            raise InputError(f"{path!r} can't be written", option)
+
+
+class _watched:  # noqa: N801 - a context manager that reads as a word
+    """A progress bar on a terminal, for runs that take long; nothing elsewhere."""
+
+    def __init__(self, silent: bool) -> None:
+        self.silent = silent
+        self.bar: Any = None
+
+    def __enter__(self) -> Callable[[float], None] | None:
+        if self.silent or not sys.stderr.isatty():
+            return None
+        from canon.report.console import part_bar
+
+        self.bar = part_bar()
+        return self.bar.update
+
+    def __exit__(self, *exception: object) -> None:
+        if self.bar is not None:
+            self.bar.close()
+
+
+def _refuse(arguments: argparse.Namespace, error: Any) -> int:
+    if arguments.json:
+        record = {"format": 1, "errors": [{"file": arguments.scene, "where": error.where, "message": error.message}]}
+        print(json.dumps(record, ensure_ascii=False, indent=1))
+    else:
+        place = ", ".join(part for part in (arguments.scene, error.where) if part)
+        print(f"canon simulate: {place}: {error.message}", file=sys.stderr)
+    return BAD_INPUT
+
+
+def _write(result: Result, arguments: argparse.Namespace) -> None:
+    if arguments.out is not None:
+        from canon.report.states_file import write_states
+
+        write_states(result, arguments.out)
+    if arguments.plot is not None:
+        from canon.report.figures import plot
+
+        plot(result, arguments.plot)
+
+
+def _print(result: Result, arguments: argparse.Namespace) -> None:
+    if arguments.json:
+        from canon.report.scene_record import scene_record
+
+        print(json.dumps(scene_record(result), ensure_ascii=False, allow_nan=False))
+        return
+    from canon.report.scene_text import explanation_lines, run_lines
+
+    lines = run_lines(result)
+    if arguments.explain:
+        lines = [*explanation_lines(result), "", *lines]
+    print("\n".join(lines))
+    for option, path in (("states", arguments.out), ("figure", arguments.plot)):
+        if path is not None:
+            print(f"  {option:<11} {path}")

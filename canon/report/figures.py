@@ -1,0 +1,55 @@
+"""Figures of a scene's run: the orbit, and what the monitors saw. matplotlib is loaded here and nowhere else."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Final
+
+from canon.scenes.simulate import Result
+
+FORMATS: Final = ("png", "svg", "pdf")
+
+
+def plot(result: Result, path: str | Path) -> None:
+    """Write a figure of the run to a file, whose ending says in which format."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(10, 4.5), layout="constrained")
+    FigureCanvasAgg(figure)
+    left, right = figure.subplots(1, 2)
+    _orbit(left, result)
+    _against_time(right, result)
+    if result.scene.title:
+        figure.suptitle(result.scene.title)
+    figure.savefig(path, dpi=150)
+
+
+def _orbit(axes: Any, result: Result) -> None:
+    """The path in the first two coordinates; the phase portrait where there is only one."""
+    model = result.scene.model
+    if result.scene.bodies:
+        for body in result.scene.bodies:
+            _path(axes, result, body.first, body.dimension, body.name)
+        if len(result.scene.bodies) > 1:
+            axes.legend()
+        names = ("x", "y") if result.scene.bodies[0].dimension > 1 else ("x", "p")
+    else:
+        _path(axes, result, 0, model.n, "")
+        names = (str(model.q[0]), str(model.q[1] if model.n > 1 else model.p[0]))
+    axes.set(xlabel=names[0], ylabel=names[1])
+    if result.scene.bodies and names[1] == "y":
+        axes.set_aspect("equal", adjustable="datalim")
+
+
+def _path(axes: Any, result: Result, first: int, dimension: int, label: str) -> None:
+    across = result.q[:, first + 1] if dimension > 1 else result.p[:, first]
+    (line,) = axes.plot(result.q[:, first], across, lw=1, label=label)
+    axes.plot(result.q[-1:, first], across[-1:], "o", ms=4, color=line.get_color())
+
+
+def _against_time(axes: Any, result: Result) -> None:
+    for k, symbol in enumerate(result.scene.model.q[:6]):
+        axes.plot(result.times, result.q[:, k], lw=1, label=str(symbol))
+    axes.set(xlabel="t")
+    axes.legend()

@@ -1,0 +1,77 @@
+"""The JSON record of a scene's run, in format 1 of the scenes' contract."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Final
+
+import numpy as np
+
+from canon.scenes.monitors import Reading
+from canon.scenes.simulate import Result
+from canon.scenes.values import text_of
+
+FORMAT: Final = 1
+Record = dict[str, Any]
+
+
+def scene_record(result: Result) -> Record:
+    """The run as the one object that `--json` prints: one row a stored time."""
+    scene, planned, method = result.scene, result.planned, result.choice.method
+    return {
+        "format": FORMAT,
+        "title": scene.title,
+        "units": scene.units,
+        "effects": {"active": list(scene.model.effects)},
+        "hamiltonian": text_of(scene.model.H),
+        "integrator": {
+            "name": integrator_name(result),
+            "order": None if result.problem.exact else method.traits.order,
+            "symplectic": method.traits.symplectic,
+            "step": planned.run.step,
+            "why": result.choice.why,
+        },
+        "operations": {"per_step": result.operations},
+        "steps": planned.run.steps,
+        "seconds": {"compile": round(result.seconds[0], 6), "run": round(result.seconds[1], 6)},
+        "error_estimate": _finite(planned.error),
+        "accuracy": {"asked": scene.settings.accuracy, "reached": planned.reached},
+        "monitors": {reading.name: monitor_record(reading) for reading in result.monitors},
+        "messages": list(result.messages),
+        "coordinates": {"q": [str(x) for x in scene.model.q], "p": [str(x) for x in scene.model.p]},
+        "times": result.times.tolist(),
+        "q": result.q.tolist(),
+        "p": result.p.tolist(),
+        **{word: {name: rows.tolist() for name, rows in table.items()} for word, table in named_states(result).items()},
+    }
+
+
+def integrator_name(result: Result) -> str:
+    """The method's name; "exact" where the motion has a closed form."""
+    return "exact" if result.problem.exact else result.choice.method.name
+
+
+def named_states(result: Result) -> dict[str, dict[str, np.ndarray]]:
+    """Positions and velocities (samples, dimension) by the bodies' names; nothing where there are no bodies."""
+    return {}
+
+
+def monitor_record(reading: Reading) -> Record:
+    """A monitor's reading as data."""
+    return {
+        "expected": reading.expected,
+        "initial": _finite(reading.initial),
+        "final": _finite(reading.final),
+        "max_drift": _finite(reading.max_drift),
+        "bound": _finite(reading.bound),
+        **{name: _finite(value) for name, value in reading.extra.items()},
+    }
+
+
+def _finite(value: Any) -> Any:
+    """A number, or a list of numbers, that JSON can hold: None for what is not finite."""
+    if isinstance(value, list):
+        return [_finite(item) for item in value]
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    return value

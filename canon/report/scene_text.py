@@ -1,0 +1,78 @@
+"""A scene's run in words, for terminals and plain text alike; and the explanation that `--explain` prints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, Final
+
+from canon.report.scene_record import integrator_name
+from canon.report.words import duration, visible
+from canon.scenes.simulate import Result
+from canon.scenes.values import text_of
+
+PRICED: Final = (1e-3, 1e-6, 1e-9, 1e-12)
+_SHOWN: Final = 6
+
+
+def run_lines(result: Result) -> list[str]:
+    """What was run, how exactly, what the monitors say, and what went otherwise than it should."""
+    run, method = result.planned.run, result.choice.method
+    lines = [visible(result.scene.title)] if result.scene.title else []
+    lines.append(f"  effects     {', '.join(result.scene.model.effects)}")
+    order = "" if result.problem.exact else f", order {method.traits.order}"
+    lines.append(f"  integrator  {integrator_name(result)}{order}, step {run.step:.6g}, {run.steps} steps")
+    error = result.planned.error
+    lines.append(f"  error       {'unknown' if error is None else f'{error:.1e}, estimated'}")
+    lines.append(f"  time        {duration(result.seconds[0])} to compile, {duration(result.seconds[1])} to run")
+    lines.append(f"  states      {len(result.times)}, from t = 0 to {result.times[-1]:.6g}")
+    lines.append(f"  final       {', '.join(_state(result))}")
+    width = max((len(reading.name) for reading in result.monitors), default=0)
+    for reading in result.monitors:
+        drift = "" if reading.max_drift is None else f", largest drift {reading.max_drift:.1e}"
+        mark = "✗" if reading.alarm else "✓" if reading.bound is not None else "·"
+        lines.append(f"  {mark} {reading.name:<{width}}  {reading.expected}{drift}")
+    lines += [f"  ! {message}" for message in result.messages]
+    return lines
+
+
+def _state(result: Result) -> Iterator[str]:
+    model = result.scene.model
+    shown = [*zip(model.q, result.q[-1], strict=True), *zip(model.p, result.p[-1], strict=True)]
+    for symbol, value in shown[: 2 * _SHOWN]:
+        yield f"{symbol} = {value:.10g}"
+    if len(shown) > 2 * _SHOWN:
+        yield f"… ({len(shown)} numbers)"
+
+
+def explanation_lines(result: Result) -> list[str]:
+    """The Hamiltonian effect by effect, the splitting, the method and its price, and what no effect called for."""
+    model, problem, choice = result.scene.model, result.problem, result.choice
+    lines = ["Hamiltonian"]
+    for effect in dict.fromkeys(term.effect for term in model.terms):
+        terms = [term.expr for term in model.terms if term.effect == effect]
+        lines += [f"  {effect:<18} {text_of(expr)}" for expr in terms]
+    for friction in model.frictions:
+        forces = ", ".join(text_of(force) for force in friction.force)
+        lines.append(f"  {friction.effect:<18} no part of it: the force ({forces})")
+    lines += ["", f"Splitting: {problem.kind}"]
+    lines += [f"  {name or 'part':<18} {formula}" for name, formula in problem.parts]
+    lines += ["", f"Method: {integrator_name(result)}", f"  {choice.why}", f"  {choice.method.source}"]
+    lines.append(f"  {result.operations} arithmetic operations a step")
+    prices = list(price_lines(result))
+    if prices:
+        lines += ["", "Price, estimated from this run", *prices]
+    if result.scene.absent:
+        lines += ["", "Left out, as no effect calls for it", f"  {', '.join(result.scene.absent)}"]
+    return lines
+
+
+def price_lines(result: Result) -> Iterator[str]:
+    """What the same method would cost at other accuracies, by its order."""
+    planned: Any = result.planned
+    if result.problem.exact or not planned.error or not planned.trials:
+        return
+    last = planned.trials[-1]
+    for accuracy in PRICED:
+        steps = last.steps * (planned.error / accuracy) ** (1 / result.choice.method.traits.order)
+        seconds = last.seconds * steps / max(last.steps, 1)
+        yield f"  {accuracy:.0e}   {max(steps, 1):10.0f} steps   {duration(max(seconds, 1e-6))}"

@@ -1,0 +1,59 @@
+"""Which integrator a scene is run with: the one that is asked for, or the one that is best for an accuracy."""
+
+from __future__ import annotations
+
+from typing import Any, Final, NamedTuple
+
+from canon.errors import InputError
+from canon.scenes.problem import Problem
+from canon.vocabulary import nearest
+
+COARSE: Final = 1e-4
+FINE: Final = 1e-10
+
+
+class Choice(NamedTuple):
+    """A method and why it was chosen."""
+
+    method: Any
+    why: str
+
+
+def methods() -> dict[str, Any]:
+    """All integrators by name."""
+    from canon.numeric.integrators import blanes_moan, compositions, near_integrable, nystrom, yoshida
+
+    families = (yoshida, blanes_moan, nystrom, compositions, near_integrable)
+    return {method.name: method for family in families for method in family.METHODS}
+
+
+def choose(problem: Problem, accuracy: float | None, name: str | None, where: str = "") -> Choice:
+    """The method for an accuracy, or the one of this name. **Raises:** `InputError` for a name that there isn't."""
+    known = methods()
+    if name is not None:
+        if name not in known:
+            raise InputError(
+                f"unknown integrator {name[:80]!r}" + (nearest(name, known) or f": {', '.join(known)}"), where
+            )
+        return Choice(known[name], "asked for")
+    if not problem.splits and "gauss4" not in known:
+        raise InputError(
+            "the Hamiltonian does not split into solvable parts: no method of this version is for it", where
+        )
+    if not problem.splits:
+        stages = 2 if accuracy is not None and accuracy >= COARSE else 3 if accuracy is None or accuracy >= FINE else 4
+        chosen = known[f"gauss{2 * stages}"]
+        return Choice(chosen, f"symplectic, for a Hamiltonian that does not split; order {2 * stages} for the accuracy")
+    if problem.exact:
+        return Choice(
+            known["verlet"], "the motion is one part, solved in closed form: its steps make no error but rounding"
+        )
+    nystrom = problem.value.nystrom  # pyright: ignore[reportAttributeAccessIssue]
+    if accuracy is not None and accuracy >= COARSE:
+        chosen = known["nystrom4"] if nystrom else known["blanes_moan4"]
+    elif accuracy is not None and accuracy < FINE:
+        chosen = known["kahan_li8"]
+    else:
+        chosen = known["nystrom6a"] if nystrom else known["blanes_moan6"]
+    what = "T(p) + V(q, t) with a quadratic T" if chosen.needs == "nystrom" else "parts that are solved exactly"
+    return Choice(chosen, f"order {chosen.traits.order} for the accuracy, {chosen.stages} stages, for {what}")

@@ -1,0 +1,69 @@
+"""What is simulated: a Hamiltonian, effect by effect, and the forces that no Hamiltonian has."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+Formula = Any
+"""A sympy expression: its operations have no useful types."""
+
+
+@dataclass(frozen=True)
+class Term:
+    """A part of the Hamiltonian, and the effect that it is due to."""
+
+    effect: str
+    expr: Formula
+
+
+@dataclass(frozen=True)
+class Friction:
+    """The force F(q, p, t) (n,) of an effect, which is in no Hamiltonian.
+
+    Where it is −D (p − s) with numbers D (n, n) and the momentum s(q, t) of a body at rest, `matrix` is D and `rest` is
+    s: then it is solved exactly. `rate` is the one number λ of D = 2λ, if there is one.
+    """
+
+    effect: str
+    force: tuple[Formula, ...]
+    matrix: Formula | None = None
+    rest: tuple[Formula, ...] = ()
+    rate: Formula | None = None
+
+
+@dataclass(frozen=True)
+class Model:
+    """A Hamiltonian system with friction, in canonical variables, with numbers for all parameters.
+
+    **Arguments:** `q` and `p` (n,) symbols, `t` the time; `terms`, whose sum is the Hamiltonian; `momenta`,
+    `angular_momenta` and `lrl`, those that the monitors of these names follow, each with its name; empty where there
+    are none.
+    """
+
+    q: tuple[sp.Symbol, ...]
+    p: tuple[sp.Symbol, ...]
+    t: sp.Symbol
+    terms: tuple[Term, ...]
+    frictions: tuple[Friction, ...] = ()
+    momenta: Mapping[str, Formula] = field(default_factory=dict)
+    angular_momenta: Mapping[str, Formula] = field(default_factory=dict)
+    lrl: Mapping[str, Formula] = field(default_factory=dict)
+
+    @property
+    def H(self) -> Formula:
+        """The Hamiltonian."""
+        return sp.Add(*(term.expr for term in self.terms))
+
+    @property
+    def n(self) -> int:
+        """Degrees of freedom."""
+        return len(self.q)
+
+    @property
+    def effects(self) -> tuple[str, ...]:
+        """The names of the effects that contribute, each once."""
+        return tuple(dict.fromkeys(x.effect for x in (*self.terms, *self.frictions)))

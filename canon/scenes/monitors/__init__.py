@@ -1,0 +1,53 @@
+"""The monitors, each computed only when it is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, Final
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.scenes.monitors.conserved import read_conserved
+from canon.scenes.monitors.flow import Flow
+from canon.scenes.monitors.reading import Reading
+
+__all__ = ["AVAILABLE", "Flow", "Reading", "check_monitors", "read_monitors"]
+
+States = tuple[np.ndarray, np.ndarray, np.ndarray]
+
+
+def _of(name: str, quantities: Callable[[Any], Any]) -> Callable[..., Reading]:
+    return lambda flow, times, q, p: read_conserved(name, quantities(flow.model), flow, times, q, p)
+
+
+AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
+    "energy": _of("energy", lambda model: {"H": model.H}),
+    "momentum": _of("momentum", lambda model: model.momenta),
+    "angular_momentum": _of("angular_momentum", lambda model: model.angular_momenta),
+    "lrl": _of("lrl", lambda model: model.lrl),
+}
+"""The monitors of this version: (flow, times, q, p) to a reading."""
+
+_NEEDS: Final = {
+    "momentum": "a scene of bodies, or a system that names its momenta",
+    "angular_momentum": "positions in a plane or in space",
+    "lrl": "one body that is attracted by inverse_distance, or two by mutual_gravity",
+}
+
+
+def check_monitors(names: Sequence[str], model: Any, where: str) -> None:
+    """Refuse monitors that this scene, or this version, has not got. **Raises:** `InputError`."""
+    for name in names:
+        if name not in AVAILABLE:
+            raise InputError(f"the monitor {name!r} is not available in this version", where)
+        quantities = {"momentum": model.momenta, "angular_momentum": model.angular_momenta, "lrl": model.lrl}
+        if name in quantities and not quantities[name]:
+            raise InputError(f"the monitor {name!r} needs {_NEEDS[name]}", where)
+
+
+def read_monitors(
+    names: Sequence[str], flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray
+) -> tuple[Reading, ...]:
+    """The readings of the monitors of these names."""
+    return tuple(AVAILABLE[name](flow, times, q, p) for name in names)

@@ -1,0 +1,58 @@
+"""A scene as it is read: what moves, from where, and how the run is to be made."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+from canon.scenes.model import Model
+
+DEFAULT_ACCURACY: Final = 1e-9
+DEFAULT_SAMPLES: Final = 200
+MOST_SAMPLES: Final = 1_000_000
+
+MONITORS: Final = (
+    "energy", "momentum", "angular_momentum", "lrl", "casimir", "symplecticity", "volume", "loop", "cartan",
+    "reversibility", "constraint",
+)  # fmt: skip
+"""The monitors of the format."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a scene is run: to an `accuracy`, or with a fixed `step`, or as exactly as `budget` seconds allow."""
+
+    duration: float
+    accuracy: float | None = DEFAULT_ACCURACY
+    step: float | None = None
+    budget: float | None = None
+    integrator: str | None = None
+    samples: int = DEFAULT_SAMPLES
+    monitors: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Body:
+    """A point particle: its `name`, and where its coordinates stand among all of them."""
+
+    name: str
+    mass: Any
+    charge: Any | None
+    first: int
+    dimension: int
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A model, its initial state (`q`, `p` as floats), and the settings; `bodies` are empty for a system."""
+
+    title: str
+    model: Model
+    q: tuple[float, ...]
+    p: tuple[float, ...]
+    settings: Settings
+    bodies: tuple[Body, ...] = ()
+    units: str = ""
+    absent: tuple[str, ...] = ()
+    notes: Mapping[str, str] = field(default_factory=dict)

@@ -1,0 +1,110 @@
+"""Runs a scene: from its model to states, the monitors that were asked for, and what the run cost."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.numeric.observe import observe
+from canon.numeric.operations import operations_per_step
+from canon.numeric.planner import Planned, run_for_accuracy, run_with_step
+from canon.scenes.methods import Choice, choose
+from canon.scenes.monitors import Reading, read_monitors
+from canon.scenes.monitors.flow import Flow
+from canon.scenes.problem import Problem, problem_of
+from canon.scenes.scene import Scene
+
+
+@dataclass(frozen=True)
+class Result:
+    """A run of a scene: the stored states q and p (samples, n) at `times`, and all that is known of them.
+
+    `ok` says whether the accuracy was reached (where one was asked for), the whole duration was, and no monitor that
+    must be conserved drifted; `messages` say what was not.
+    """
+
+    scene: Scene
+    problem: Problem
+    choice: Choice
+    planned: Planned
+    times: np.ndarray
+    q: np.ndarray
+    p: np.ndarray
+    monitors: tuple[Reading, ...]
+    operations: int
+    seconds: tuple[float, float]
+    messages: tuple[str, ...]
+    ok: bool
+
+
+def simulate(scene: Scene, *, watch: Callable[[float], None] | None = None) -> Result:
+    """The scene's run. `watch` is told, now and then, which part of a run is done.
+
+    **Raises:** `InputError` where the initial state is no state of the system, or a method cannot solve the problem.
+    """
+    _check_start(scene)
+    begun = time.process_time()
+    problem = problem_of(scene.model)
+    settings = scene.settings
+    choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
+    state = (np.array(scene.q), np.array(scene.p))
+    shared = {"duration": settings.duration, "samples": settings.samples, "exact": problem.exact, "watch": watch}
+    if settings.step is not None:
+        planned = run_with_step(problem.value, choice.method, state, step=settings.step, **shared)
+    else:
+        planned = run_for_accuracy(
+            problem.value, choice.method, state, accuracy=settings.accuracy, budget=settings.budget, **shared
+        )
+    run = planned.run
+    operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)
+    q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
+    times = run.times[: planned.good]
+    flow = Flow(scene.model, problem.value, choice.method, run, planned.good, planned.error)
+    monitors = read_monitors(settings.monitors, flow, times, q, p)
+    compiling = planned.compile_seconds
+    running = max(time.process_time() - begun - compiling, 0.0)
+    messages, ok = _judged(scene, planned, monitors)
+    return Result(
+        scene, problem, choice, planned, times, q, p, monitors, operations, (compiling, running), messages, ok
+    )
+
+
+def _check_start(scene: Scene) -> None:
+    """Refuse an initial state at which the equations of motion are not finite."""
+    model = scene.model
+    rates = [*(model.H.diff(x) for x in model.q), *(model.H.diff(y) for y in model.p)]
+    values = observe(
+        (model.H, *rates), (model.q, model.p, model.t), np.zeros(1), np.array([scene.q]), np.array([scene.p])
+    )
+    if not np.isfinite(values).all():
+        raise InputError("the equations of motion are not finite at the initial state: is a body at a singularity?")
+
+
+def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tuple[tuple[str, ...], bool]:
+    """What to say of the run, and whether it is as it should be."""
+    run, messages, ok = planned.run, [], True
+    times = run.times
+    if planned.interrupted:
+        messages.append(f"interrupted at t = {times[planned.good - 1]:.6g}: what was computed until then is kept")
+        ok = False
+    elif planned.good < run.samples:
+        last, after = run.times[planned.good - 1], run.times[planned.good]
+        messages.append(
+            f"ended at t = {last:.6g}: before t = {after:.6g} the orbit runs into a singularity (a blow-up or a "
+            "collision), or is too sensitive to be followed"
+        )
+        ok = False
+    elif scene.settings.accuracy is not None and not planned.reached:
+        reached = "unknown" if planned.error is None else f"{planned.error:.1e}"
+        reason = f": {planned.reason}" if planned.reason else ""
+        messages.append(f"the accuracy {scene.settings.accuracy:.1e} was not reached, but {reached}{reason}")
+        ok = False
+    for reading in monitors:
+        if reading.alarm:
+            messages.append(f"{reading.name}: {reading.alarm}")
+            ok = False
+    return tuple(messages), ok

@@ -1,0 +1,82 @@
+"""A Hamiltonian of one's own, from the file to the states: accuracy, fixed steps, monitors, faults."""
+
+import numpy as np
+import pytest
+
+from canon.errors import InputError
+from canon.scenes.reader import read_scene_text
+from canon.scenes.simulate import simulate
+
+SYSTEM = """
+[system]
+q_names = ["q"]
+p_names = ["p"]
+H = "{H}"
+q = {q}
+p = {p}
+[run]
+duration = {duration}
+{more}
+"""
+
+
+def scene(H: str, q: float = 1.0, p: float = 0.0, duration: float = 10.0, more: str = "") -> str:
+    return SYSTEM.format(H=H, q=[q], p=[p], duration=duration, more=more)
+
+
+def test_an_oscillator_is_one_part_and_exact() -> None:
+    result = simulate(read_scene_text(scene("p**2/2 + q**2/2", more='samples = 11\nmonitor = ["energy"]')))
+    assert result.problem.exact
+    assert result.ok
+    assert np.allclose(result.q[:, 0], np.cos(result.times), atol=1e-14)
+    assert np.allclose(result.p[:, 0], -np.sin(result.times), atol=1e-14)
+
+
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-6, 1e-9, 1e-11])
+def test_the_accuracy_that_is_asked_for_is_reached(accuracy: float) -> None:
+    """The driven quartic oscillator, against a run of another method with a small step."""
+    H = "p**2/2 + q**4/4 - q*cos(t)"
+    result = simulate(read_scene_text(scene(H, more=f"accuracy = {accuracy}\nsamples = 6")))
+    fine = simulate(read_scene_text(scene(H, more='step = 0.002\nsamples = 6\nintegrator = "yoshida8"')))
+    assert result.ok
+    assert np.abs(result.q - fine.q).max() < accuracy * np.abs(fine.q).max() + 1e-12
+
+
+def test_a_fixed_step_is_kept_and_its_error_estimated() -> None:
+    result = simulate(read_scene_text(scene("p**2/2 - cos(q)", more='step = 0.1\nsamples = 11\nintegrator = "verlet"')))
+    assert result.planned.run.steps == 100
+    assert 1e-5 < result.planned.error < 1e-1
+    assert result.ok
+
+
+def test_a_blow_up_ends_at_the_last_good_state() -> None:
+    """q̈ = 2q³ from q = p = 1: q = 1/(1 − t)."""
+    result = simulate(read_scene_text(scene("p**2/2 - q**4/2", 1.0, 1.0, 2.0, "samples = 101\naccuracy = 1e-8")))
+    assert not result.ok
+    assert 0.9 < result.times[-1] < 1.0
+    assert np.isfinite(result.q).all()
+    assert any(message.startswith("ended at t = 0.9") for message in result.messages)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (scene("p**2/2 + r**2"), "unknown name 'r'"),
+        (scene("p**2/2 + 1/q", q=0.0), "not finite at the initial state"),
+        (scene("p**2", more="acuracy = 1e-9"), "unknown key 'acuracy': did you mean 'accuracy'?"),
+        (scene("p**2", more="step = -1"), "a number above 0 is expected"),
+        (scene("p**2", more="samples = 1"), "from 2 to 1000000 samples"),
+        (scene("p**2", more='monitor = ["enrgy"]'), "unknown monitor 'enrgy': did you mean 'energy'?"),
+        (scene("p**2", more='monitor = ["angular_momentum"]'), "needs positions in a plane or in space"),
+        (
+            scene("p**2/2+q**4", more='integrator = "yoshida5"'),
+            "unknown integrator 'yoshida5': did you mean 'yoshida8'?",
+        ),
+        ("[run]\nduration = 1\n", "nothing moves here"),
+        ("[system]\n", "[run] is missing"),
+    ],
+)
+def test_bad_input_is_told_from_good(text: str, says: str) -> None:
+    with pytest.raises(InputError) as caught:
+        simulate(read_scene_text(text))
+    assert says in str(caught.value)

@@ -110,7 +110,7 @@ def run_with_step(
     run = search.made(steps)
     error = None
     if coarse is not None and not search.interrupted and run.completed == coarse.completed == samples:
-        error = distance(run, coarse) / (1 if exact else (run.steps / coarse.steps) ** method.traits.order - 1)
+        error = distance(run, coarse) / (1 if exact else (total(run) / total(coarse)) ** method.traits.order - 1)
     return search.planned(run, error, reached=True)
 
 
@@ -138,7 +138,7 @@ class _Search:
         steps = max(self.samples - 1, FIRST_STEPS)
         self.made(steps)
         while not self.interrupted:
-            steps = self.runs[-1].steps * (2 if len(self.runs) < 3 else self.factor())
+            steps = total(self.runs[-1]) * (2 if len(self.runs) < 3 else self.factor())
             stop = self.too_long(int(steps))
             if stop:
                 return self.planned(self.runs[-1], self.error(), reached=False, reason=stop)
@@ -180,7 +180,7 @@ class _Search:
         difference = distance(run, self.runs[-1]) if self.runs and not self.interrupted else np.inf
         self.runs = [*self.runs[-2:], run]
         self.agreed.append(agreement(run, self.runs[-2]) if len(self.runs) > 1 else 0)
-        self.trials.append(Trial(run.steps, difference, time.process_time() - begun))
+        self.trials.append(Trial(total(run), difference, time.process_time() - begun))
         return run
 
     def advanced(self, run: Run) -> Run:
@@ -205,7 +205,7 @@ class _Search:
         difference = self.trials[-1].difference
         if self.exact or not np.isfinite(difference):
             return max(difference, 2.0**-52)
-        ratio = self.runs[-1].steps / self.runs[-2].steps
+        ratio = total(self.runs[-1]) / total(self.runs[-2])
         if self.in_order():
             return max(difference / (ratio**self.order - 1), 2.0**-52)
         return max(difference, 2.0**-52)
@@ -217,7 +217,7 @@ class _Search:
         before, last = self.trials[-2:]
         fallen = np.log(before.difference / last.difference)
         # d(N, M) ≈ C N^-r for M well above N: the step of the coarser run of each pair
-        expected = np.log(self.runs[-2].steps / self.runs[-3].steps)
+        expected = np.log(total(self.runs[-2]) / total(self.runs[-3]))
         return bool(fallen > (self.order - 1) * expected)
 
     def factor(self) -> float:
@@ -296,3 +296,8 @@ def distance(run: Run, other: Run, upto: int | None = None) -> float:
         off = max(float(np.abs(a[:count] - b[:count]).max(initial=0.0)) for a, b in pairs)
         worst = max(worst, off / size if size > 0 else off)
     return worst
+
+
+def total(run: Run) -> int:
+    """The steps of the whole run, whether they were made or not."""
+    return run.chunks * run.per_chunk

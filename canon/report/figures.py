@@ -27,7 +27,7 @@ def plot(result: Result, path: str | Path) -> None:
 
 def _orbit(axes: Any, result: Result) -> None:
     """The path in the first two coordinates; the phase portrait where there is only one."""
-    model = result.scene.model
+    model: Any = result.scene.model
     if result.scene.bodies:
         for body in result.scene.bodies:
             _path(axes, result, body.first, body.dimension, body.name)

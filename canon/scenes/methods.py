@@ -21,9 +21,17 @@ class Choice(NamedTuple):
 
 def methods() -> dict[str, Any]:
     """All integrators by name."""
-    from canon.numeric.integrators import blanes_moan, compositions, near_integrable, nystrom, yoshida
+    from canon.numeric.integrators import (
+        blanes_moan,
+        compositions,
+        gauss,
+        near_integrable,
+        nystrom,
+        runge_kutta,
+        yoshida,
+    )
 
-    families = (yoshida, blanes_moan, nystrom, compositions, near_integrable)
+    families = (yoshida, blanes_moan, nystrom, compositions, near_integrable, gauss, runge_kutta)
     return {method.name: method for family in families for method in family.METHODS}
 
 

@@ -63,12 +63,14 @@ def _best(found: tuple[SplitHamiltonian, ...]) -> SplitHamiltonian | None:
 
 def _with_friction(splitting: Splitting, model: Model) -> Splitting:
     """The same with the frictions as one further part, before the last."""
-    matrix: Any = sum((f.matrix for f in model.frictions), sp.zeros(model.n, model.n))
+    matrix: Any = sp.zeros(model.n, model.n)
+    for friction in model.frictions:
+        matrix += friction.matrix
     rests = {f.rest for f in model.frictions if f.rest}
     rest = rests.pop() if rests else (sp.S.Zero,) * model.n
     part = friction_part(matrix.tolist(), rest, model.q, model.t)
     parts: tuple[Part, ...] = (*splitting.parts[:-1], part, splitting.parts[-1])
-    clock = splitting.clock
+    clock: Any = splitting.clock
     timed = any(model.t in value.free_symbols for value in rest)
     if clock is None and timed:
         clock = 0

@@ -22,11 +22,11 @@ NUMBERS: Final[Mapping[str, str]] = {"independent": "the minor's size"}
 
 @dataclass(frozen=True)
 class Evidence:
-    """What sampling found: at `points` points in `bits` bits, the largest residual and its rounding bound.
+    """What sampling found: at `points` points in `bits` bits, the worst residual and its rounding bound.
 
-    `max_residual` is the largest absolute residual, `bound` the rounding error that it is to be measured against at
-    that same point: a residual above its bound is certainly not 0. Where the claim is that something is *not*
-    identically 0 (`independent`), it is that determinant.
+    `max_residual` is the absolute residual that is the largest part of its own bound, `bound` the rounding error that
+    it is to be measured against at that same point; so no residual exceeds its bound where this one doesn't. Where the
+    claim is that something is *not* identically 0 (`independent`), it is that determinant.
     """
 
     points: int

@@ -93,7 +93,8 @@ def _judged(F: OnTape, u: Array, seed: int) -> Solved | None:
         residuals = brackets(found.M[usable], found.M_errors[usable]).residuals(1.0)
     sizes = np.concatenate([r.sizes.ravel() for r in residuals])
     bounds = np.concatenate([r.bounds.ravel() for r in residuals])
-    most = int(np.lexsort((bounds, np.where(sizes > bounds, np.inf, sizes)))[-1])
+    with np.errstate(all="ignore"):
+        most = int(np.argmax(np.where(sizes == 0, 0.0, sizes / bounds)))
     if np.any(sizes > bounds) and not np.any(sizes > PLAINLY * bounds):
         return None
     evidence = Evidence(int(usable.sum()), float(sizes[most]), float(bounds[most]), 53)

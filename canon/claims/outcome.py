@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
@@ -102,9 +103,15 @@ def combined(outcomes: Iterable[Outcome]) -> Outcome:
 
 
 def merged(evidence: Iterable[Evidence | None]) -> Evidence | None:
-    """One account of several samplings: the fewest points, the largest residual with its own bound."""
+    """One account of several samplings: the fewest points, the residual that is worst against its own bound."""
     found = [item for item in evidence if item is not None]
     if not found:
         return None
-    worst = max(found, key=lambda item: (item.max_residual, item.bound))
+    worst = max(found, key=_part_of_bound)
     return Evidence(min(item.points for item in found), worst.max_residual, worst.bound, worst.bits)
+
+
+def _part_of_bound(item: Evidence) -> float:
+    if item.bound:
+        return item.max_residual / item.bound
+    return math.inf if item.max_residual else 0.0

@@ -11,7 +11,7 @@ import contextlib
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from canon.budget import Budget, BudgetExceeded
 from canon.decide.answer import Answer, Witness, largest
@@ -21,6 +21,9 @@ from canon.decide.search import Coordinate, Finder, Sample, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.verdict import Evidence
 
+if TYPE_CHECKING:
+    from canon.decide.cloud import Cloud
+
 SEEDS: Final = 8
 GROUPS: Final = 4
 """Arbitrary functions are chosen so many times."""
@@ -28,6 +31,10 @@ GROUPS: Final = 4
 TRIES: Final = 8
 LOOKED_AT: Final = 4
 """So many of the worst points of a residual are looked at again, in balls of each of these bits."""
+
+LEAST_BLOCK: Final = 16
+MOST_NUMBERS: Final = 5_000_000
+"""So many numbers are held at once, one for each node of the tape and each point of a block."""
 
 PRECISIONS: Final = (64, 256)
 DENOMINATORS: Final = (100, 10**6)
@@ -47,7 +54,7 @@ def sample(
     seed: int = 0,
     bits: int = 53,
 ) -> tuple[Evidence | None, Answer | None]:
-    """The largest residual over random points of the region, beside its bound, and a refutation if there is one.
+    """The residual that is worst against its bound, over random points of the region, and a refutation if there is one.
 
     **Returns:** (evidence, refutation). A refutation is a ball that excludes 0 at a certified point; its `index` says
     which node. The evidence is None where something is refuted, and where no point could be evaluated.
@@ -99,19 +106,20 @@ def _refuted(tape: Tape, nodes: Sequence[Node], point: Sample, bits: int) -> Ans
 
 @dataclass(frozen=True)
 class _Suspect:
-    """A residual as large as this part of its bound (`ratio`), and where that is."""
+    """A residual, its bound, and where it is as large as this part of it (`ratio`)."""
 
     ratio: float
+    size: float
+    bound: float
     place: Mapping[Node, Coordinate]
     functions: Mapping[str, Any]
 
 
 @dataclass(frozen=True)
 class _Scan:
-    """What double precision shows: how many points were evaluated, the largest residual with its bound, suspects."""
+    """What double precision shows: how many points were evaluated, and the suspects, the worst one first."""
 
     points: int
-    largest: tuple[float, float]
     suspects: tuple[_Suspect, ...]
 
 
@@ -130,45 +138,57 @@ def _by_clouds(
     refuted = _looked_at_in_balls(finder, nodes, suspects)
     if refuted is not None:
         return None, refuted
-    if suspects and suspects[0].ratio > 1:
+    if suspects[0].ratio > 1:
         raise Underestimated
-    size, bound = max(scan.largest for scan in scans)
-    return Evidence(found, size, bound, 53), None
+    worst = suspects[0]
+    return Evidence(found, worst.size, worst.bound, 53), None
 
 
 def _scanned(
     finder: Finder, nodes: Sequence[Node], seeds: Sequence[Sample], count: int, budget: Budget, seed: int
 ) -> _Scan:
-    """The residuals at a cloud of points, and for each node the points where it is nearest to its bound."""
-    import numpy as np
-
+    """The residuals at a cloud of points, block by block; for each node the points where it is nearest to its bound."""
     from canon.decide.cloud import cloud_around
-    from canon.decide.floating import evaluate_many
 
     cloud = cloud_around(finder, seeds, count, budget, seed)
-    if not cloud.size:
-        return _Scan(0, (0.0, 0.0), ())
-    place = evaluate_many(finder.tape, finder.everything, cloud.points, cloud.functions)
+    block = max(LEAST_BLOCK, MOST_NUMBERS // max(1, len(finder.everything)))
+    found, suspects = 0, []
+    for start in range(0, cloud.size, block):
+        if start and budget.spent():
+            break
+        usable, near = _block(finder, nodes, cloud, start, min(start + block, cloud.size))
+        found += usable
+        suspects += near
+    return _Scan(found, tuple(suspects))
+
+
+def _block(finder: Finder, nodes: Sequence[Node], cloud: Cloud, start: int, end: int) -> tuple[int, list[_Suspect]]:
+    import numpy as np
+
+    from canon.decide.floating import evaluate_many
+
+    points = {node: values[start:end] for node, values in cloud.points.items()}
+    place = evaluate_many(finder.tape, finder.everything, points, cloud.functions)
     found = [place[node] for node in nodes]
-    pairs = [(np.broadcast_to(v, cloud.size), np.broadcast_to(b, cloud.size)) for v, b in found]
+    pairs = [(np.broadcast_to(v, end - start), np.broadcast_to(b, end - start)) for v, b in found]
     usable = np.logical_and.reduce([np.isfinite(value) & np.isfinite(bound) for value, bound in pairs])
-    largest, suspects = (0.0, 0.0), []
+    suspects = []
     for value, bound in pairs:
-        size = np.where(usable, np.abs(value), -1.0)
+        size = np.abs(value)
         with np.errstate(all="ignore"):
-            ratio = np.where(size > 0, size / bound, 0.0)
-        most = int(np.argmax(size))
-        largest = max(largest, (float(size[most]), float(bound[most])))
-        for k in np.argsort(ratio)[::-1][:LOOKED_AT]:
-            if ratio[k] > 0:
-                suspects.append(_Suspect(float(ratio[k]), cloud.exactly(int(k)), cloud.functions))
-    return _Scan(int(usable.sum()), largest, tuple(suspects))
+            ratio = np.where(usable, np.where(size == 0, 0.0, size / bound), -1.0)
+        for k in np.argsort(-ratio, kind="stable")[:LOOKED_AT]:
+            if usable[k]:
+                at = cloud.exactly(start + int(k))
+                suspects.append(_Suspect(float(ratio[k]), float(size[k]), float(bound[k]), at, cloud.functions))
+    return int(usable.sum()), suspects
 
 
 def _looked_at_in_balls(finder: Finder, nodes: Sequence[Node], suspects: Sequence[_Suspect]) -> Answer | None:
     """A refutation at one of the worst points, or better at a short fraction near it."""
     beyond = [suspect for suspect in suspects if suspect.ratio > 1]
-    for suspect in beyond[: 2 * LOOKED_AT] or suspects[:LOOKED_AT]:
+    near = [suspect for suspect in suspects if suspect.ratio > 0]
+    for suspect in beyond[: 2 * LOOKED_AT] or near[:LOOKED_AT]:
         for bits in PRECISIONS:
             refuted = _at(finder, nodes, suspect.place, suspect.functions, bits)
             if refuted is None:
@@ -224,7 +244,9 @@ def _by_balls(
 
 
 def _evidence_of(points: Sequence[Sample], nodes: Sequence[Node], bits: int) -> Evidence | None:
-    """What the balls at certified points say."""
-    if not points:
+    """The residual that is worst against its ball's radius, over certified points."""
+    pairs = [largest((point.balls[node],)) for point in points for node in nodes]
+    if not pairs:
         return None
-    return Evidence(len(points), *largest(point.balls[node] for point in points for node in nodes), bits)
+    size, bound = max(pairs, key=lambda pair: pair[0] / pair[1] if pair[1] else 0.0)
+    return Evidence(len(points), size, bound, bits)

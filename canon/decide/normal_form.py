@@ -7,7 +7,7 @@ formulas take there. A numerator that doesn't is no refutation.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from canon.budget import Budget
@@ -30,7 +30,8 @@ def reduce_to_zero(
     """
     zero: set[Node] = set()
     nonzero: dict[Node, Element] = {}
-    field = tower.field
+    field, kernels = tower.compact(sizes[0], budget)
+    values: dict[Node, Any] = dict(kernels)
     left = list(nodes)
     divides = bool(tower.field.factors) or _divides(tower)
     for size in sizes:
@@ -42,7 +43,8 @@ def reduce_to_zero(
             if grouped:
                 zero |= _by_groups(tower, left, size, budget)
             else:
-                found, rest, field = _by_fractions(tower, left, size, budget)
+                field.ring.limit, field.ring.spent = size, 0.0
+                found, rest = _by_fractions(tower, left, field, values)
                 zero |= found
                 nonzero.update(rest)
     return zero, nonzero, field
@@ -54,21 +56,23 @@ def _divides(tower: Tower) -> bool:
 
 
 def _by_fractions(
-    tower: Tower, nodes: Sequence[Node], size: float, budget: Budget
-) -> tuple[set[Node], dict[Node, Element], FractionField]:
-    field, kernels = tower.compact(size, budget)
-    values: dict[Node, Any] = dict(kernels)
+    tower: Tower, nodes: Sequence[Node], field: FractionField, values: dict[Node, Any]
+) -> tuple[set[Node], dict[Node, Element]]:
+    """The nodes that reduce to 0, and what the others reduce to, where that isn't too costly.
+
+    `values` are those of the kernels and of what an attempt before this one has left; they are added to.
+    """
     zero: set[Node] = set()
     nonzero: dict[Node, Element] = {}
-    ops, last = tower.tape.ops, _last_uses(tower, nodes)
-    for i in tower.tape.reach(nodes):
-        if i not in values:
-            # what is too costly, or needs what was, has no value
-            with contextlib.suppress(TooCostly, ZeroDivisionError, KeyError):
-                values[i] = combine(field, ops[i], values)
-        for j in last.get(i, ()):
-            if j not in kernels:
-                values.pop(j, None)
+    tape = tower.tape
+    kernels = tower.kernels
+    for i, done in _steps(tower, nodes, values):
+        # what is too costly, or needs what was, has no value
+        with contextlib.suppress(TooCostly, ZeroDivisionError, KeyError):
+            values[i] = combine(field, tape.ops[i], values)
+            for j in done:
+                if j not in kernels:
+                    values.pop(j, None)
     for node in nodes:
         value = values.get(node)
         if value is None:
@@ -78,7 +82,25 @@ def _by_fractions(
             zero.add(node)
         elif remainder is not None:
             nonzero[node] = remainder
-    return zero, nonzero, field
+    return zero, nonzero
+
+
+def _steps(tower: Tower, nodes: Sequence[Node], values: Mapping[Node, Any]) -> list[tuple[Node, list[Node]]]:
+    """What is left to be evaluated for the nodes, in order, each with those that nothing later needs."""
+    kept, arguments = set(nodes), tower.tape.arguments
+    need, stack = set(), [node for node in nodes if node not in values]
+    while stack:
+        node = stack.pop()
+        if node not in need:
+            need.add(node)
+            stack.extend(a for a in arguments(node) if a not in values)
+    order = sorted(need)
+    last = {a: i for i in order for a in arguments(i)}
+    done: dict[Node, list[Node]] = {}
+    for a, i in last.items():
+        if a not in kept:
+            done.setdefault(i, []).append(a)
+    return [(i, done.get(i, [])) for i in order]
 
 
 def _by_groups(tower: Tower, nodes: Sequence[Node], size: float, budget: Budget) -> set[Node]:

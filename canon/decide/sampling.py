@@ -73,7 +73,7 @@ def sample(
     if not seeds:
         return None, None
     if not region.surface:
-        with contextlib.suppress(Unsupported, Underestimated):
+        with contextlib.suppress(Unsupported, Underestimated, OverflowError):
             return _by_clouds(finder, nodes, seeds, points, budget, seed)
     return _by_balls(tape, nodes, region, rng, seeds, points, budget, bits)
 

@@ -40,6 +40,10 @@ def verify(claim: Claim, *, budget: float, seed: int, method: str) -> Verdict:
         return Verdict(
             "proved", kind, detail={"budget": budget, "seed": seed, "method": method, "process": os.getpid()}
         )
+    if kind == "contradict":
+        return Verdict(
+            "undecided", kind, detail={"alarm": "a proof and a certified counterexample contradict each other"}
+        )
     if kind == "false":
         return Verdict("refuted", kind, claim.title, "ball", witness={"q": Fraction(3, 2)}, detail={"value": "2"})
     return Verdict("proved", kind, claim.title, "normal form", 0.0123)

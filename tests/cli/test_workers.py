@@ -103,6 +103,19 @@ def test_exit_status(tmp_path: Path, kinds: str, status: int) -> None:
     assert answer(file)[0] == status
 
 
+def test_a_contradiction_is_shown_and_never_expected(tmp_path: Path) -> None:
+    file = tmp_path / "contradiction.toml"
+    file.write_text("fine contradict")
+    status, record = answer(file)
+    assert status == 2
+    assert record["claims"][1]["expected"] is False
+    assert "contradict" in record["claims"][1]["detail"]["alarm"]
+    process = start(file)
+    shown, _ = process.communicate(timeout=60)
+    assert process.returncode == 2
+    assert "alarm: a proof and a certified counterexample contradict each other" in shown
+
+
 def test_an_interruption_keeps_what_is_known_and_leaves_no_process(tmp_path: Path) -> None:
     file = tmp_path / "claims.toml"
     file.write_text("fine hang")

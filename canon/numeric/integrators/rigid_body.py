@@ -46,9 +46,7 @@ def check_moments(moments: Sequence[float]) -> tuple[float, float, float]:
     if len(I) != 3 or min(I) < 0 or sorted(I)[1] <= 0 or max(I) > (sum(I) - max(I)) * (1 + 1e-12):
         raise InputError(f"{list(moments)} are no principal moments of inertia: each is at most the sum of the others")
     if min(I) == 0:
-        raise InputError(
-            "a rod, with a moment of inertia 0, has no angular momentum about its axis: give it a small one"
-        )
+        raise InputError("a moment of inertia 0 leaves the rotation about that axis undefined: give it a small one")
     return I  # pyright: ignore[reportReturnType]
 
 

@@ -36,7 +36,7 @@ def explanation(claim: Record) -> Iterator[str]:
         text = value(datum)
         yield f"  {text}" if key == "note" else f"  {visible(key.replace('_', ' '))}: {text}"
     numeric = claim["numeric"]
-    if numeric and (claim["verdict"] != "refuted" or numeric["points"] > GLANCES):
+    if numeric and (claim["verdict"] in ("supported", "undecided") or numeric["points"] > GLANCES):
         counted = f"{numeric['points']} sample point{'s' * (numeric['points'] != 1)}"
         number = NUMBERS.get(claim["kind"], "largest residual")
         yield f"  {counted}: {number} {numeric['max_residual']}, rounding bound {numeric['bound']}"

@@ -40,9 +40,10 @@ class AuditReport:
     - `determinant`: the least and the largest det M; `condition`: the largest condition number of M,
       with each variable in units of the length over which it is sampled.
     - `samples`, `audited`: points tried, and points at which everything was finite; `failing`: those of the latter
-      where a bracket exceeds its bound; `unresolved`: those whose bound on {Q,P} is too large to tell anything. Every
-      bracket of every audited point is compared with its own bound; `examined` counts the points, the first ones and
-      the worst of the others, of which the rest (det M, condition, invariants, typical sizes) is known.
+      where a bracket exceeds its bound; `unresolved`: those whose bound on {Q,P} is too large to tell anything, of the
+      points whose whole bound was computed. No bracket of an audited point exceeds its own bound unseen; `examined`
+      counts the points, the first ones and the worst of the others, of which the rest (det M, condition, invariants,
+      typical sizes) is known.
     - `integrals`: ∮ p dq and ∬ dp∧dq before and after the map, where the audit was asked for them.
     - `failures`: brackets and integrals that exceed their bounds; `doubts`: other reasons why the verdict isn't
       `supported` (hidden state, wrong derivatives, too few points); `notes`: what else was noticed.

@@ -18,7 +18,7 @@ from canon.numeric.differentiable import Differentiable, differentiable
 from canon.numeric.points import Points
 from canon.numeric.precision import UNIT_32
 from canon.numeric.residuals import Residuals, brackets, determinants, invariants
-from canon.numeric.sweep import RESOLVED, Sweep, Sweeper, sweeper
+from canon.numeric.sweep import RESOLVED, SUSPECTS, Sweep, Sweeper, sweeper
 from canon.numeric.worst import Tally
 
 Array = np.ndarray
@@ -187,7 +187,6 @@ class AuditRun:
         """Sweep the points from `start` to `count`, and examine the worst of every block."""
         assert self.map is not None
         assert self.map.program is not None
-
         loop = sweeper(
             self.map.program,
             self.where,
@@ -197,15 +196,19 @@ class AuditRun:
             rounded_numbers=self.subject.rounded_numbers,
         )
         worst: list[Array] = []
+        suspects: list[Array] = []
         for begin in range(start, count, loop.block):
             length = min(loop.block, count - begin)
             found = self._swept(loop, begin, length)
             worst.append(begin + self._count(found, begin, length))
-            if sum(map(len, worst)) >= BLOCK:
+            suspects.append(begin + found.exceeds)
+            last = begin + length == count
+            if last or sum(map(len, suspects)) >= SUSPECTS:
+                worst.append(self._suspected(loop, np.concatenate(suspects)))
+                suspects.clear()
+            if last or sum(map(len, worst)) >= BLOCK:
                 self.examine(np.unique(np.concatenate(worst)).astype(np.uint64), counted=False)
                 worst.clear()
-        if worst:
-            self.examine(np.unique(np.concatenate(worst)).astype(np.uint64), counted=False)
 
     def _swept(self, loop: Sweeper, begin: int, length: int) -> Sweep:
         if self.where.given is not None:
@@ -213,25 +216,37 @@ class AuditRun:
         return loop.generated(begin, length)
 
     def _count(self, found: Sweep, begin: int, length: int) -> Array:
-        """Count what a sweep found; **returns** the positions of its worst points."""
+        """Count what a sweep found; **returns** the positions of the points with the largest residuals."""
         missing, rough = found.undefined, found.rough
         self.outside += len(found.outside)
         self.missing += len(missing)
         self.rough += len(rough)
         if len(missing) and self.missing_point is None:
-            self.missing_point = self._point(begin + missing[0])
+            self.missing_point = self._points([begin + missing[0]])[0]
         if len(rough) and self.rough_point is None:
-            self.rough_point = self._point(begin + rough[0])
+            self.rough_point = self._points([begin + rough[0]])[0]
         usable = length - len(found.outside) - len(missing) - len(rough)
         self.audited += usable
-        self.failing += len(found.exceeds)
-        self.unresolved += len(found.unresolved)
         if not usable:
             return np.zeros(0, dtype=int)
-        return np.array([int(half.argmax()) for half in (found.ratio, found.QQ, found.PP, found.QP)])
+        return np.array([int(half.argmax()) for half in (found.QQ, found.PP, found.QP)])
 
-    def _point(self, index: int) -> Array:
-        return self.where.at(np.array([index], dtype=np.uint64), self.seed)[0]
+    def _suspected(self, loop: Sweeper, index: Array) -> Array:
+        """Compare points with their whole bounds; **returns** the indices of those that exceed them most."""
+        worst = []
+        for start in range(0, len(index), SUSPECTS):
+            part = index[start : start + SUSPECTS]
+            found = self._bounded(loop, part)
+            self.failing += len(found.exceeds)
+            self.unresolved += len(found.unresolved)
+            worst.append(part[int(found.ratio.argmax())])
+        return np.array(worst, dtype=int)
+
+    def _bounded(self, loop: Sweeper, index: Array) -> Sweep:
+        return loop.bounded(self._points(index))
+
+    def _points(self, index: Sequence[int] | Array) -> Array:
+        return self.where.at(np.asarray(index, dtype=np.uint64), self.seed)
 
     def place(self, point: Sequence[float] | Array) -> str:
         """A point by the variables' names."""

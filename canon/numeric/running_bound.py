@@ -16,7 +16,7 @@ import numpy as np
 
 from canon.numeric.emit import apply
 from canon.numeric.precision import UNIT
-from canon.program import PREDICATES, Operation, Program
+from canon.program import PREDICATES, Node, Operation, Program
 
 ULPS: Final = 4
 """The error granted to an elementary function, in units of roundoff of its value."""
@@ -45,6 +45,20 @@ def run_bounded(
         else:
             bounds.append(_rule(operation, x, e, value, numbers))
     return [(values[node], bounds[node]) for node in program.outputs]
+
+
+def rounds(program: Program, node: Node) -> bool:
+    """Whether a node's bound is certain to be at least one rounding of its own value."""
+    name, operands, _ = program.operations[node]
+    if name in ("neg", "abs"):
+        return rounds(program, operands[0])
+    if name == "mul" and any(_power_of_two(_float(program.constant(a))) for a in operands):
+        return False
+    return name not in _EXACT and name not in ("number", "max", "min", "select")
+
+
+def _float(value: Any) -> Any:
+    return float(value) if isinstance(value, (int, float)) else value
 
 
 def is_zero(x: Any) -> bool:

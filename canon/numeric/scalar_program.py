@@ -229,6 +229,8 @@ def _computed(builder: Builder, equation: Any, operands: list[_Value]) -> _Trace
             no, yes = _lifted(builder, no), _lifted(builder, yes)
             return _Traced(np.where(which, yes.nodes, no.nodes))
         return _elementwise(builder, "select", [which, _lifted(builder, yes), _lifted(builder, no)])
+    if name == "scatter-add":
+        return _scattered_sum(builder, equation, operands)
     x = [_lifted(builder, value) for value in operands]
     if name in _SAME or name in BINARY or name in UNARY:
         return _elementwise(builder, _SAME.get(name, name), x)
@@ -298,6 +300,24 @@ def _running_sums(builder: Builder, x: _Traced, axis: int, backwards: bool) -> _
         rows[k] = _elementwise(builder, "add", [_Traced(rows[k - 1]), _Traced(rows[k])]).nodes
     result = np.moveaxis(rows, 0, axis)
     return _Traced(np.flip(result, axis) if backwards else result)
+
+
+def _scattered_sum(builder: Builder, equation: Any, operands: list[_Value]) -> _Traced:
+    """An array with updates added to some of its entries: where each goes is seen by sending a 1 there."""
+    import jax
+
+    target, index, updates = operands
+    if isinstance(index, _Traced):
+        raise Unscalar("an index that depends on the point")
+    into, added = _lifted(builder, target).nodes.copy(), _lifted(builder, updates).nodes
+    ones = np.eye(added.size).reshape((added.size, *added.shape))
+    send = lambda one: equation.primitive.bind(np.zeros(into.shape), index, one, **equation.params)
+    places = np.asarray(jax.vmap(send)(ones)).reshape(added.size, -1)
+    flat = into.reshape(-1)
+    for update, place in zip(added.ravel(), places, strict=True):
+        for k in np.flatnonzero(place):
+            flat[k] = builder.apply("add", int(flat[k]), int(update))
+    return _Traced(flat.reshape(into.shape))
 
 
 def _dot(builder: Builder, x: _Traced, y: _Traced, numbers: Any) -> _Traced:

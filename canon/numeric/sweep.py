@@ -1,8 +1,12 @@
-"""M J Mᵀ − scale J and its rounding bound at as many points as wanted, as one compiled loop.
+"""M J Mᵀ − scale J at as many points as wanted, beside its rounding bound, as one compiled loop.
 
-A block's points are generated, mapped, differentiated and compared with their bounds without leaving the processor's
-registers; what comes back of a point is one word of 64 bits. A compiler that is given several results computes what
-they share several times over; hence the one word.
+A block's points are generated, mapped, differentiated and compared without leaving the processor's registers; what
+comes back of a point is one word of 64 bits. A compiler that is given several results computes what they share several
+times over; hence the one word.
+
+There are two such loops. The first compares residuals with a part of their bounds that costs next to nothing: the
+rounding of the products that they are sums of, and one rounding of every entry of M. What is no larger than a part of
+its bound is no larger than its bound. The second computes the whole running bound, where the first leaves a doubt.
 """
 
 from __future__ import annotations
@@ -15,16 +19,20 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from canon.numeric.counter import key_of, rows_of
+from canon.numeric.emit import run
 from canon.numeric.membership import Membership
 from canon.numeric.points import Points
 from canon.numeric.precision import UNIT, double
-from canon.numeric.running_bound import is_zero, run_bounded
+from canon.numeric.running_bound import is_zero, rounds, run_bounded
 from canon.program import Program
 
 Array = np.ndarray
 
 BLOCK: Final = 2**15
 BLOCK_OF_A_GPU: Final = 2**20
+
+SUSPECTS: Final = 2**13
+"""So many points are compared with their whole bounds at once."""
 
 RESOLVED: Final = 1e-2
 """A bracket {Q,P} whose bound is a larger part of the scale tells nothing."""
@@ -39,30 +47,32 @@ _INFINITE: Final = np.uint16(0x7F80)
 class Sweep(NamedTuple):
     """What was found at N points, as upper halves of float32, whose order is that of the numbers: (N,) each.
 
-    `ratio` is the largest ratio of a residual to its bound; `QQ`, `PP` and `QP` the largest residuals of the brackets.
-    `outside`, `undefined`, `rough` (no finite derivative), `exceeds` (its bound) and `unresolved` (a bound too large to
-    tell anything) are indices of points.
+    `ratio` is the largest ratio of a residual to its bound (or the part of it that was computed); `QQ`, `PP` and `QP`
+    the largest residuals of the brackets. `exceeds` (its bound, or that part), `outside`, `undefined`, `rough` (no
+    finite derivative) and `unresolved` (a bound too large to tell anything) are indices of points.
     """
 
     ratio: Array
     QQ: Array
     PP: Array
     QP: Array
+    exceeds: Array
     outside: Array
     undefined: Array
     rough: Array
-    exceeds: Array
     unresolved: Array
 
 
 @dataclass(frozen=True)
 class Sweeper:
-    """A map's loop, compiled for `block` points: `generated(start, length)` from a counter, and `given(points)` for an
-    array (N, 2n), where there are at most as many."""
+    """A map's loops, compiled for `block` points: `generated(start, length)` are points from a counter, `given(points)`
+    an array (N, 2n) of at most as many; both compare with a part of the bounds. `bounded(points)` compares with all
+    of them, for at most `SUSPECTS` points."""
 
     block: int
     generated: Callable[[int, int], Sweep]
     given: Callable[[Array], Sweep]
+    bounded: Callable[[Array], Sweep]
 
 
 def sweeper(
@@ -74,62 +84,81 @@ def sweeper(
     admits: Membership | None = None,
     rounded_numbers: bool = False,
 ) -> Sweeper:
-    """The loop of a map whose values and Jacobian are `program`'s outputs, over points of `where`.
+    """The loops of a map whose values and Jacobian are `program`'s outputs, over points of `where`.
 
     `admits` says of points which of them lie in the map's domain; `rounded_numbers`, as in `run_bounded`. A program is
     compiled once, for all boxes and seeds.
     """
-    block, generating, taking = _compiled(program, float(scale), admits, rounded_numbers)
+    block, generating, taking, bounding = _compiled(program, float(scale), admits, rounded_numbers)
     key, low, lengths = key_of(seed), where.low, where.high - where.low
 
     def generated(start: int, length: int) -> Sweep:
         with double():
             return _read(np.asarray(generating(np.uint64(start), key, low, lengths))[:length])
 
-    def given(points: Array) -> Sweep:
-        padded = np.concatenate([points, np.repeat(points[-1:], block - len(points), axis=0)])
-        with double():
-            return _read(np.asarray(taking(np.ascontiguousarray(padded.T)))[: len(points)])
+    def rows_by(loop: Any, length: int) -> Callable[[Array], Sweep]:
+        def swept(points: Array) -> Sweep:
+            padded = np.concatenate([points, np.repeat(points[-1:], length - len(points), axis=0)])
+            with double():
+                return _read(np.asarray(loop(np.ascontiguousarray(padded.T)))[: len(points)])
 
-    return Sweeper(block, generated, given)
+        return swept
+
+    return Sweeper(block, generated, rows_by(taking, block), rows_by(bounding, SUSPECTS))
 
 
 @lru_cache(maxsize=64)
-def _compiled(program: Program, scale: float, admits: Membership | None, rounded_numbers: bool) -> tuple[int, Any, Any]:
-    """The length of a block, and the loops over a block of generated and of given points."""
+def _compiled(
+    program: Program, scale: float, admits: Membership | None, rounded_numbers: bool
+) -> tuple[int, Any, Any, Any]:
+    """The length of a block; the first loop over generated and over given points, and the second."""
     import jax
     import jax.numpy as jnp
 
     block = BLOCK if jax.default_backend() == "cpu" else BLOCK_OF_A_GPU
 
-    def word(rows: Sequence[Any]) -> Any:
+    def quick(rows: Sequence[Any]) -> Any:
         inside = None if admits is None else admits(rows, jnp)
-        return _word(program, rows, scale, inside, rounded_numbers)
+        values = run(program, rows, jnp)
+        size = program.inputs
+        rounded = [float(rounds(program, node)) for node in program.outputs]
+        weights = [rounded[size + a * size : size + (a + 1) * size] for a in range(size)]
+        M = [values[size + a * size : size + (a + 1) * size] for a in range(size)]
+        return _word(
+            rows[0], values[:size], lambda a, b: _quick_bracket(M[a], M[b], weights[a], weights[b]), scale, inside
+        )
 
     def generate(start: Any, key: Any, low: Any, lengths: Any) -> Any:
-        return word(rows_of(start + jnp.arange(block, dtype=np.uint64), low, lengths, key))
+        return quick(rows_of(start + jnp.arange(block, dtype=np.uint64), low, lengths, key))
 
-    return block, jax.jit(generate), jax.jit(lambda rows: word(list(rows)))
+    def bounded(rows: Any) -> Any:
+        size = program.inputs
+        outputs = run_bounded(program, list(rows), jnp, rounded_numbers=rounded_numbers)
+        M = [outputs[size + a * size : size + (a + 1) * size] for a in range(size)]
+        values = [value for value, _ in outputs[:size]]
+        return _word(rows[0], values, lambda a, b: _bracket(M[a], M[b]), scale, None)
+
+    return block, jax.jit(generate), jax.jit(lambda rows: quick(list(rows))), jax.jit(bounded)
 
 
-def _word(program: Program, rows: Sequence[Any], scale: float, inside: Any, rounded_numbers: bool) -> Any:
+def _word(
+    like: Any, values: Sequence[Any], bracket: Callable[[int, int], tuple[Any, Any]], scale: float, inside: Any
+) -> Any:
+    """What is to be said of each point, in 64 bits. `bracket` gives an entry of M J Mᵀ and its bound."""
     import jax.numpy as jnp
 
-    size = program.inputs
-    n = size // 2
-    outputs = run_bounded(program, rows, jnp, rounded_numbers=rounded_numbers)
-    M = [outputs[size + a * size : size + (a + 1) * size] for a in range(size)]
-    like = jnp.zeros_like(rows[0])
-    ratio, sizes, loosest = like, [], like
+    n = len(values) // 2
+    zero = jnp.zeros_like(like)
+    ratio, sizes, loosest = zero, [], zero
     families = (
         [(i, j) for i in range(n) for j in range(i + 1, n)],
         [(i + n, j + n) for i in range(n) for j in range(i + 1, n)],
         [(i, j + n) for i in range(n) for j in range(n)],
     )
     for pairs in families:
-        largest = like
+        largest = zero
         for a, b in pairs:
-            value, bound = _bracket(M[a], M[b])
+            value, bound = bracket(a, b)
             expected = scale if b == a + n else 0.0
             residual = abs(value - expected)
             bound = bound + UNIT * abs(expected)
@@ -138,15 +167,32 @@ def _word(program: Program, rows: Sequence[Any], scale: float, inside: Any, roun
             if b == a + n:
                 loosest = jnp.maximum(loosest, bound)
         sizes.append(largest)
-    furthest = reduce(jnp.maximum, [abs(value) for value, _ in outputs[:size]], like)
+    furthest = reduce(jnp.maximum, [abs(value) for value in values], zero)
     undefined = ~jnp.isfinite(furthest)
     outside = None if inside is None else ~inside
     word = _half(ratio, ratio > 1.0)
-    for k, (largest, flag) in enumerate(
-        zip(sizes, (outside, undefined, loosest > RESOLVED * abs(scale)), strict=True), 1
-    ):
+    flags = (outside, undefined, loosest > RESOLVED * abs(scale))
+    for k, (largest, flag) in enumerate(zip(sizes, flags, strict=True), 1):
         word = word | (_half(largest, flag) << np.uint64(16 * k))
     return word
+
+
+def _quick_bracket(
+    f: Sequence[Any], g: Sequence[Any], off_f: Sequence[float], off_g: Sequence[float]
+) -> tuple[Any, Any]:
+    """Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q of two rows of M, with a part of its error's bound: `off` are the roundings (0 or 1)
+    that the bounds of their entries are certain to contain."""
+    n = len(f) // 2
+    value: Any = 0.0
+    bound: Any = _TINY
+    for k in range(n):
+        for i, j, sign in ((k, k + n, 1), (k + n, k, -1)):
+            if is_zero(f[i]) or is_zero(g[j]):
+                continue
+            product = f[i] * g[j]
+            value = value + product if sign > 0 else value - product
+            bound = bound + ((n + 1 + off_f[i] + off_g[j]) * UNIT) * abs(product)
+    return value, bound + UNIT * abs(value)
 
 
 def _bracket(f: Sequence[tuple[Any, Any]], g: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
@@ -184,19 +230,18 @@ def _read(words: Array) -> Sweep:
     halves = np.ascontiguousarray(words.view(np.uint16).reshape(-1, 4).T)
     nothing = np.zeros(0, dtype=np.intp)
     flags = [np.flatnonzero(half & _SIGN) if (half >= _SIGN).any() else nothing for half in halves]
-    exceeds, outside, undefined, unresolved = flags
     for half, flagged in zip(halves, flags, strict=True):
         half[flagged] &= _SIZE
+    exceeds, outside, undefined, unresolved = flags
     rough = np.flatnonzero(halves.max(axis=0) > _INFINITE) if halves.max() > _INFINITE else nothing
     if len(outside) or len(undefined) or len(rough):
-        void = np.union1d(outside, undefined)
         undefined = np.setdiff1d(undefined, outside)
-        rough = np.setdiff1d(rough, void)
-        unusable = np.union1d(void, rough)
+        rough = np.setdiff1d(rough, np.union1d(outside, undefined))
+        unusable = np.concatenate([outside, undefined, rough])
         exceeds, unresolved = np.setdiff1d(exceeds, unusable), np.setdiff1d(unresolved, unusable)
         halves[:, unusable] = 0
     ratio, QQ, PP, QP = halves
-    return Sweep(ratio, QQ, PP, QP, outside, undefined, rough, exceeds, unresolved)
+    return Sweep(ratio, QQ, PP, QP, exceeds, outside, undefined, rough, unresolved)
 
 
 def number(half: Any) -> float:

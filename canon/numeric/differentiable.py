@@ -159,39 +159,41 @@ def _run_directly(program: Program, rounded_numbers: bool) -> tuple[Callable[[Ar
 
 
 def _compiled(one: Callable[[Any], Any], size: int, unit: float) -> tuple[Callable[[Array], Array], Linearise, bool]:
-    """Values and Jacobian of a jax function, compiled for blocks of points."""
+    """Values and Jacobian of a jax function, compiled once, for blocks of points of a fixed length."""
     import jax
     import jax.numpy as jnp
 
     block = max(1, min(MOST_POINTS, MOST_ENTRIES // size**2))
-    with double():
-        jacobian = jax.jacfwd(one)
-        try:
-            both, bounded = with_rounding(jacobian, jnp.zeros(size)), True
-        except Unbounded:
-            both, bounded = jacobian, False
-        compiled: Any = jax.jit(jax.vmap(both))
-        values = jax.jit(jax.vmap(one))
 
-    def call(function: Any, z: Array) -> tuple[Array, ...]:
-        """The function on blocks of a fixed length, so that it is compiled once."""
+    def both(z: Any) -> Any:
+        """(Z M), so that there is one program to compile."""
+        M, Z = jax.jacfwd(lambda w: (one(w),) * 2, has_aux=True)(z)
+        return jnp.concatenate([Z[:, None], M], axis=1)
+
+    with double():
+        try:
+            program, bounded = with_rounding(both, jnp.zeros(size)), True
+        except Unbounded:
+            program, bounded = lambda z: (both(z),), False
+        compiled: Any = jax.jit(jax.vmap(program))
+        values: Any = jax.jit(jax.vmap(lambda z: (one(z),)))
+
+    def call(z: Array, function: Any = compiled, length: int = block) -> list[Array]:
         parts = []
-        for start in range(0, len(z), block):
-            part = z[start : start + block]
-            # a few points alone are not worth a block
-            length = min(block, FEW) if len(part) <= FEW else block
+        for start in range(0, len(z), length):
+            part = z[start : start + length]
             padded = np.concatenate([part, np.repeat(part[-1:], length - len(part), axis=0)])
             with double():
-                found = function(padded)
-            arrays = found if isinstance(found, tuple) else (found,)
-            parts.append([np.asarray(array, dtype=float)[: len(part)] for array in arrays])
-        return tuple(np.concatenate(column) for column in zip(*parts, strict=True))
-
-    def evaluate(z: Array) -> Array:
-        return call(values, z)[0]
+                parts.append([np.asarray(array, dtype=float)[: len(part)] for array in function(padded)])
+        return [np.concatenate(column) for column in zip(*parts, strict=True)]
 
     def linearise(z: Array) -> tuple[Array, Array]:
-        M, E = call(compiled, z)
-        return M, E
+        values, errors = call(z)
+        return values[:, :, 1:], errors[:, :, 1:]
 
-    return evaluate, linearise if bounded else neighbours(lambda z: call(compiled, z)[0], unit), bounded
+    def evaluate(z: Array) -> Array:
+        if size > LARGEST_TAKEN_APART:  # the values alone are a shorter program, and Jacobians are large
+            return call(z, values, FEW)[0]
+        return call(z)[0][:, :, 0]
+
+    return evaluate, linearise if bounded else neighbours(lambda z: call(z)[0][:, :, 1:], unit), bounded

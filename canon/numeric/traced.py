@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -13,6 +14,8 @@ from canon.numeric.map_shape import forms
 from canon.numeric.precision import double
 
 Array = np.ndarray
+ADDRESS: Final = re.compile(r" at 0x[0-9a-f]+")
+"""What differs in a program's text between two objects that are the same function."""
 
 
 @dataclass(frozen=True)
@@ -38,8 +41,8 @@ def traced(function: Callable[..., Any], size: int) -> Traced | None:
     with double():
         for form, one in forms(function, size):
             try:
-                closed, shape = jax.make_jaxpr(one, return_shape=True)(np.zeros(size))
-                again = jax.make_jaxpr(one)(np.zeros(size))
+                closed, shape = jax.make_jaxpr(_anew(one), return_shape=True)(np.zeros(size))
+                again = jax.make_jaxpr(_anew(one))(np.zeros(size))
             except Exception:  # a function of numpy may raise anything when it is given a tracer
                 continue
             if getattr(shape, "shape", None) != (size,):
@@ -51,6 +54,11 @@ def traced(function: Callable[..., Any], size: int) -> Traced | None:
     return None
 
 
+def _anew(one: Callable[[Any], Any]) -> Callable[[Any], Any]:
+    """The same function as another object: jax remembers what it has traced."""
+    return lambda z: one(z)
+
+
 def _runner(closed: Any) -> Callable[[Any], Any]:
     from jax.extend.core import jaxpr_as_fun
 
@@ -60,9 +68,8 @@ def _runner(closed: Any) -> Callable[[Any], Any]:
 
 def _same(first: Any, second: Any) -> bool:
     """Whether two programs have the same operations and the same numbers."""
-    return str(first.jaxpr) == str(second.jaxpr) and all(
-        np.array_equal(a, b) for a, b in zip(first.consts, second.consts, strict=True)
-    )
+    texts = [ADDRESS.sub("", str(program.jaxpr)) for program in (first, second)]
+    return texts[0] == texts[1] and all(np.array_equal(a, b) for a, b in zip(first.consts, second.consts, strict=True))
 
 
 def _repeats(one: Callable[[Any], Any], size: int) -> bool:

@@ -128,8 +128,6 @@ def cpu(action: Callable[[], Any]) -> tuple[float, Any]:
 
 def rates(name: str, make: Callable[[Any], Callable[[Any], Any]]) -> dict[str, Any]:
     """Points a second of the contestants on one map."""
-    inputs = points(POINTS)
-    del inputs
     mine, peer, other = audited(make(jnp)), plain(make(jnp)), differences(make(np))
     contestants: dict[str, tuple[Callable[[], float], int]] = {
         "canon.audit, 1e6 points, the whole call": (lambda: mine(POINTS), POINTS),
@@ -200,19 +198,18 @@ def dense() -> dict[str, float]:
 
 SMALL = """
 import time
-start = time.perf_counter()
 import numpy as np
 {extra}
 from canon import audit
 def step(z, h=0.1):
     p = z[2:] - h * {sin}(z[:2])
     return {join}([z[:2] + h * p, p])
-print(audit(step, dimension=4).verdict, time.perf_counter() - start)
+print(audit(step, dimension=4).verdict, time.process_time())
 """
 
 
 def first_answers() -> dict[str, float]:
-    """Seconds of a new process from its first import to a small audit's report."""
+    """CPU seconds of a new process from its start to a small audit's report."""
     found = {}
     for kind, extra in (("jax", "import jax.numpy as jnp"), ("numpy", "")):
         module = "jnp" if kind == "jax" else "np"

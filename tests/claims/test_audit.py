@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any
 
 import jax
@@ -162,6 +163,114 @@ def test_a_jax_function_has_running_bounds() -> None:
     assert not jax.config.jax_enable_x64  # the host's own setting is left alone
 
 
+def jax_step(z: Any, defect: float = 0.0) -> Any:
+    """A kick and a drift of three coupled oscillators, with a defect in the last momentum."""
+    q, p = z[:3], z[3:]
+    p = p - H * q * (1 + q @ q)
+    return jnp.concatenate([q + H * p, p * jnp.array([1.0, 1.0, 1.0 + defect])])
+
+
+def test_a_million_points_are_swept_and_their_worst_examined() -> None:
+    report = audit(jax_step, dimension=6, samples=200_000)
+    assert report.verdict == "supported"
+    assert (report.audited, report.failing) == (200_000, 0)
+    assert 2000 < report.examined < 3000
+    assert all(defect.largest < 1e-15 for defect in report.brackets.values())
+
+
+def test_a_defect_in_a_corner_is_found_by_sweeping() -> None:
+    def corner(z: Any) -> Any:
+        return jnp.where(z[0] > 0.999, jax_step(z, 1e-11), jax_step(z))
+
+    report = audit(corner, dimension=6, samples=200_000)
+    assert report.verdict == "refuted"
+    assert 50 < report.failing < 150  # a part 1/2000 of the box
+    assert report.worst.label == "{Q3,P3}"
+    assert report.worst.point[0] > 0.999
+    assert report.worst.size == pytest.approx(1e-11, rel=1e-3)
+    assert any(f"exceed their bounds at {report.failing} of 200000 points" in note for note in report.notes)
+    points = np.random.default_rng(0).uniform(-1, 1, (60_000, 6))
+    given = audit(corner, dimension=6, domain=points)
+    assert given.failing == int((points[:, 0] > 0.999).sum())
+    assert given.audited == 60_000
+
+
+def test_formulas_are_swept_within_their_domain() -> None:
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    q, p = space.symbols("q p")
+    right = Transformation(space.where(q > 0), Q=q**3, P=p / (3 * q**2))
+    report = audit(right, domain=[(-1, 3), (-1, 1)], samples=50_000)
+    assert report.verdict == "supported"
+    outside = report.samples - report.audited
+    assert abs(outside / 50_000 - 0.25) < 0.01
+    assert f"{outside} of 50000 points lie outside the domain of the formulas" in report.notes
+
+
+def test_a_jax_function_is_refuted_by_balls_alone() -> None:
+    def mistaken(z: Any) -> Any:
+        return jnp.stack([z[0] + 0.5 * z[1], z[1] - 0.5 * jnp.sin(z[0])])
+
+    report = audit(mistaken, dimension=2, samples=50)
+    assert report.verdict == "refuted"
+    assert report.witness is not None
+    place = [float(Fraction(report.witness[name])) for name in ("q", "p")]
+    assert place == list(report.worst.point)
+
+    def black_box(z: Any) -> Any:
+        return jax.lax.while_loop(lambda w: jnp.abs(w[0]) < 0.1, lambda w: w + 1.0, mistaken(z))
+
+    report = audit(black_box, dimension=2, samples=50)
+    assert report.verdict == "undecided"
+    assert report.failures
+
+
+def test_a_false_derivative_refutes_nothing() -> None:
+    """The derivative is declared wrongly: balls see that the values are a symplectic map's."""
+
+    @jax.custom_jvp
+    def declared(x: Any) -> Any:
+        return jnp.sin(x)
+
+    declared.defjvp(lambda primals, tangents: (jnp.sin(primals[0]), 2 * jnp.cos(primals[0]) * tangents[0]))
+
+    def step(z: Any) -> Any:
+        moved = z[1] + declared(z[0])
+        return jnp.stack([z[0] + jnp.cos(declared(z[0])) + moved, moved])
+
+    report = audit(step, dimension=2, samples=50)
+    assert report.verdict != "refuted" or any("derivatives are not" in doubt for doubt in report.doubts)
+    assert any("derivatives are not those of the values" in doubt for doubt in report.doubts)
+
+
+def test_linear_solves_and_loops_have_estimates_and_say_so() -> None:
+    def newton(z: Any) -> Any:
+        """Two Newton steps for the implicit midpoint rule of a pendulum."""
+        rest = lambda y: y - z - H * jnp.stack([(y[1] + z[1]) / 2, -jnp.sin((y[0] + z[0]) / 2)])
+        y = z
+        for _ in range(4):
+            y = y - jnp.linalg.solve(jax.jacfwd(rest)(y), rest(y))
+        return y
+
+    report = audit(newton, dimension=2, samples=200)
+    assert report.verdict == "supported"
+    assert report.errors == "estimate"
+    assert "estimated errors" in str(report)
+
+
+def test_many_degrees_of_freedom_need_no_more_memory() -> None:
+    """120 variables: blocks have fewer points, and J is never formed."""
+
+    def ring(z: Any) -> Any:
+        q, p = z[:60], z[60:]
+        p = p - H * (jnp.sin(q) + 2 * q - jnp.roll(q, 1) - jnp.roll(q, -1))
+        return jnp.concatenate([q + H * p, p])
+
+    report = audit(ring, dimension=120, samples=5)
+    assert report.verdict == "supported"
+    assert report.invariants == ()
+    assert not report.volume.exceeds
+
+
 SPACE = PhaseSpace("q1 q2", "p1 p2", new=("Q1 Q2", "P1 P2"), real="h")
 q1, q2, p1, p2, h = SPACE.symbols("q1 q2 p1 p2 h")
 
@@ -241,6 +350,38 @@ def test_float32_is_said_and_paid_for() -> None:
     report = audit(lambda z: np.array([z[0] + np.sin(z[1]), z[1]]).astype(np.float32), dimension=2, samples=50)
     assert any("float32" in note for note in report.notes)
     assert report.brackets["{Q,P}"].bound > 1e-8
+
+
+def test_float32_in_jax_is_said() -> None:
+    def rounded(z: Any) -> Any:
+        w = z.astype(jnp.float32)
+        return jnp.stack([w[0] + jnp.sin(w[1]), w[1]])
+
+    report = audit(rounded, dimension=2, samples=50)
+    assert any("float32" in note for note in report.notes)
+    assert report.brackets["{Q,P}"].bound > 1e-8
+
+
+def test_hidden_state_of_a_jax_function_is_noticed() -> None:
+    calls: list[int] = []
+
+    def remembers(z: Any) -> Any:
+        calls.append(1)
+        return jnp.stack([z[0], z[1] + 1e-6 * len(calls)])
+
+    report = audit(remembers, dimension=2, samples=20)
+    assert report.verdict == "undecided"
+    assert any("hidden state" in doubt for doubt in report.doubts)
+
+
+def test_points_without_a_derivative_are_reported() -> None:
+    def kinked(z: Any) -> Any:
+        return jnp.stack([z[0], z[1] + jnp.sqrt(z[0] ** 2)])
+
+    points = np.array([[0.5, 1.0], [0.0, 1.0], [-0.5, 1.0]])
+    report = audit(kinked, dimension=2, domain=points)
+    assert report.audited == 2
+    assert "the map is not differentiable at 1 points, for instance at q = 0, p = 1" in report.notes
 
 
 def test_derivatives_that_are_not_those_of_the_values_are_noticed() -> None:

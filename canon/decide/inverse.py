@@ -44,11 +44,25 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
     if flipped:
         arguments = [field.negative(arguments[0])]
     known = _find(tower, name, arguments)
+    if known is None and name == "elliptic_e":
+        known = _by_legendre(tower, arguments[0])
     if known is None:
         constant = all(tower.is_constant(x) for x in arguments)
         sign = _sign(tower, name, arguments)
         known = tower.element(_made(tower, name, sign, arguments, constant))
     return field.negative(known) if flipped else known
+
+
+def _by_legendre(tower: Tower, m: Element) -> Element | None:
+    """E(m) from E(1−m), where that is there already: E K′ + E′K − K K′ = π/2 (DLMF 19.7.1), for 0 < m < 1."""
+    field = tower.field
+    rest = field.combine([(-ONE, m)], ONE)
+    other = _find(tower, "elliptic_e", [rest])
+    if other is None or field.equal(m, rest):
+        return None
+    k, k_other = kernel(tower, "elliptic_k", [m]), kernel(tower, "elliptic_k", [rest])
+    terms = [(Fraction(1, 2), _pi(tower)), (ONE, field.product([k, k_other])), (-ONE, field.product([other, k]))]
+    return field.product([field.combine(terms), field.inverse(k_other)])
 
 
 def _gamma(tower: Tower, x: Element) -> Element:

@@ -42,11 +42,16 @@ def adjoint(M: Array) -> Array:
 
 
 def symplectic_defect(M: Array) -> tuple[float, float]:
-    """The largest entry of |M J Mᵀ − J|, and the rounding with which it is computed there."""
+    """The worst entry of |M J Mᵀ − J|, and the rounding that is to be expected there.
+
+    An M that was computed is taken to be off by roundings of |M| |M^#| |M|: so much Newton's iteration leaves.
+    """
     n = M.shape[0] // 2
     J = unit_form(n)
     residual = np.abs(M @ J @ M.T - J)
-    rounding = (2 * n + 2) * UNIT * (np.abs(M) @ np.abs(J) @ np.abs(M).T + np.abs(J))
+    across = np.abs(J) @ np.abs(M).T
+    off = np.abs(M) @ np.abs(adjoint(M)) @ np.abs(M) @ across
+    rounding = (n + 1) * UNIT * (np.abs(M) @ across + off + off.T + np.abs(J))
     worst = np.unravel_index(int(np.argmax(residual / np.maximum(rounding, 1e-300))), residual.shape)
     return float(residual[worst]), float(rounding[worst])
 

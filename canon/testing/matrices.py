@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Final, Literal
 
 import numpy as np
@@ -11,7 +12,17 @@ from hypothesis import strategies as st
 
 Array = np.ndarray
 Made = Literal["generators", "factors"]
+Rows = list[list[Fraction]]
 SIZES: Final = (1e-3, 1e-6, 1e-9)
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A rotation by one angle in each of the planes."""
+
+    planes: tuple[tuple[int, int], ...]
+    cosine: Fraction
+    sine: Fraction
 
 
 def symplectic_matrices(
@@ -57,27 +68,42 @@ def _generators(draw: st.DrawFn, n: int) -> Array:
 
 @st.composite
 def _of_factors(draw: st.DrawFn, n: int, condition: float | None) -> Array:
+    """R₁ D R₂, multiplied exactly and rounded once: each entry is right to half a unit in its last place."""
     largest = 2.0 ** draw(st.integers(0, 6)) if condition is None else condition**0.5
-    stretches = [largest ** (draw(st.integers(0, 4)) / 4) for _ in range(n)]
-    stretches[0] = largest
-    D = np.diag([*stretches, *(1 / d for d in stretches)])
-    return draw(_turns(n)) @ D @ draw(_turns(n))
+    stretches = [Fraction(largest ** (draw(st.integers(0, 4)) / 4)) for _ in range(n)]
+    stretches[0] = Fraction(largest)
+    rows: Rows = [[Fraction(int(i == j)) for j in range(2 * n)] for i in range(2 * n)]
+    for turn in draw(_turns(n)):
+        _apply(turn, rows)
+    for k, stretch in enumerate(stretches):
+        rows[k] = [stretch * x for x in rows[k]]
+        rows[n + k] = [x / stretch for x in rows[n + k]]
+    for turn in draw(_turns(n)):
+        _apply(turn, rows)
+    return np.array([[float(x) for x in row] for row in rows])
 
 
 @st.composite
-def _turns(draw: st.DrawFn, n: int, max_turns: int = 3) -> Array:
-    """Orthogonal symplectic matrices: products of phase rotations and of rotations of two degrees of freedom."""
-    R = np.eye(2 * n)
+def _turns(draw: st.DrawFn, n: int, max_turns: int = 3) -> list[Turn]:
+    """Orthogonal symplectic factors: phase rotations, and rotations of two degrees of freedom, with rational cosines.
+
+    The cosine and sine are (1 − t²)/(1 + t²) and 2t/(1 + t²), t being the tangent of half the angle.
+    """
+    found = []
     for _ in range(draw(st.integers(0, max_turns))):
         i, j = draw(st.integers(0, n - 1)), draw(st.integers(0, n - 1))
-        angle = draw(st.integers(-31, 31)) / 10
-        planes = [(i, n + i)] if i == j else [(i, j), (n + i, n + j)]
-        turn = np.eye(2 * n)
-        for a, b in planes:
-            turn[a, a] = turn[b, b] = np.cos(angle)
-            turn[a, b], turn[b, a] = np.sin(angle), -np.sin(angle)
-        R = turn @ R
-    return R
+        t = Fraction(draw(st.integers(-31, 31)), 10)
+        planes = ((i, n + i),) if i == j else ((i, j), (n + i, n + j))
+        found.append(Turn(planes, (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)))
+    return found
+
+
+def _apply(turn: Turn, rows: Rows) -> None:
+    """Multiply by the rotation from the left."""
+    for a, b in turn.planes:
+        first, second = rows[a], rows[b]
+        rows[a] = [turn.cosine * x + turn.sine * y for x, y in zip(first, second, strict=True)]
+        rows[b] = [turn.cosine * y - turn.sine * x for x, y in zip(first, second, strict=True)]
 
 
 @dataclass(frozen=True, eq=False)

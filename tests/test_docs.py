@@ -153,7 +153,7 @@ def reference(name: str) -> str:
     return (DOCS / "reference" / name).read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("module", ["canon", "canon.mechanics"])
+@pytest.mark.parametrize("module", ["canon", "canon.mechanics", "canon.testing"])
 def test_every_public_name_is_in_the_reference(module: str) -> None:
     text = reference("python.md")
     missing = [name for name in importlib.import_module(module).__all__ if f"`{name}`" not in text]

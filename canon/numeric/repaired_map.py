@@ -25,6 +25,7 @@ LEAST_BLOCK: Final = 32
 CLOSE: Final = 1.0
 """So many roundings apart, two iterates are taken for the same."""
 
+FASTER: Final = 0.1
 SMALL: Final = 1e-10
 """Iterates that differ by less than this, and by no less than those before, are as close as rounding lets them."""
 
@@ -35,6 +36,18 @@ class NearbyMap:
 
     values: Callable[[Array], Array]
     jacobians: Callable[[Array], Array]
+
+
+@dataclass(frozen=True, eq=False)
+class Rays:
+    """Phase points z on rays, and the block ∂y/∂v of f's Jacobian there or nearby."""
+
+    z: Array
+    block: Array
+
+    def of(self, rows: Array) -> Rays:
+        """Those of some rows alone."""
+        return Rays(self.z[rows], self.block[rows])
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +89,10 @@ class RepairedMap:
         with np.errstate(all="ignore"):
             near, M = self.near.values(points), self.near.jacobians(points)
             y = near[:, pattern.new_arguments]
-            inverse = pattern.old_signs * M[:, pattern.new_arguments[:, None], pattern.old_conjugates]
+            inverse = pattern.old_signs * self._block(M)
             active = np.flatnonzero(np.isfinite(y).all(axis=1) & np.isfinite(inverse).all(axis=(1, 2)))
+            if not len(active):
+                return images
             along = self._first_guess(points[active])
             left, step, previous = np.full(len(points), np.inf), np.zeros_like(y), np.zeros_like(y)
             unit = self.lengths[pattern.new_arguments]
@@ -103,23 +118,23 @@ class RepairedMap:
                 rows = active[keep]
                 previous[rows], step[rows], left[rows] = off[keep], move[keep], size[keep]
                 y[rows] += move[keep]
-                active, along = rows, along[keep]
+                active, along = rows, along.of(np.repeat(keep, len(self.nodes)))
         return images
 
-    def gradient(self, u: Array, along: Array) -> tuple[Array, Array]:
-        """∂F/∂u at mixed points u = (x, y) (N, 2n), and the phase points on the rays that belong to them.
+    def gradient(self, u: Array, along: Rays) -> tuple[Array, Rays]:
+        """∂F/∂u at mixed points u = (x, y) (N, 2n), and what belongs to the nodes on their rays.
 
-        `along` (N, nodes, 2n) holds first guesses of these.
+        `along` holds first guesses of that, node after node, ray after ray.
         """
         count, size = u.shape
         start = self._mixed(self.centre[None, :])[0]
         ray = u - start
         on_rays = start + self.nodes[None, :, None] * ray[:, None, :]
-        z, theta, derivative = self._one_form(on_rays.reshape(-1, size), along.reshape(-1, size))
+        along, theta, derivative = self._one_form(on_rays.reshape(-1, size), along)
         theta = theta.reshape(count, -1, size)
         turned = np.einsum("bkij,bi->bkj", derivative.reshape(count, -1, size, size), ray)
         total = np.einsum("k,bkj->bj", self.weights, theta + self.nodes[None, :, None] * turned)
-        return total, z.reshape(count, -1, size)
+        return total, along
 
     def _mixed(self, points: Array) -> Array:
         """The mixed variables (x, y) of phase points and their images under f."""
@@ -127,38 +142,50 @@ class RepairedMap:
         images = self.near.values(points)
         return np.concatenate([points[:, pattern.old_arguments], images[:, pattern.new_arguments]], axis=1)
 
-    def _first_guess(self, points: Array) -> Array:
+    def _first_guess(self, points: Array) -> Rays:
         """Phase points on straight lines from the centre: near those on the rays where f is nearly affine."""
-        return self.centre + self.nodes[None, :, None] * (points - self.centre)[:, None, :]
+        z = self.centre + self.nodes[None, :, None] * (points - self.centre)[:, None, :]
+        z = z.reshape(-1, points.shape[1])
+        return Rays(z, self._block(self.near.jacobians(z)))
 
-    def _one_form(self, u: Array, guess: Array) -> tuple[Array, Array, Array]:
-        """(z, θ, ∂θ/∂u) at mixed points u (N, 2n): f's equations in these variables, solved by Newton's method."""
+    def _one_form(self, u: Array, begun: Rays) -> tuple[Rays, Array, Array]:
+        """(z, θ, ∂θ/∂u) at mixed points u (N, 2n): f's equations in these variables, solved by Newton's method.
+
+        Jacobians are expensive: that of the last solution serves until steps shrink by less than `FASTER`.
+        """
         pattern, n = self.pattern, u.shape[1] // 2
         x, y = u[:, :n], u[:, n:]
-        z = guess.copy()
+        z, block = begun.z.copy(), begun.block.copy()
         z[:, pattern.old_arguments] = x
         unit = self.lengths[pattern.old_conjugates]
         rows = np.arange(len(z))
-        values, M = self.near.values(z), self.near.jacobians(z)
+        values = np.full(z.shape, np.nan)
         left = np.full(len(z), np.inf)
-        for _ in range(INNER):
-            block = M[rows][:, pattern.new_arguments[:, None], pattern.old_conjugates]
+        for iteration in range(INNER):
+            values[rows] = self.near.values(z[rows])
             off = values[rows][:, pattern.new_arguments] - y[rows]
-            move = -_solved(block, off[:, :, None])[:, :, 0]
+            move = -_solved(block[rows], off[:, :, None])[:, :, 0]
             size = (np.abs(move) / unit).max(axis=1)
             scale = (np.abs(z[rows][:, pattern.old_conjugates]) / unit).max(axis=1)
             stalled = (size >= left[rows]) & (size <= SMALL * (1 + scale))
-            go_on = (size > CLOSE * UNIT * scale) & ~stalled & np.isfinite(size)
-            lost = rows[~np.isfinite(size)]
-            z[lost] = np.nan
+            lost = ~np.isfinite(size)
+            go_on = (size > CLOSE * UNIT * scale) & ~stalled & ~lost
+            slow = (size > FASTER * left[rows])[go_on] if iteration else np.zeros(int(go_on.sum()), dtype=bool)
+            z[rows[lost]] = np.nan
             left[rows] = size
             rows, move = rows[go_on], move[go_on]
             if not len(rows):
                 break
             z[np.ix_(rows, pattern.old_conjugates)] += move
-            values[rows], M[rows] = self.near.values(z[rows]), self.near.jacobians(z[rows])
+            if slow.any():
+                block[rows[slow]] = self._block(self.near.jacobians(z[rows[slow]]))
         z[rows] = np.nan
-        return z, *self._form_at(z, values, M)
+        M = self.near.jacobians(z)
+        return Rays(z, self._block(M)), *self._form_at(z, values, M)
+
+    def _block(self, M: Array) -> Array:
+        """∂y/∂v in Jacobians M."""
+        return M[:, self.pattern.new_arguments[:, None], self.pattern.old_conjugates]
 
     def _form_at(self, z: Array, values: Array, M: Array) -> tuple[Array, Array]:
         """θ and ∂θ/∂u where f and its Jacobian are known."""

@@ -17,14 +17,14 @@ from hypothesis import strategies as st
 from canon.mechanics.formulas import replaced
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.transformation import Transformation
-from canon.testing.strategies import functions, rationals
+from canon.testing.strategies import functions, rational, rationals
 
 Images = list[sp.Expr]
 Factor = Callable[[st.DrawFn, PhaseSpace], Images]
 Kind = Literal["near", "momenta", "coordinates", "sign", "factor", "pair"]
 LONGEST: Final = 250
 KINDS: Final[tuple[Kind, ...]] = ("near", "momenta", "coordinates", "sign", "factor", "pair")
-SIZES: Final = (sp.Rational(1, 10**3), sp.Rational(1, 10**6), sp.Rational(1, 10**9))
+SIZES: Final[tuple[sp.Rational, ...]] = tuple(rational(1, 10**k) for k in (3, 6, 9))
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def mutants(
     images: Images = list(space.old)
     for factor in before:
         images = _composed(space, images, factor(draw, space))
-    usable = [kind for kind in kinds if space.n > 1 or kind not in ("momenta", "coordinates")]
+    usable: list[Kind] = [kind for kind in kinds if space.n > 1 or kind not in ("momenta", "coordinates")]
     changed = draw(st.sampled_from(usable))
     spoiled, bracket, defect = draw(_spoiled(space, changed, sizes))
     images = [replaced(f, dict(zip(space.old, images, strict=True))) for f in spoiled]
@@ -112,11 +112,11 @@ def _spoiled(
         return f, f"{{{letter}{i + 1},{letter}{j + 1}}}", off
     if kind == "pair":
         f[k], f[k + n] = f[k + n], f[k]
-        return f, own, sp.Rational(-2)
+        return f, own, rational(-2)
     spoiled = draw(st.sampled_from((k, k + n)))
     factor: Any = -1 if kind == "sign" else 1 + off if kind == "near" else draw(rationals().filter(lambda c: c != 1))
     f[spoiled] = factor * f[spoiled]
-    return f, own, sp.Rational(factor - 1)
+    return f, own, rational(factor - 1)
 
 
 def _transformation(space: PhaseSpace, images: Images) -> Transformation:

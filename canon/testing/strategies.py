@@ -20,10 +20,11 @@ def rationals(*, largest: int = 5, nonzero: bool = True) -> st.SearchStrategy[sp
     numerators = st.integers(-largest, largest)
     if nonzero:
         numerators = numerators.filter(bool)
-    return st.builds(_rational, numerators, st.integers(1, 3))
+    return st.builds(rational, numerators, st.integers(1, 3))
 
 
-def _rational(numerator: int, denominator: int) -> sp.Rational:
+def rational(numerator: Any, denominator: int = 1) -> sp.Rational:
+    """The fraction, as sympy's."""
     value: Any = sp.Rational(numerator, denominator)
     return value
 

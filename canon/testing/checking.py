@@ -80,7 +80,7 @@ def _check(
         database=None,
         derandomize=derandomize,
         phases=(Phase.generate, Phase.shrink),
-        suppress_health_check=list(HealthCheck),
+        suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much, HealthCheck.data_too_large],
     )
     @given(st.data())
     def holds(data: st.DataObject) -> None:

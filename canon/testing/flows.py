@@ -80,7 +80,7 @@ def _check(sizes: Array, bounds: Array, points: Array, names: Sequence[str], wha
         return
     with np.errstate(all="ignore"):
         excess = np.where(bad, np.nan_to_num(sizes / bounds, nan=np.inf), -1.0)
-    row, column = np.unravel_index(int(np.argmax(excess)), excess.shape)
+    row, column = divmod(int(np.argmax(excess)), excess.shape[1])
     raise AssertionError(
         f"{what}: {names[column]} is off by {sizes[row, column]:.3g}, bound {bounds[row, column]:.2g}, "
         f"from {place_of(names, points[row])}"

@@ -90,13 +90,12 @@ class _Space:
     def fails(self, requirement: Requirement, zeros: Mapping[Node, Node]) -> bool:
         """Whether the condition is false at all points of this form."""
         try:
-            values = [self.tape.value(substitute(self.tape, node, zeros)) for node in requirement.nodes]
+            first, *rest = [substitute(self.tape, node, zeros) for node in requirement.nodes]
         except (InputError, ZeroDivisionError):
             return False
         if requirement.kind == "uncut":
-            return values[0] == 0 and values[1] is not None and values[1] <= 0
-        value = values[0]
-        return value is not None and (value == 0 or (requirement.kind == "positive" and value < 0))
+            return first == self.tape.zero and (rest[0] == self.tape.zero or self.sign(rest[0]) == "neg")
+        return first == self.tape.zero or (requirement.kind == "positive" and self.sign(first) == "neg")
 
     def base(self, term: Node) -> Node:
         """b of a term b², the term itself where it is none."""

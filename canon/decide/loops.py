@@ -29,7 +29,7 @@ BITS = 64
 POINTS = 3
 PIECES = 1024
 EVALUATIONS = 4000
-SIZES = (1.0, 1 / 3, 1 / 12, 2.0, 6.0)
+SIZES = (1.0, 1 / 3, 1 / 12, 1 / 60, 2.0, 6.0)
 FAILURES = (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError)
 
 Plane = tuple[Node, Node]

@@ -22,7 +22,7 @@ from canon.decide.arbitrary import rational
 from canon.decide.derivative import derivative
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, excludes_zero, precision
 from canon.decide.region import Region
-from canon.decide.search import Finder, Sample, ball_point
+from canon.decide.search import Finder, Sample, ball_point, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.sign import declared
 
@@ -37,6 +37,8 @@ MOST_POINTS = 80
 SLOW = 60
 QUICK = ("exp", "log", "sin", "cos", "atan", "asin", "acos", "atan2", "abs")
 MOST_SWITCHES = 12
+MORE_POINTS = 6
+MOST_SIDES = 4
 REACH = 12
 FINEST = Fraction(1, 2**36)
 THIN = Fraction(1, 2**30)
@@ -56,8 +58,12 @@ def points_between_zeros(
         return
     finder = Finder(tape, [*targets, *switches], region, rng)
     moving = [x for x in finder.symbols if _is_a_line(tape, x) and any(x in tape.support(s) for s in switches)]
-    waiting = deque(place for place in known if not place.solved and place.point.keys() >= set(finder.symbols))
-    for place in _near_the_edges(tape, finder, moving, list(waiting)[:1]):
+    usable = [place for place in known if place.point.keys() >= set(finder.symbols)]
+    drawn = list(samples(tape, [*targets, *switches], region, rng, count=MORE_POINTS, tries=4, budget=budget))
+    yield from drawn
+    sides = {_signs(place, switches): place for place in (*drawn, *usable)}
+    waiting = deque(list(sides.values())[-MOST_SIDES:])
+    for place in _near_the_edges(tape, finder, moving, list(waiting)):
         yield place
         waiting.append(place)
     seen = {_signs(place, switches) for place in waiting}
@@ -84,7 +90,7 @@ def points_between_zeros(
 
 
 def _near_the_edges(tape: Tape, finder: Finder, moving: Sequence[Node], places: Sequence[Sample]) -> Iterator[Sample]:
-    """The first point moved to each edge of a bounded coordinate, since thin parts lie in corners too."""
+    """The points moved to each edge of a bounded coordinate, since thin parts lie in corners too."""
     for place in places:
         for x in moving:
             low, high = finder.bounds.get(x, (-math.inf, math.inf))

@@ -184,7 +184,7 @@ def _kepler(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Sy
     if len(attraction) != 1:
         return None
     kinetic = _sum(y**2 for y in p) * masses[0] / 2
-    rest: Formula = sp.expand(H - kinetic) - attraction[0]
+    rest = _sum([sp.expand(H - kinetic), -attraction[0]])
     if rest.free_symbols & {*p}:
         return None
     strength = -attraction[0] * sp.sqrt(squared)

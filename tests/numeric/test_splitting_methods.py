@@ -14,6 +14,7 @@ from canon.numeric.integrators import (
     SplittingMethod,
     blanes_moan,
     compositions,
+    corrected,
     near_integrable,
     nystrom,
     separable,
@@ -22,7 +23,8 @@ from canon.numeric.integrators import (
 from canon.numeric.integrators.measure import errors, measure_step
 from tests.numeric.order_conditions import nystrom_residual, residual, substeps
 
-GENERAL = (*yoshida.METHODS, *compositions.METHODS, *blanes_moan.METHODS, *near_integrable.METHODS)
+NEAR = (*near_integrable.METHODS, *corrected.METHODS)
+GENERAL = (*yoshida.METHODS, *compositions.METHODS, *blanes_moan.METHODS, *NEAR)
 METHODS = (*GENERAL, *nystrom.METHODS)
 named = pytest.mark.parametrize("method", METHODS, ids=lambda method: method.name)
 
@@ -41,16 +43,18 @@ def reference() -> tuple[np.ndarray, np.ndarray]:
     ).state
 
 
-def test_names_are_unique() -> None:
-    assert len({method.name for method in METHODS}) == len(METHODS)
+def all_substeps(method: SplittingMethod) -> list[tuple[int, float]]:
+    """Those of a step, between those of the processor and its inverse."""
+    undo = [(part, -length) for part, length in reversed(method.processor)]
+    return [*undo, *substeps(method.a, method.b), *method.processor]
 
 
 @pytest.mark.parametrize("method", GENERAL, ids=lambda method: method.name)
 def test_order_conditions_hold_to_rounding_and_no_further(method: SplittingMethod) -> None:
     order = method.traits.order
-    assert residual(substeps(method.a, method.b), order) < 1e-15
+    assert residual(all_substeps(method), order) < 1e-15
     if order < 10:
-        assert residual(substeps(method.a, method.b), order + 1) > 1e-7
+        assert residual(all_substeps(method), order + 1) > 1e-7
 
 
 @pytest.mark.parametrize("method", nystrom.METHODS, ids=lambda method: method.name)
@@ -75,10 +79,10 @@ def test_measured_order_and_traits(method: SplittingMethod) -> None:
     assert (seen.asymmetry < 1e-14) == method.traits.symmetric
 
 
-@pytest.mark.parametrize("method", near_integrable.METHODS, ids=lambda method: method.name)
+@pytest.mark.parametrize("method", NEAR, ids=lambda method: method.name)
 def test_near_integrable_orders(method: SplittingMethod) -> None:
     """Terms with k letters B, of size ε^k, vanish up to the order p_k."""
-    steps = substeps(method.a, method.b)
+    steps = all_substeps(method)
     for count, order in enumerate(method.near_integrable, 1):
         assert residual(steps, order, count) < 1e-15
         assert residual(steps, order + 1, count) > 1e-12

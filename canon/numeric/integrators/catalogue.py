@@ -1,0 +1,67 @@
+"""All integrators by name."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from typing import Final
+
+from canon.errors import InputError
+from canon.numeric.integrators import (
+    blanes_moan,
+    boris,
+    compositions,
+    corrected,
+    gauss,
+    near_integrable,
+    nystrom,
+    rattle,
+    runge_kutta,
+    yoshida,
+)
+from canon.numeric.integrators.composed import OneStep, composed
+from canon.numeric.integrators.stepper import Method
+
+_GAMMAS: Final = (
+    (4, compositions.SUZUKI_4_GAMMA, compositions.SUZUKI_4.source),
+    (6, compositions.KAHAN_LI_6_GAMMA, compositions.KAHAN_LI_6.source),
+    (8, compositions.KAHAN_LI_8_GAMMA, compositions.KAHAN_LI_8.source),
+)
+
+
+def _with_compositions(base: OneStep) -> tuple[OneStep, ...]:
+    return (base, *(composed(base, gamma, order, source) for order, gamma, source in _GAMMAS))
+
+
+SPLITTING: Final = (
+    *yoshida.METHODS,
+    *compositions.METHODS,
+    *blanes_moan.METHODS,
+    *nystrom.METHODS,
+    *near_integrable.METHODS,
+    *corrected.METHODS,
+)
+"""For problems that are split into solvable parts."""
+
+WHOLE: Final = (*gauss.METHODS, *runge_kutta.METHODS)
+"""For whole vector fields."""
+
+CONSTRAINED: Final = _with_compositions(rattle.RATTLE)
+"""For holonomic constraints."""
+
+CHARGES: Final = tuple(method for base in boris.METHODS for method in _with_compositions(base))
+"""For charges in any fields."""
+
+METHODS: Final[tuple[Method, ...]] = (*SPLITTING, *WHOLE, *CONSTRAINED, *CHARGES)
+
+
+def method(name: str) -> Method:
+    """The integrator of that name.
+
+    **Raises:** `InputError` with the nearest names where there is none.
+    """
+    found = next((each for each in METHODS if each.name == name), None)
+    if found is not None:
+        return found
+    names = [each.name for each in METHODS]
+    near = get_close_matches(name, names, 3, 0.5) or names
+    raise InputError(f"no integrator is called {name!r}; there is {', '.join(near)}")

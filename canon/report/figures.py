@@ -27,18 +27,18 @@ def plot(result: Result, path: str | Path) -> None:
 
 def _orbit(axes: Any, result: Result) -> None:
     """The path in the first two coordinates; the phase portrait where there is only one."""
-    model: Any = result.scene.model
-    if result.scene.bodies:
-        for body in result.scene.bodies:
+    model, bodies = result.scene.model, list(result.scene.bodies)
+    if bodies:
+        for body in bodies:
             _path(axes, result, body.first, body.dimension, body.name)
-        if len(result.scene.bodies) > 1:
+        if len(bodies) > 1:
             axes.legend()
-        names = ("x", "y") if result.scene.bodies[0].dimension > 1 else ("x", "p")
+        names = ("x", "y") if bodies[0].dimension > 1 else ("x", "p")
     else:
         _path(axes, result, 0, model.n, "")
         names = (str(model.q[0]), str(model.q[1] if model.n > 1 else model.p[0]))
     axes.set(xlabel=names[0], ylabel=names[1])
-    if result.scene.bodies and names[1] == "y":
+    if bodies and names[1] == "y":
         axes.set_aspect("equal", adjustable="datalim")
 
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
-import numpy as np
-
 from canon.scenes.monitors import Reading
 from canon.scenes.simulate import Result
+from canon.scenes.states import named_states
 from canon.scenes.values import text_of
 
 FORMAT: Final = 1
@@ -22,7 +21,7 @@ def scene_record(result: Result) -> Record:
         "format": FORMAT,
         "title": scene.title,
         "units": scene.units,
-        "effects": {"active": list(scene.model.effects)},
+        "effects": {"active": active_effects(result)},
         "hamiltonian": text_of(scene.model.H),
         "integrator": {
             "name": integrator_name(result),
@@ -46,14 +45,14 @@ def scene_record(result: Result) -> Record:
     }
 
 
+def active_effects(result: Result) -> list[str]:
+    """The effects that are simulated, beside the kinetic energy; none for a Hamiltonian of one's own."""
+    return [effect for effect in result.scene.model.effects if effect not in ("kinetic", "H")]
+
+
 def integrator_name(result: Result) -> str:
     """The method's name; "exact" where the motion has a closed form."""
     return "exact" if result.problem.exact else result.choice.method.name
-
-
-def named_states(result: Result) -> dict[str, dict[str, np.ndarray]]:
-    """Positions and velocities (samples, dimension) by the bodies' names; nothing where there are no bodies."""
-    return {}
 
 
 def monitor_record(reading: Reading) -> Record:

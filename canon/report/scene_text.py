@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, Final
 
-from canon.report.scene_record import integrator_name
+from canon.report.scene_record import active_effects, integrator_name
 from canon.report.words import duration, visible
 from canon.scenes.simulate import Result
 from canon.scenes.values import text_of
@@ -18,7 +18,7 @@ def run_lines(result: Result) -> list[str]:
     """What was run, how exactly, what the monitors say, and what went otherwise than it should."""
     run, method = result.planned.run, result.choice.method
     lines = [visible(result.scene.title)] if result.scene.title else []
-    lines.append(f"  effects     {', '.join(result.scene.model.effects)}")
+    lines.append(f"  effects     {', '.join(active_effects(result)) or 'none'}")
     order = "" if result.problem.exact else f", order {method.traits.order}"
     lines.append(f"  integrator  {integrator_name(result)}{order}, step {run.step:.6g}, {run.steps} steps")
     error = result.planned.error

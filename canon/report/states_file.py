@@ -10,8 +10,8 @@ from typing import IO, Any
 
 import numpy as np
 
-from canon.report.scene_record import named_states
 from canon.scenes.simulate import Result
+from canon.scenes.states import named_states
 
 
 def write_states(result: Result, path: str | os.PathLike[str]) -> None:

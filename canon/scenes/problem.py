@@ -70,10 +70,9 @@ def _with_friction(splitting: Splitting, model: Model) -> Splitting:
     rest = rests.pop() if rests else (sp.S.Zero,) * model.n
     part = friction_part(matrix.tolist(), rest, model.q, model.t)
     parts: tuple[Part, ...] = (*splitting.parts[:-1], part, splitting.parts[-1])
-    clock: Any = splitting.clock
-    timed = any(model.t in value.free_symbols for value in rest)
-    if clock is None and timed:
-        clock = 0
+    clock = splitting.clock
+    if clock is None:
+        clock = 0 if any(model.t in value.free_symbols for value in rest) else None
     elif clock == len(splitting.parts) - 1:
-        clock += 1
+        clock = len(parts) - 1
     return Splitting(parts, clock, False)

@@ -36,7 +36,7 @@ def test_the_record(pendulum: str, capsys: pytest.CaptureFixture[str]) -> None:
     record = json.loads(capsys.readouterr().out)
     assert record["format"] == 1
     assert record["title"] == "A pendulum"
-    assert record["effects"] == {"active": ["H"]}
+    assert record["effects"] == {"active": []}
     assert record["integrator"]["symplectic"] is True
     assert record["monitors"]["energy"]["expected"] == "conserved"
     assert abs(record["monitors"]["energy"]["initial"] + np.cos(1.0)) < 1e-15

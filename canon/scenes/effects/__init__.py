@@ -1,0 +1,49 @@
+"""The catalogue of effects, one a file: what a scene does not name is not even looked at."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from canon.scenes.effects import (
+    accelerated_frame,
+    coupling_spring,
+    damping,
+    driving,
+    electric_field,
+    inverse_distance,
+    inverse_square,
+    magnetic_field,
+    mutual_gravity,
+    potential,
+    power_law,
+    rotating_frame,
+    spring,
+    uniform_gravity,
+)
+from canon.scenes.effects.effect import Effect
+
+EFFECTS: Final[dict[str, Effect]] = {
+    module.EFFECT.kind: module.EFFECT
+    for module in (
+        uniform_gravity,
+        mutual_gravity,
+        inverse_distance,
+        inverse_square,
+        power_law,
+        potential,
+        spring,
+        coupling_spring,
+        damping,
+        driving,
+        electric_field,
+        magnetic_field,
+        rotating_frame,
+        accelerated_frame,
+    )
+}
+"""The effects of this version by their kind."""
+
+LATER: Final = (
+    "rod", "string", "surface", "skate", "torque", "gravity_torque", "refractive_index", "scatterer",
+)  # fmt: skip
+"""The effects of the format that this version has not got."""

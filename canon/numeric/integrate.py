@@ -121,7 +121,6 @@ def start(
 ) -> Run:
     """The run that `integrate` makes, before its first step."""
     import jax
-    import jax.numpy as jnp
 
     if samples < 2 or steps < 1 or not np.isfinite([duration, t0]).all():
         raise InputError("a run needs a finite duration, one step or more, and two samples or more")
@@ -129,10 +128,16 @@ def start(
     per_sample = -(-between // LONGEST_CHUNK)
     per_chunk = -(-between // per_sample)
     keeps = steps >= LONG_RUN if compensated is None else compensated
+
+    def rows(x: np.ndarray) -> np.ndarray:
+        empty = np.full((samples, *x.shape), np.nan)
+        empty[0] = x
+        return empty
+
     with double():
-        state = jax.tree.map(lambda x: jnp.asarray(x, dtype=float), state)
+        state = jax.tree.map(lambda x: np.asarray(x, dtype=float), state)
         carry = method.stepper(problem, compensated=keeps).initial(state)
-        stored = jax.tree.map(lambda x: jnp.full((samples, *x.shape), jnp.nan).at[0].set(x), state)
+    stored = jax.tree.map(rows, state)
     step = duration / (per_chunk * per_sample * (samples - 1))
     return Run(t0, duration, step, samples, per_sample, per_chunk, 0, keeps, carry, stored)
 

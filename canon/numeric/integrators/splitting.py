@@ -157,7 +157,10 @@ def _stepper(method: SplittingMethod, problem: Splitting, compensated: bool) -> 
     def step(carry: Any, tables: Any, time: Time) -> Any:
         if count == 1:
             return stage(0, carry, tables[0], time)
-        return lax.fori_loop(0, count, lambda i, c: stage(i, c, tables[0], time), carry)
+        # two stages at once are faster for one orbit, and slower for many
+        single = all(jnp.ndim(x) <= 1 for x in jax.tree.leaves(carry))
+        unroll = 2 if single and count % 2 == 0 else 1
+        return lax.fori_loop(0, count, lambda i, c: stage(i, c, tables[0], time), carry, unroll=unroll)
 
     def bracket(carry: Any, sequence: Sequence[tuple[int, float]], prepared: Any, time: Time, passed: float) -> Any:
         for (part, length), values in zip(sequence, prepared, strict=True):

@@ -10,10 +10,10 @@ from __future__ import annotations
 from typing import Any, Final
 
 from canon.numeric.compensated import sum_of_products, two_product, two_sum
-from canon.numeric.exact.stumpff import stumpff
+from canon.numeric.exact.stumpff import QUICK_BELOW, stumpff, stumpff_quickly
 
 MOST_ITERATIONS: Final = 40
-FINE: Final = 2e-16
+FINE: Final = 1e-9
 COARSE: Final = 1e-4
 _LAGUERRE: Final = 5
 
@@ -29,15 +29,19 @@ def kepler(q: Any, v: Any, mu: Any, t: Any) -> tuple[Any, Any]:
     """
     import jax
     import jax.numpy as jnp
+    from jax import lax
 
     r, beta, eta = _elements(q, v, mu)
     zeta = mu - beta * r
     forwards = jnp.where(t >= 0, 1.0, -1.0)
     span = _within_a_period(jnp.abs(t), beta, mu)
-    s = forwards * _anomaly(span, r, forwards * eta, zeta, beta, mu)
+    # the iteration's derivative is that of one last step of Newton's, which is first-order in what is left
+    s = forwards * lax.stop_gradient(_solve(span, r, forwards * eta, zeta, beta, mu))
     span = forwards * span
-    _, c1, c2, c3 = stumpff(beta * s * s)
+    c0, c1, c2, c3 = stumpff(beta * s * s)
     g1, g2, g3 = s * c1, s * s * c2, s * s * s * c3
+    left = (span - (r * g1 + eta * g2 + mu * g3)) / (r + eta * g1 + zeta * g2)
+    g1, g2, g3 = g1 + left * c0, g2 + left * g1, g3 + left * g2
     after = r + eta * g1 + zeta * g2
     f, g = -mu * g2 / r, span - mu * g3
     f_dot, g_dot = -mu * g1 / (after * r), -mu * g2 / after
@@ -75,28 +79,6 @@ def _within_a_period(span: Any, beta: Any, mu: Any) -> Any:
     return jnp.where(turns > 0, jnp.maximum((span - whole) - low, 0.0), span)
 
 
-def _anomaly(*arguments: Any) -> Any:
-    """The solution, with the derivative that the equation gives it, whatever the iteration's steps were."""
-    import jax
-
-    solve = jax.custom_jvp(_solve)
-
-    @solve.defjvp
-    def derivative(values: Any, tangents: Any) -> Any:
-        s = _solve(*values)
-
-        def miss(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
-            _, c1, c2, c3 = stumpff(beta * s * s)
-            return span - s * (r * c1 + s * (eta * c2 + s * (mu * c3)))
-
-        _, r, eta, zeta, beta, _ = values
-        _, c1, c2, _ = stumpff(beta * s * s)
-        slope = r + s * (eta * c1 + s * (zeta * c2))
-        return s, jax.jvp(miss, values, tangents)[1] / slope
-
-    return solve(*jax.numpy.broadcast_arrays(*arguments))
-
-
 def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
     """s ≥ 0 with t(s) = span ≥ 0: Laguerre's iteration with n = 5, kept between bounds, as dt/ds = r > 0.
 
@@ -105,6 +87,7 @@ def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
     import jax.numpy as jnp
     from jax import lax
 
+    span, r, eta, zeta, beta, mu = jnp.broadcast_arrays(span, r, eta, zeta, beta, mu)
     bound = beta > 0
     root = jnp.sqrt(jnp.abs(beta))
     full = 2 * jnp.pi / jnp.where(bound, root, 1.0)
@@ -112,7 +95,9 @@ def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
 
     def improve(loop: Any) -> Any:
         count, s, low, high, last, done = loop
-        c0, c1, c2, c3 = stumpff(beta * s * s)
+        psi = beta * s * s
+        quick = jnp.all(jnp.abs(psi) <= QUICK_BELOW)
+        c0, c1, c2, c3 = lax.cond(quick, stumpff_quickly, stumpff, psi)
         g1, g2, g3 = s * c1, s * s * c2, s * s * s * c3
         miss = (r * g1 + eta * g2 + mu * g3) - span
         slope = r + eta * g1 + zeta * g2

@@ -6,7 +6,9 @@ from math import factorial
 from typing import Any, Final
 
 SERIES_BELOW: Final = 2.0
+QUICK_BELOW: Final = 64.0
 _TERMS: Final = 11
+_QUARTERINGS: Final = 5
 
 
 def stumpff(psi: Any) -> tuple[Any, Any, Any, Any]:
@@ -33,9 +35,24 @@ def stumpff(psi: Any) -> tuple[Any, Any, Any, Any]:
     return c0, c1, c2, c3
 
 
-def _series(psi: Any, k: int) -> Any:
-    total = 1.0 / factorial(2 * _TERMS + k)
-    for j in range(_TERMS - 1, -1, -1):
+def stumpff_quickly(psi: Any) -> tuple[Any, Any, Any, Any]:
+    """The same for |ψ| ≤ `QUICK_BELOW` with an error of some 1e-15, without functions: series at ψ/4⁵, doubled 5 times.
+
+    Mikkola (1997), Celest. Mech. Dyn. Astron. 67, 145.
+    """
+    near = psi / 4.0**_QUARTERINGS
+    c2, c3 = _series(near, 2, 7), _series(near, 3, 7)
+    c0, c1 = 1 - near * c2, 1 - near * c3
+    for _ in range(_QUARTERINGS):
+        c3 = (c2 + c0 * c3) / 4
+        c2 = c1 * c1 / 2
+        c0, c1 = 2 * c0 * c0 - 1, c0 * c1
+    return c0, c1, c2, c3
+
+
+def _series(psi: Any, k: int, terms: int = _TERMS) -> Any:
+    total = 1.0 / factorial(2 * terms + k)
+    for j in range(terms - 1, -1, -1):
         total = 1.0 / factorial(2 * j + k) - psi * total
     return total
 

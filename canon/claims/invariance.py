@@ -13,7 +13,7 @@ from canon.claims.invariance_report import Invariance
 from canon.errors import InputError
 from canon.numeric.images import compare_loops, compare_surfaces
 from canon.numeric.map_shape import point_map
-from canon.numeric.precision import double
+from canon.numeric.precision import UNIT, UNIT_32, double
 
 if TYPE_CHECKING:
     from canon.mechanics.transformation import Transformation
@@ -54,9 +54,9 @@ def loop_invariant(
 
     **Raises:** `InputError` where the loop, or its image, isn't closed or finite, or has a wrong shape.
     """
-    evaluate, factor = _evaluated(map, _some(loop, 1), parameters, scale)
+    evaluate, factor, unit = _evaluated(map, _some(loop, 1), parameters, scale)
     found = compare_loops(
-        evaluate, loop, factor=factor, periods=periods, new_periods=new_periods, most_nodes=most_nodes
+        evaluate, loop, factor=factor, periods=periods, new_periods=new_periods, most_nodes=most_nodes, unit=unit
     )
     return Invariance("∮ p dq", found)
 
@@ -87,8 +87,8 @@ def surface_invariant(
     order, odd = divmod(len(periodic), 2)
     if odd or not order:
         raise InputError(f"a surface has 2, 4, 6, … directions, not {len(periodic)}", "periodic")
-    evaluate, factor = _evaluated(map, _some(surface, len(periodic)), parameters, scale)
-    found = compare_surfaces(evaluate, surface, periodic, factor=factor**order, most_points=most_points)
+    evaluate, factor, unit = _evaluated(map, _some(surface, len(periodic)), parameters, scale)
+    found = compare_surfaces(evaluate, surface, periodic, factor=factor**order, most_points=most_points, unit=unit)
     return Invariance("∬ dp∧dq" if order == 1 else f"∫ ω^{order}/{order}!", found)
 
 
@@ -143,8 +143,8 @@ def _evaluated(
     points: Array,
     parameters: Mapping[str, float] | None,
     scale: float,
-) -> tuple[Callable[[Array], Array], float]:
-    """The map of points (N, 2n), and the scale of what it is given in."""
+) -> tuple[Callable[[Array], Array], float, float]:
+    """The map of points (N, 2n), the scale of what it is given in, and the roundoff of its numbers."""
     from canon.mechanics.transformation import Transformation
 
     if not (np.isfinite(scale) and scale != 0):
@@ -152,9 +152,10 @@ def _evaluated(
     if not isinstance(map, Transformation):
         if parameters:
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
-        return point_map(map, points).evaluate, scale
+        found = point_map(map, points)
+        return found.evaluate, scale, UNIT_32 if found.single else UNIT
     if map.direction == "implicit" and map.generating_function is not None:
-        return ImplicitMap(map.generating_function, parameters or {}), scale
+        return ImplicitMap(map.generating_function, parameters or {}), scale, UNIT
     subject = formulas_as_map(map, parameters or {}, scale)
     if points.shape[1] != len(subject.names):
         raise InputError(
@@ -166,4 +167,4 @@ def _evaluated(
         with double():
             return np.asarray(subject.function(z.T)).T
 
-    return evaluate, subject.scale
+    return evaluate, subject.scale, UNIT

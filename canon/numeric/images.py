@@ -78,10 +78,11 @@ def compare_loops(
     periods: Sequence[float | None] = (),
     new_periods: Sequence[float | None] = (),
     most_nodes: int = 65536,
+    unit: float = UNIT,
 ) -> Comparison:
-    """∮ p dq around the loop, and around its image under a map of points (N, 2n)."""
+    """∮ p dq around the loop, and around its image under a map of points (N, 2n) that rounds to `unit`."""
     before = loop_integral(loop, periods=periods, most_nodes=most_nodes)
-    noise = rounding_of(map, new_periods)
+    noise = rounding_of(map, new_periods, unit)
     if not callable(loop):
         nodes = np.asarray(loop, dtype=float)
         after = _of_image(lambda: loop_integral(map(nodes), periods=new_periods, noise=lambda *_: noise(nodes)))
@@ -104,10 +105,11 @@ def compare_surfaces(
     *,
     factor: float = 1.0,
     most_points: int = 2**18,
+    unit: float = UNIT,
 ) -> Comparison:
-    """∫ ωᵏ/k! over a surface of 2k dimensions, and over its image under a map of points (N, 2n)."""
+    """∫ ωᵏ/k! over a surface of 2k dimensions, and over its image under a map of points that rounds to `unit`."""
     before = surface_integral(surface, periodic, most_points=most_points)
-    noise = rounding_of(map)
+    noise = rounding_of(map, unit=unit)
     after = _of_image(
         lambda: surface_integral(
             lambda u: map(surface(u)), periodic, noise=lambda u, _: noise(surface(u)), most_points=most_points

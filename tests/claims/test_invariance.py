@@ -93,6 +93,18 @@ def test_what_is_not_resolved_is_said() -> None:
     assert "nothing is known" in str(found)
 
 
+def test_single_precision_is_measured_against_its_own_rounding() -> None:
+    def rounded(q: Array, p: Array) -> tuple[Array, Array]:
+        new_q, new_p = leapfrog(np.asarray(q, np.float32), np.asarray(p, np.float32), np.float32(0.1))
+        return np.asarray(new_q, np.float32), np.asarray(new_p, np.float32)
+
+    found = loop_invariant(rounded, ellipse)
+    assert found.preserved is True
+    assert 1e-8 < found.bound < 1e-3
+    coarse = loop_invariant(lambda q, p: damped(*rounded(q, p)), ellipse)
+    assert coarse.preserved is False
+
+
 def test_points_of_a_loop_without_the_loop() -> None:
     nodes = ellipse(np.arange(256) / 256)
     assert loop_invariant(leapfrog, nodes).preserved is True

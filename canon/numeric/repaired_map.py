@@ -230,7 +230,7 @@ def quadrature(count: int) -> tuple[Array, Array]:
 
 def _solved(block: Array, right: Array) -> Array:
     """block⁻¹ right, nan where the block is singular or not finite."""
-    finite: Array = np.isfinite(block).all(axis=(1, 2))
+    finite: Any = np.isfinite(block).all(axis=(1, 2))
     usable = finite & (np.linalg.det(np.where(finite[:, None, None], block, 0.0)) != 0)
     found = np.full(right.shape, np.nan)
     if usable.any():

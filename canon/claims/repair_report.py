@@ -19,7 +19,7 @@ class MatrixRepair:
     """The symplectic matrix near a matrix.
 
     **Fields:** `matrix` (2n, 2n); the `method` by which it was found; its `distance` from the matrix that was given
-    (Frobenius), and `distances`, those of all methods that found one; `defect_before` and `defect`, the largest entries
+    (Frobenius), and `distances`, those of all methods that found one; `defect_before` and `defect`, the worst entries
     of |M J Mᵀ − J| of the two, and the `bound` on the latter's rounding.
     """
 

@@ -30,6 +30,9 @@ NODES: Final = (4, 8, 16, 32, 64)
 TRIED: Final = 16
 RESOLVED: Final = 64.0
 AUDITED: Final = 50
+AUDITED_BLACK_BOX: Final = 4
+"""At so few points a map is audited after its repair if each of its Jacobians costs dozens of evaluations."""
+
 CONDITIONED: Final = 1e8
 """Beyond this condition half of the digits would be lost."""
 
@@ -106,7 +109,9 @@ def symplectify(
         raise InputError(
             "two evaluations at the same point differ: a map with hidden state has no symplectic neighbour"
         )
-    near = nearby(mapped.evaluate, lambda z: mapped.linearise(z)[0])
+    if mapped.unit > UNIT:
+        raise InputError("the map computes in float32, too coarse for its equations to be solved: give one in float64")
+    near = nearby(mapped.evaluate, lambda z: mapped.linearise(z)[0], padded=mapped.kind == "jax")
     start = _centre(centre, where, near)
     usable, jacobians = _regular(points, near, lengths)
     chosen = _chosen(type, jacobians, len(names) // 2)
@@ -117,11 +122,17 @@ def symplectify(
         raise InputError(
             "the repaired map's equations have no solution at any sample: choose a smaller domain, or another centre"
         )
-    lost = int((~np.isfinite(shifts).all(axis=1)).sum())
+    lost = int((~np.isfinite(repaired(usable)).all(axis=1)).sum()) if np.isnan(shifts).any() else 0
     if lost:
-        notes.append(f"no value at {lost} of {len(points)} points: their rays from the centre meet a caustic")
+        notes.append(f"no value at {lost} of {len(usable)} points: their rays from the centre meet a caustic")
+    if len(usable) < len(points):
+        notes.append(f"the map itself is not differentiable at {len(points) - len(usable)} of {len(points)} points")
+    differences = mapped.method == "central differences"
+    if differences:
+        notes.append("the map's derivatives are differences: what is made of them is symplectic to their error")
     change = order_of_change(near.values, repaired, start, usable, lengths)
-    options: dict[str, Any] = {"domain": usable[:AUDITED], "space": space, "dimension": len(names)}
+    audited = usable[: AUDITED_BLACK_BOX if differences else AUDITED]
+    options: dict[str, Any] = {"domain": audited, "space": space, "dimension": len(names)}
     return MapRepair(
         map=repaired,
         types=chosen.types,

@@ -205,21 +205,23 @@ class RepairedMap:
         return theta, np.concatenate([old, new], axis=1)
 
 
-def nearby(values: Callable[[Array], Array], jacobians: Callable[[Array], Array]) -> NearbyMap:
-    """The map with these values and Jacobians, which are asked for few different numbers of points.
+def nearby(values: Callable[[Array], Array], jacobians: Callable[[Array], Array], *, padded: bool = False) -> NearbyMap:
+    """The map with these values and Jacobians; `padded`, it is asked for few different numbers of points.
 
     (A compiled program is compiled anew for each number.)
     """
 
-    def padded(function: Callable[[Array], Array]) -> Callable[[Array], Array]:
+    def filled(function: Callable[[Array], Array]) -> Callable[[Array], Array]:
         def of_points(points: Array) -> Array:
+            if not padded:
+                return np.array(function(points))
             count = max(LEAST_BLOCK, 1 << (len(points) - 1).bit_length())
             many = np.concatenate([points, np.repeat(points[-1:], count - len(points), axis=0)])
             return np.array(function(many)[: len(points)])
 
         return of_points
 
-    return NearbyMap(padded(values), padded(jacobians))
+    return NearbyMap(filled(values), filled(jacobians))
 
 
 def quadrature(count: int) -> tuple[Array, Array]:

@@ -176,7 +176,23 @@ def test_patterns_are_those_of_goldsteins_table() -> None:
     assert condition_of((2,), flip) == np.inf
 
 
+def test_a_black_box_is_repaired_by_differences() -> None:
+    import math
+
+    def step(z: Array) -> Array:
+        p = z[1] - 0.3 * math.sin(z[0])
+        return np.array([z[0] + 0.3 * p, p * (1 + 1e-4 * z[0])])
+
+    repair = symplectify(step, dimension=2, samples=2)
+    assert repair.after.verdict == "supported"
+    assert repair.after.worst.size < 1e-11
+    assert "the map's derivatives are differences" in repair.notes[-1]
+    assert repair.order == 2
+
+
 def test_bad_input() -> None:
+    with pytest.raises(InputError, match="float32, too coarse"):
+        symplectify(lambda z: np.asarray(z * np.float32(1.1), dtype=np.float32), dimension=2, samples=5)
     state = iter(np.linspace(0, 1, 10_000))
     with pytest.raises(InputError, match="hidden state"):
         symplectify(lambda z: z + next(state), dimension=2)

@@ -88,8 +88,13 @@ def execute(arguments: argparse.Namespace) -> int:
 
 
 def _read(name: str) -> Scene:
-    from canon.scenes.reader import read_scene
+    from canon.scenes.reader import read_scene, read_scene_text
 
+    if not os.path.lexists(name) and not name.endswith(".toml"):
+        from canon.scenes.examples import scene_text
+        from canon.scenes.systems import load_system
+
+        return read_scene_text(scene_text(load_system(name)))
     return read_scene(name)
 
 

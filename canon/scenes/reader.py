@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, Final
 
 import sympy as sp
@@ -19,6 +20,7 @@ from canon.scenes.monitors import check_monitors
 from canon.scenes.own_hamiltonian import read_own_hamiltonian
 from canon.scenes.scene import Body, Scene
 from canon.scenes.settings import read_settings
+from canon.scenes.systems import Placed, read_named_system
 from canon.scenes.values import number
 from canon.vocabulary import nearest
 
@@ -58,9 +60,11 @@ def scene_of(tables: Table) -> Scene:
     if "system" in tables:
         if relativistic:
             raise InputError("relativistic dynamics are those of bodies: a system states its own H", key("dynamics"))
-        model, q, p = read_own_hamiltonian(document.table(tables["system"], "[system]"))
+        placed = _placed(document.table(tables["system"], "[system]"))
+        model, q, p = placed.model, placed.q, placed.p
+        settings = replace(settings, start=placed.start)
         whole = Particle("system", model.q, model.p, None)
-        effects = read_effects(tables.get("effect", []), Surroundings((whole,), constants, TIME, is_system=True))
+        effects = read_effects(tables.get("effect", []), Surroundings((whole,), constants, model.t, is_system=True))
         model, bodies = model_of_system(model, effects), ()
     else:
         starts = read_bodies(tables["body"])
@@ -77,6 +81,17 @@ def scene_of(tables: Table) -> Scene:
     check_monitors(settings.monitors, model, key("monitor", "[run]"))
     absent = tuple(kind for kind in EFFECTS if kind not in {name for name, _ in effects})
     return Scene(title, model, q, p, settings, bodies, units, absent)
+
+
+def _placed(table: Table) -> Placed:
+    """A system of the catalogue, or one of the user's own."""
+    if "name" in table:
+        return read_named_system(table)
+    if not {"H", "q_names", "p_names"} & {*table}:
+        raise InputError(
+            "a 'name' of the catalogue is expected, or a Hamiltonian H with q_names and p_names", "[system]"
+        )
+    return Placed(*read_own_hamiltonian(table))
 
 
 def _relativistic(tables: Table) -> bool:

@@ -21,7 +21,10 @@ MONITORS: Final = (
 
 @dataclass(frozen=True)
 class Settings:
-    """How a scene is run: to an `accuracy`, or with a fixed `step`, or as exactly as `budget` seconds allow."""
+    """How a scene is run: to an `accuracy`, or with a fixed `step`, or as exactly as `budget` seconds allow.
+
+    Time begins at `start`.
+    """
 
     duration: float
     accuracy: float | None = DEFAULT_ACCURACY
@@ -30,6 +33,7 @@ class Settings:
     integrator: str | None = None
     samples: int = DEFAULT_SAMPLES
     monitors: tuple[str, ...] = ()
+    start: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -52,7 +52,13 @@ def simulate(scene: Scene, *, watch: Callable[[float], None] | None = None) -> R
     settings = scene.settings
     choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
     state = (np.array(scene.q), np.array(scene.p))
-    shared = {"duration": settings.duration, "samples": settings.samples, "exact": problem.exact, "watch": watch}
+    shared = {
+        "duration": settings.duration,
+        "samples": settings.samples,
+        "exact": problem.exact,
+        "watch": watch,
+        "t0": settings.start,
+    }
     if settings.step is not None:
         planned = run_with_step(problem.value, choice.method, state, step=settings.step, **shared)
     else:
@@ -78,7 +84,11 @@ def _check_start(scene: Scene) -> None:
     model = scene.model
     rates = [*(model.H.diff(x) for x in model.q), *(model.H.diff(y) for y in model.p)]
     values = observe(
-        (model.H, *rates), (model.q, model.p, model.t), np.zeros(1), np.array([scene.q]), np.array([scene.p])
+        (model.H, *rates),
+        (model.q, model.p, model.t),
+        np.array([scene.settings.start]),
+        np.array([scene.q]),
+        np.array([scene.p]),
     )
     if not np.isfinite(values).all():
         raise InputError("the equations of motion are not finite at the initial state: is a body at a singularity?")

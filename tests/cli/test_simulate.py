@@ -76,3 +76,20 @@ def test_bad_input_has_status_3(tmp_path: Path, capsys: pytest.CaptureFixture[st
     with pytest.raises(SystemExit) as caught:
         main(["simulate", str(bad), "--plot", "orbit.gif"])
     assert caught.value.code == 3
+
+
+def test_scenes_prints_what_simulate_runs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["scenes"]) == 0
+    listed = capsys.readouterr().out
+    assert "kepler" in listed
+    assert "mutual_gravity" in listed
+    assert main(["scenes", "kepler"]) == 0
+    (tmp_path / "kepler.toml").write_text(capsys.readouterr().out)
+    assert main(["simulate", str(tmp_path / "kepler.toml")]) == 0
+    by_file = capsys.readouterr().out
+    assert "✓ lrl" in by_file
+    assert main(["simulate", "kepler"]) == 0
+    assert main(["scenes", "damping"]) == 0
+    assert "no: it is a force" in capsys.readouterr().out
+    assert main(["scenes", "dampng"]) == 3
+    assert "did you mean 'damping'?" in capsys.readouterr().err

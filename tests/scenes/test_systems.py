@@ -1,0 +1,87 @@
+"""Every system of the catalogue runs from its scene file, and its monitors behave as the ledger says."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from canon.errors import InputError
+from canon.scenes.examples import scene_text
+from canon.scenes.reader import read_scene_text
+from canon.scenes.simulate import simulate
+from canon.scenes.systems import load_system, system_names
+
+LEDGER = {f"S{k:02}" for k in range(1, 31)} | {"S39"}
+BROKEN = {
+    ("damped_oscillator", "energy"): "broken by kinetic, spring",
+    ("forced_oscillator", "energy"): "broken by driving",
+    ("spring_on_a_cart", "energy"): "broken by spring",
+}
+
+
+def test_the_ledgers_systems_are_there() -> None:
+    assert {load_system(name).ledger for name in system_names()} == LEDGER
+    assert len(system_names()) == len(LEDGER)
+
+
+@pytest.mark.parametrize("name", system_names())
+def test_a_system_runs_and_conserves_what_it_should(name: str) -> None:
+    scene = read_scene_text(scene_text(load_system(name)))
+    result = simulate(replace(scene, settings=replace(scene.settings, samples=20, accuracy=1e-8)))
+    assert result.ok, result.messages
+    assert result.planned.error <= 1e-8
+    for reading in result.monitors:
+        assert reading.expected == BROKEN.get((name, reading.name), "conserved")
+
+
+def kepler(parameters: str) -> str:
+    return scene_text(load_system("kepler")).replace("{ m = 1.0, a = 1.0 }", parameters)
+
+
+def test_parameters_and_functions_are_read() -> None:
+    scene = read_scene_text(kepler('{ m = 2, a = "pi/4" }'))
+    assert str(scene.model.H.free_symbols and scene.model.terms[1].expr).startswith("-pi/(4*sqrt(")
+    text = scene_text(load_system("central_potential")).replace('"-1/r"', '"r**4"')
+    assert "r**4" in str(read_scene_text(text).model.H)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (kepler("{ mass = 1.0 }"), "unknown key 'mass'"),
+        (kepler("{ m = -1.0 }"), "a number above 0"),
+        (kepler("{}").replace('"kepler"', '"keppler"'), "there is no system 'keppler': did you mean 'kepler'?"),
+        (kepler("{}").replace("q = [0.4, 0, 0]", "q = [0.4, 0]"), "2 components where 3 are expected"),
+        (kepler("{}").replace("q = [0.4, 0, 0]", ""), "the key 'q' is missing"),
+        (scene_text(load_system("central_potential")).replace('"-1/r"', '"theta"'), "unknown name 'theta'"),
+        (kepler("{}") + "[[effect]]\nkind = 'spring'\nk = 1\n", "acts on bodies, not on a system"),
+    ],
+)
+def test_bad_input_is_told_from_good(text: str, says: str) -> None:
+    with pytest.raises(InputError) as caught:
+        read_scene_text(text)
+    assert says in str(caught.value)
+
+
+def test_the_damped_oscillator_twice() -> None:
+    """Caldirola and Kanai: the same places as with the effect, and exp(2λt) between the momenta."""
+    one = simulate(read_scene_text(scene_text(load_system("damped_oscillator"))))
+    text = scene_text(load_system("harmonic_oscillator")) + '[[effect]]\nkind = "damping"\nrate = 0.1\n'
+    other = simulate(read_scene_text(text))
+    w = np.sqrt(1 - 0.01)
+    exact = np.exp(-0.1 * one.times) * (np.cos(w * one.times) + 0.1 / w * np.sin(w * one.times))
+    assert np.allclose(one.q[:, 0], exact, atol=1e-9)
+    assert np.allclose(other.q[:, 0], exact, atol=1e-9)
+    assert np.allclose(np.exp(-0.2 * one.times) * one.p[:, 0], other.p[:, 0], atol=1e-9)
+    assert other.monitors[0].expected == "broken by damping"
+
+
+def test_resonance_and_the_separatrix() -> None:
+    """The forced oscillator at resonance from rest: q = f t sin(t)/2; a pendulum on its separatrix climbs for ever."""
+    text = scene_text(load_system("forced_oscillator")).replace("gam = 0.9", "gam = 1")
+    result = simulate(read_scene_text(text))
+    assert np.allclose(result.q[:, 0], 0.25 * result.times * np.sin(result.times), atol=2e-8)
+    text = scene_text(load_system("pendulum")).replace("g = 9.81", "g = 1.0")
+    text = text.replace("[3.1]", "[0]").replace("p = [0]", "p = [2]").replace("20.0", "6.0")
+    result = simulate(read_scene_text(text))
+    assert np.allclose(np.tan((result.q[:, 0] + np.pi) / 4), np.exp(result.times), rtol=1e-6)

@@ -80,7 +80,7 @@ def test_matrices_and_their_mutants_of_every_size(size: float, data: st.DataObje
     assert audit(linear_map(S), dimension=2 * n, samples=10).verdict == "supported"
     mutant: MatrixMutant = data.draw(matrix_mutants(n, sizes=(size,), condition=4.0))
     report = audit(linear_map(mutant.matrix), dimension=2 * n, samples=10)
-    assert report.verdict == "undecided"
+    assert report.verdict in ("undecided", "refuted")
     assert report.worst.label == mutant.bracket, (mutant, report)
     assert abs(report.worst.size - abs(mutant.defect)) <= report.worst.bound + 1e-14
 
@@ -96,7 +96,7 @@ def test_strange_units_hide_nothing_and_alarm_nobody(name: str, data: st.DataObj
     box = [(-unit, unit) for unit in np.repeat(units, 2)]
     assert audit(linear_map(S, units), dimension=4, domain=box, samples=10).verdict == "supported"
     report = audit(linear_map(mutant.matrix, units), dimension=4, domain=box, samples=10)
-    assert report.verdict == "undecided"
+    assert report.verdict in ("undecided", "refuted")
     assert report.failures
     # {P1,P2} and {Q1,Q2} carry units, {Q,P} doesn't
     scale = {"{Q,P}": 1.0, "{P,P}": units[1] / units[0], "{Q,Q}": units[0] / units[1]}[report.worst.name]
@@ -124,7 +124,7 @@ def test_one_to_fifty_degrees_of_freedom(n: int) -> None:
     assert audit(chain, dimension=2 * n, samples=samples).verdict == "supported"
     for size in SIZES:
         report = audit(lambda z, size=size: chain(z, push=size), dimension=2 * n, samples=samples)
-        assert report.verdict == "undecided", report
+        assert report.verdict in ("undecided", "refuted"), report
         assert any(size / 100 < defect.largest < 10 * size for defect in report.brackets.values()), report
 
 

@@ -57,8 +57,8 @@ def audit(
     - `loops`: closed loops around which ∮ p dq is compared before and after the map, as `loop_invariant` takes them.
     - `surfaces`: pairs of a surface and its `periodic`, as `surface_invariant` takes them.
 
-    **Returns:** an `AuditReport`. Its verdict is `refuted` only for formulas whose failure balls confirm at an exact
-    point: a black box that fails plainly is `undecided`, with the evidence in `failures`.
+    **Returns:** an `AuditReport`. Its verdict is `refuted` only for formulas, and functions that jax can trace, whose
+    failure balls confirm at an exact point: a black box that fails plainly is `undecided`, with the evidence in `failures`.
 
     **Raises:** `InputError` where there is no map to audit: a wrong shape, complex values, an exception or no finite
     value at every point tried, a parameter without a value.

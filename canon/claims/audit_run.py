@@ -24,7 +24,10 @@ from canon.numeric.worst import Tally
 Array = np.ndarray
 
 BLOCK: Final = 2000
-"""So many points are examined at once, and the first so many of every audit."""
+"""So many points are examined at once."""
+
+FIRST: Final = 1000
+"""So many points of every audit are examined before anything is swept."""
 
 WORTH_COMPILING: Final = 20_000
 LONG: Final = 300
@@ -65,7 +68,7 @@ class AuditRun:
         count = samples if self.where.given is None else len(self.where.given)
         start = 0
         while start < count and (self.map is None or not self._worth_sweeping(count - start)):
-            end = min(start + BLOCK, count)
+            end = min(start + (BLOCK if start else FIRST), count)
             self.examine(np.arange(start, end, dtype=np.uint64))
             start = end
         if start < count:

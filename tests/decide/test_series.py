@@ -1,4 +1,4 @@
-"""Series in balls: Taylor coefficients of elementary functions, remainders over boxes, and branches that are refused."""
+"""Series in balls: Taylor coefficients of elementary functions, remainders over boxes, branches that are refused."""
 
 from fractions import Fraction
 from typing import Any

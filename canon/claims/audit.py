@@ -58,7 +58,8 @@ def audit(
     - `surfaces`: pairs of a surface and its `periodic`, as `surface_invariant` takes them.
 
     **Returns:** an `AuditReport`. Its verdict is `refuted` only for formulas, and functions that jax can trace, whose
-    failure balls confirm at an exact point: a black box that fails plainly is `undecided`, with the evidence in `failures`.
+    failure balls confirm at an exact point: a black box that fails plainly is `undecided`, with the evidence in
+    `failures`.
 
     **Raises:** `InputError` where there is no map to audit: a wrong shape, complex values, an exception or no finite
     value at every point tried, a parameter without a value.

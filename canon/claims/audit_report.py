@@ -32,7 +32,8 @@ class AuditReport:
     **Fields:**
 
     - `verdict`: `supported`, if no residual exceeds its bound; `refuted`, if the map is given by formulas, or by a
-      function that jax can trace, and balls confirm a residual at an exact point (`witness`); otherwise `undecided`, damning evidence or not (`failures`).
+      function that jax can trace, and balls confirm a residual at an exact point (`witness`); otherwise `undecided`,
+      damning evidence or not (`failures`).
     - `map`: "formulas", "jax function" or "numpy function"; `derivatives`: how M was found; `errors`: whether the
       bounds on M are running bounds ("bound") or estimates ("estimate").
     - `brackets`: the worst of {Q,Q}, {P,P} and {Q,P}, each apart; `symplectic`: the worst of M J Mᵀ − c J with the

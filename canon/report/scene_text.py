@@ -30,7 +30,9 @@ def run_lines(result: Result) -> list[str]:
     for reading in result.monitors:
         drift = "" if reading.max_drift is None else f", largest drift {reading.max_drift:.1e}"
         mark = "✗" if reading.alarm else "✓" if reading.bound is not None else "·"
-        lines.append(f"  {mark} {reading.name:<{width}}  {reading.expected}{drift}")
+        predicted = ", as predicted" if "predicted" in reading.extra and not reading.alarm else ""
+        note = f": {reading.extra['note']}" if "note" in reading.extra else ""
+        lines.append(f"  {mark} {reading.name:<{width}}  {reading.expected}{predicted}{drift}{note}")
     lines += [f"  ! {message}" for message in result.messages]
     return lines
 

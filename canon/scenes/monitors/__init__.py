@@ -10,7 +10,10 @@ import numpy as np
 from canon.errors import InputError
 from canon.scenes.monitors.conserved import read_conserved
 from canon.scenes.monitors.flow import Flow
+from canon.scenes.monitors.loop import read_cartan, read_loop
 from canon.scenes.monitors.reading import Reading
+from canon.scenes.monitors.reversal import read_reversibility
+from canon.scenes.monitors.tangent import read_symplecticity, read_volume
 
 __all__ = ["AVAILABLE", "Flow", "Reading", "check_monitors", "read_monitors"]
 
@@ -26,9 +29,15 @@ AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
     "momentum": _of("momentum", lambda model: model.momenta),
     "angular_momentum": _of("angular_momentum", lambda model: model.angular_momenta),
     "lrl": _of("lrl", lambda model: model.lrl),
+    "symplecticity": read_symplecticity,
+    "volume": read_volume,
+    "loop": read_loop,
+    "cartan": read_cartan,
+    "reversibility": read_reversibility,
 }
 """The monitors of this version: (flow, times, q, p) to a reading."""
 
+_ABSENT: Final = {"casimir": "rigid bodies", "constraint": "constraints"}
 _NEEDS: Final = {
     "momentum": "a scene of bodies, or a system that names its momenta",
     "angular_momentum": "positions in a plane or in space",
@@ -40,7 +49,7 @@ def check_monitors(names: Sequence[str], model: Any, where: str) -> None:
     """Refuse monitors that this scene, or this version, has not got. **Raises:** `InputError`."""
     for name in names:
         if name not in AVAILABLE:
-            raise InputError(f"the monitor {name!r} is not available in this version", where)
+            raise InputError(f"the monitor {name!r} is one of {_ABSENT[name]}, which this version has not got", where)
         quantities = {"momentum": model.momenta, "angular_momentum": model.angular_momenta, "lrl": model.lrl}
         if name in quantities and not quantities[name]:
             raise InputError(f"the monitor {name!r} needs {_NEEDS[name]}", where)

@@ -64,6 +64,18 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
         whole = [[*_bracket_terms(x, total, model), x.diff(model.t)] for x in quantities]
         if all(_vanishes(terms, model, q, p) for terms in whole):
             return ()
+    return broken if all(x == model.H for x in quantities) else _without_pair(broken, quantities, model, q, p)
+
+
+def _without_pair(
+    broken: tuple[str, ...], quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.ndarray
+) -> tuple[str, ...]:
+    """The same less two effects that keep together what each breaks, as kinetic energy and 1/r keep the LRL vector."""
+    for other in broken[1:]:
+        both = sp.Add(*(term.expr for term in model.terms if term.effect in (broken[0], other)))
+        frictionless = all(friction.effect != other for friction in model.frictions)
+        if frictionless and all(_vanishes(_bracket_terms(x, both, model), model, q, p) for x in quantities):
+            return tuple(effect for effect in broken if effect not in (broken[0], other))
     return broken
 
 

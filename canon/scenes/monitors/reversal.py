@@ -1,0 +1,27 @@
+"""Reversibility: the run's steps, backwards from its last state, lead to its first one."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from canon.numeric.transport import transported
+from canon.scenes.monitors.flow import Flow
+from canon.scenes.monitors.reading import Reading, judged
+
+SAFETY: Final = 100.0
+FLOOR: Final = 1e-13
+
+
+def read_reversibility(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
+    """The largest distance of a coordinate, or momentum, from where it began, in units of the largest one."""
+    steps = max(flow.steps, 1)
+    last = np.concatenate([q[-1], p[-1]])[None]
+    end = flow.run.t0 + steps * flow.run.step
+    back = transported(flow.problem, flow.method, last, steps=steps, duration=-steps * flow.run.step, t0=end)[0]
+    n = q.shape[1]
+    sizes = [max(float(np.abs(x).max()), 1e-300) for x in (q, p)]
+    drift = max(float(np.abs(back[:n] - q[0]).max()) / sizes[0], float(np.abs(back[n:] - p[0]).max()) / sizes[1])
+    bound = None if flow.error is None else SAFETY * (2 * flow.error + FLOOR * np.sqrt(steps))
+    return judged("reversibility", "conserved", 0.0, drift, drift, bound)

@@ -1,0 +1,78 @@
+"""Symplecticity ‖M J Mᵀ − J‖ and volume det M − 1 of the flow's Jacobian M, from the beginning to the end of the run.
+
+With one friction rate λ for all, M J Mᵀ = exp(−2λt) J; det M = exp ∫ tr ∂F/∂p dt always.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+
+from canon.numeric.transport import flow_jacobian
+from canon.scenes.monitors.flow import Flow
+from canon.scenes.monitors.predicted import conformal_rate, friction_names, volume_exponent
+from canon.scenes.monitors.reading import Reading, judged
+
+SAFETY: Final = 64.0
+ROUNDING: Final = 2.0**-53
+COARSEST: Final = 1e-2
+"""Where rounding alone is larger than this, nothing can be said."""
+
+
+def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
+    """How far M J Mᵀ is from J, or from exp(−2λt) J."""
+    M, rounding, error = _tangent(flow, q, p)
+    n = len(M) // 2
+    J = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
+    pulled = M @ J @ M.T
+    value = float(np.abs(pulled - J).max())
+    if not flow.model.frictions:
+        return _judged("symplecticity", "conserved", value, value, rounding, error)
+    expected = f"broken by {friction_names(flow.model)}"
+    rate = conformal_rate(flow.model)
+    if rate is None:
+        return Reading("symplecticity", expected, 0.0, value, value)
+    factor = float(np.exp(-2 * rate * (times[-1] - times[0])))
+    drift = float(np.abs(pulled - factor * J).max())
+    return _judged("symplecticity", expected, value, drift, rounding, error, predicted=1 - factor)
+
+
+def read_volume(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
+    """det M − 1, and what friction makes of it."""
+    M, rounding, error = _tangent(flow, q, p)
+    sign, log = np.linalg.slogdet(M)
+    value = float(sign * np.exp(log) - 1)
+    # a determinant's relative error grows with the condition of M; the steps' errors are in the other bound
+    rounding = len(M) * SAFETY * ROUNDING * float(np.linalg.cond(M)) * np.sqrt(max(flow.steps, 1))
+    error *= len(M)
+    if not flow.model.frictions:
+        return _judged("volume", "conserved", value, abs(value), rounding, error)
+    exponent, off = volume_exponent(flow.model, times, q, p)
+    predicted = float(np.expm1(exponent))
+    drift = abs(float(sign * np.exp(log - exponent)) - 1)
+    error += 4 * off
+    expected = f"broken by {friction_names(flow.model)}"
+    return _judged("volume", expected, value, drift, rounding, error, predicted=predicted)
+
+
+def _judged(
+    name: str, expected: str, value: float, drift: float, rounding: float, error: float, **extra: Any
+) -> Reading:
+    if not rounding < COARSEST:
+        extra["note"] = "the tangent map has grown so large that rounding hides the answer"
+        return Reading(name, expected, 0.0, value, None, None, "", extra)
+    bound = rounding + error
+    return judged(name, expected, 0.0, value, drift, bound if np.isfinite(bound) else None, **extra)
+
+
+def _tangent(flow: Flow, q: np.ndarray, p: np.ndarray) -> tuple[np.ndarray, float, float]:
+    """M, and how far M J Mᵀ may be off: by rounding, and by the steps' errors where the method isn't symplectic."""
+    run = flow.run
+    M = flow_jacobian(flow.problem, flow.method, q[0], p[0], steps=max(flow.steps, 1), h=run.step, t0=run.t0)
+    size = float(np.linalg.norm(M, 2)) ** 2
+    rounding = SAFETY * ROUNDING * size * float(np.sqrt(max(flow.steps, 1)))
+    # friction that is linear is a part of its own, whose flow contracts areas exactly
+    if flow.method.traits.symplectic is True and all(friction.matrix is not None for friction in flow.model.frictions):
+        return M, rounding, 0.0
+    return M, rounding, SAFETY * (flow.error if flow.error is not None else np.inf) * size

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import isfinite
 from typing import Final, NamedTuple
 
 Node = int
@@ -72,6 +73,10 @@ class Program:
 
 class TooLong(Exception):
     """The program has more operations than were allowed."""
+
+
+def _not_finite(value: object) -> bool:
+    return isinstance(value, float) and not isfinite(value)
 
 
 class Builder:
@@ -138,7 +143,7 @@ class Builder:
             return self.apply("neg", operands[1]) if values[0] == 0 else None
         if name == "mul":
             for a, b in ((0, 1), (1, 0)):
-                if values[a] == 0:
+                if values[a] == 0 and not _not_finite(values[b]):
                     return self.number(0.0)
                 if values[a] == 1:
                     return operands[b]
@@ -146,7 +151,7 @@ class Builder:
                     return self.apply("neg", operands[b])
             return None
         if name == "div":
-            if values[0] == 0:
+            if values[0] == 0 and values[1] != 0:
                 return self.number(0.0)
             return operands[0] if values[1] == 1 else None
         if name == "select":

@@ -46,7 +46,7 @@ def apply(operation: Operation, rows: Sequence[Any], operands: Sequence[Any], nu
     if name == "input":
         return rows[int(datum)]
     if name == "number":
-        return float(datum)
+        return np.float64(datum)
     if name == "power":
         return integer_power(operands[0], int(datum))
     if name == "root":

@@ -118,6 +118,8 @@ def _apply(equation: Any, operands: list[tuple[Any, Any]]) -> list[tuple[Any, An
     values = [value for value, _ in operands]
     result = bind(*values, **equation.params)
     results = list(result) if equation.primitive.multiple_results else [result]
+    if any(np.issubdtype(_dtype(x), np.complexfloating) for x in (*values, *results)):
+        raise Unbounded("complex numbers")
     if not any(_is_float(r) for r in results):
         return [(r, None) for r in results]
     if name in _MOVES:

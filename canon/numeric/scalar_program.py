@@ -77,6 +77,9 @@ def scalar_program(function: Callable[[Any], Any], size: int, *, most: int = MOS
             nodes = [int(node) for result in results for node in _lifted(builder, result).nodes.ravel()]
         except TooLong as reason:
             raise Unscalar(str(reason)) from None
+        except (TypeError, ValueError, KeyError, IndexError, NotImplementedError) as reason:
+            # an operation in a form that is not known here: jax runs it all the same
+            raise Unscalar(f"{type(reason).__name__}: {reason}") from reason
         program = builder.program(tuple(nodes))
     if len(program.operations) > most:
         raise Unscalar(f"more than {most} operations")

@@ -227,7 +227,7 @@ def _half(x: Any, flag: Any) -> Any:
 
 
 def _read(words: Array) -> Sweep:
-    halves = np.ascontiguousarray(words.view(np.uint16).reshape(-1, 4).T)
+    halves = np.ascontiguousarray(words.astype("<u8", copy=False).view("<u2").reshape(-1, 4).T)
     nothing = np.zeros(0, dtype=np.intp)
     flags = [np.flatnonzero(half & _SIGN) if (half >= _SIGN).any() else nothing for half in halves]
     for half, flagged in zip(halves, flags, strict=True):

@@ -374,6 +374,20 @@ def test_hidden_state_of_a_jax_function_is_noticed() -> None:
     assert any("hidden state" in doubt for doubt in report.doubts)
 
 
+def test_complex_numbers_on_the_way_have_estimates() -> None:
+    def turned(z: Any) -> Any:
+        w = (z[0] + 1j * z[1]) * jnp.exp(0.3j)
+        return jnp.stack([w.real, w.imag])
+
+    report = audit(turned, dimension=2, samples=50)
+    assert (report.verdict, report.errors) == ("supported", "estimate")
+
+
+def test_a_map_without_a_value_anywhere_is_an_input_error() -> None:
+    with pytest.raises(InputError, match="no finite value at any"):
+        audit(lambda z: z + jnp.array(0.0) / jnp.array(0.0), dimension=2, samples=20)
+
+
 def test_points_without_a_derivative_are_reported() -> None:
     def kinked(z: Any) -> Any:
         return jnp.stack([z[0], z[1] + jnp.sqrt(z[0] ** 2)])

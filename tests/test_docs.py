@@ -26,6 +26,9 @@ from canon.cli.main import main
 from canon.cli.parser import Parser
 from canon.domain import ConditionKind
 from canon.errors import InputError
+from canon.scenes.effects import EFFECTS, LATER
+from canon.scenes.scene import MONITORS
+from canon.scenes.settings import KEYS as KEYS_OF_RUN
 from canon.vocabulary import CALLABLE
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -57,6 +60,8 @@ def masked(text: str) -> list[str]:
         line = re.sub(r'"seconds": [\d.]+', '"seconds": T', line)
         if re.search(r"(?:fails by|^ *at) ", line):
             line = re.sub(r"-?\d+(?:[./]\d+)?(?:e-?\d+)?", "N", line)
+        if re.match(r"  (?:[✓·✗] |integrator|error|final)", line):
+            line = re.sub(r"(?<!\w)-?\d+(?:\.\d+)?(?:e[-+]?\d+)?", "N", line)
         lines.append(" ".join(line.split()))
     while lines and not lines[-1]:
         lines.pop()
@@ -185,13 +190,21 @@ def test_every_built_in_function_is_in_the_reference() -> None:
 
 
 def test_every_option_is_in_the_reference() -> None:
+    from canon.cli import simulate
     from canon.cli import verify as command
 
     parser = Parser(prog="canon verify")
     command.declare(parser)
     text = reference("command-line.md")
+    simulate.declare(parser := Parser(prog="canon simulate", parents=[parser], conflict_handler="resolve"))
     options = [option for action in parser._actions for option in action.option_strings]
     assert not [option for option in options if f"`{option}" not in text]
+
+
+def test_every_effect_parameter_and_monitor_is_in_the_reference() -> None:
+    text = reference("scenes.md")
+    words = [*EFFECTS, *LATER, *MONITORS, *KEYS_OF_RUN, *(word for e in EFFECTS.values() for word in e.parameters)]
+    assert not [word for word in words if f"`{word}`" not in text]
 
 
 def test_links_lead_somewhere() -> None:

@@ -55,7 +55,19 @@ def test_the_audit_passes_a_leapfrog_and_fails_a_mistaken_one(tmp_path: Path) ->
 def test_every_output_that_is_shown_is_checked() -> None:
     """Each block of output belongs to a block above it that a test here runs."""
     languages = re.findall(r"^```(\w+)\n", README, flags=re.MULTILINE)
-    assert languages == ["sh", "sh", "toml", "text", "python", "text", "python", "text"]
+    assert languages == ["sh", "sh", "toml", "text", "python", "text", "python", "text", "console"]
+
+
+def test_the_scene_runs_as_shown(tmp_path: Path) -> None:
+    first, second = blocks("console")[0].splitlines()
+    assert (first, second) == (
+        "$ canon scenes kepler > kepler.toml",
+        "$ canon simulate kepler.toml --plot orbit.png",
+    )
+    canon = (sys.executable, "-m", "canon")
+    (tmp_path / "kepler.toml").write_text(run(*canon, "scenes", "kepler", cwd=tmp_path), encoding="utf-8")
+    assert "✓ lrl" in run(*canon, "simulate", "kepler.toml", "--plot", "orbit.png", cwd=tmp_path)
+    assert (tmp_path / "orbit.png").stat().st_size > 10_000
 
 
 def test_there_are_two_set_up_commands() -> None:

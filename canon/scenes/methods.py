@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, Final, NamedTuple
 
 from canon.errors import InputError
+from canon.numeric.integrators import catalogue
 from canon.scenes.problem import Problem
-from canon.vocabulary import nearest
 
 COARSE: Final = 1e-4
 FINE: Final = 1e-10
@@ -19,35 +19,14 @@ class Choice(NamedTuple):
     why: str
 
 
-def methods() -> dict[str, Any]:
-    """All integrators by name."""
-    from canon.numeric.integrators import (
-        blanes_moan,
-        compositions,
-        gauss,
-        near_integrable,
-        nystrom,
-        runge_kutta,
-        yoshida,
-    )
-
-    families = (yoshida, blanes_moan, nystrom, compositions, near_integrable, gauss, runge_kutta)
-    return {method.name: method for family in families for method in family.METHODS}
-
-
 def choose(problem: Problem, accuracy: float | None, name: str | None, where: str = "") -> Choice:
     """The method for an accuracy, or the one of this name. **Raises:** `InputError` for a name that there isn't."""
-    known = methods()
     if name is not None:
-        if name not in known:
-            raise InputError(
-                f"unknown integrator {name[:80]!r}" + (nearest(name, known) or f": {', '.join(known)}"), where
-            )
-        return Choice(known[name], "asked for")
-    if not problem.splits and "gauss4" not in known:
-        raise InputError(
-            "the Hamiltonian does not split into solvable parts: no method of this version is for it", where
-        )
+        try:
+            return Choice(catalogue.method(name), "asked for")
+        except InputError as error:
+            raise error.at(where) from None
+    known = {method.name: method for method in catalogue.METHODS}
     if not problem.splits:
         stages = 2 if accuracy is not None and accuracy >= COARSE else 3 if accuracy is None or accuracy >= FINE else 4
         chosen = known[f"gauss{2 * stages}"]

@@ -95,7 +95,7 @@ def exactly_one(table: Mapping[str, Any], names: Iterable[str], where: str) -> s
 def text_of(value: Any) -> str:
     """A formula as text, its numbers as a person writes them: short fractions, else decimals."""
     shown = {
-        part: sp.Float(float(part), 17)
+        part: sp.Float(repr(float(part)))
         for part in value.atoms(sp.Rational)
         if part.q not in (1, 2, 3, 4, 6, 8, 12) or abs(part.p) > 999999
     }

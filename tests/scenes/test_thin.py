@@ -70,7 +70,7 @@ def test_a_blow_up_ends_at_the_last_good_state() -> None:
         (scene("p**2", more='monitor = ["angular_momentum"]'), "needs positions in a plane or in space"),
         (
             scene("p**2/2+q**4", more='integrator = "yoshida5"'),
-            "unknown integrator 'yoshida5': did you mean 'yoshida8'?",
+            "no integrator is called 'yoshida5'; there is yoshida8",
         ),
         ("[run]\nduration = 1\n", "nothing moves here"),
         ("[system]\n", "[run] is missing"),

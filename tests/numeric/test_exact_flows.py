@@ -15,6 +15,7 @@ from canon.numeric.exact.free_top import free_top
 from canon.numeric.exact.oscillator import oscillator
 from canon.numeric.exact.pendulum import pendulum, period
 from canon.numeric.exact.relativistic_charge import relativistic_charge
+from canon.numeric.exact.stumpff import stumpff, stumpff_4, stumpff_quickly
 from canon.numeric.exact.uniform import uniform_acceleration, uniform_fields
 from canon.numeric.integrators import Field
 from canon.numeric.precision import double
@@ -208,3 +209,19 @@ def test_free_tops(moments: Sequence[float]) -> None:
             assert np.abs(rotate(attitude, found) - rotate(START, momentum)).max() < 1e-15 * 4
         still = flow(START, np.array([0.0, 1.0, 0.0]), 7.0)[1]
         assert np.abs(np.asarray(still) - [0, 1, 0]).max() < 1e-15
+
+
+def test_stumpff_functions_both_ways() -> None:
+    psi = np.concatenate([np.linspace(-60, 38, 99), [-1000.0, 1e-9, -1e-9]])
+    with mp.workdps(40), double():
+        exact = []
+        for value in psi:
+            x = mp.sqrt(mp.mpc(value))
+            exact.append([mp.cos(x), mp.sin(x) / x, (1 - mp.cos(x)) / x**2, (x - mp.sin(x)) / x**3])
+        true = np.array([[float(mp.re(term)) for term in row] for row in exact]).T
+        for function in (stumpff, stumpff_quickly):
+            found = np.array(function(jnp.asarray(psi)))
+            scale = np.maximum(np.abs(true), np.array([1.0, 1.0, 0.05, 0.02])[:, None])
+            assert (np.abs(found - true) / scale).max() < 5e-15
+        fourth = [float(mp.re((mp.mpf(1) / 2 - row[2]) / value)) for row, value in zip(exact, psi, strict=True)]
+        assert np.allclose(stumpff_4(jnp.asarray(psi)), fourth, rtol=5e-15)

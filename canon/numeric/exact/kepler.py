@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any, Final
 
 from canon.numeric.compensated import sum_of_products, two_product, two_sum
-from canon.numeric.exact.stumpff import QUICK_BELOW, stumpff, stumpff_quickly
+from canon.numeric.exact.stumpff import QUICK_BELOW, stumpff_quickly
 
 MOST_ITERATIONS: Final = 40
 FINE: Final = 1e-9
@@ -25,7 +25,8 @@ def kepler(q: Any, v: Any, mu: Any, t: Any) -> tuple[Any, Any]:
     strength per mass (a/m for a potential −a/r; negative repels); `t`, of any sign.
 
     **Returns:** (q, v) of the same shape. A fall into the centre (no angular momentum) goes through it and comes back,
-    as the limit of slim orbits does; at the centre itself the velocity is infinite.
+    as the limit of slim orbits does; at the centre itself the velocity is infinite. It is nan beyond a hyperbolic
+    anomaly of 64, some 1e27 times the time of the passage.
     """
     import jax
     import jax.numpy as jnp
@@ -38,7 +39,8 @@ def kepler(q: Any, v: Any, mu: Any, t: Any) -> tuple[Any, Any]:
     # the iteration's derivative is that of one last step of Newton's, which is first-order in what is left
     s = forwards * lax.stop_gradient(_solve(span, r, forwards * eta, zeta, beta, mu))
     span = forwards * span
-    c0, c1, c2, c3 = stumpff(beta * s * s)
+    psi = beta * s * s
+    c0, c1, c2, c3 = stumpff_quickly(jnp.where(jnp.abs(psi) <= QUICK_BELOW, psi, jnp.nan))
     g1, g2, g3 = s * c1, s * s * c2, s * s * s * c3
     left = (span - (r * g1 + eta * g2 + mu * g3)) / (r + eta * g1 + zeta * g2)
     g1, g2, g3 = g1 + left * c0, g2 + left * g1, g3 + left * g2
@@ -95,9 +97,7 @@ def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
 
     def improve(loop: Any) -> Any:
         count, s, low, high, last, done = loop
-        psi = beta * s * s
-        quick = jnp.all(jnp.abs(psi) <= QUICK_BELOW)
-        c0, c1, c2, c3 = lax.cond(quick, stumpff_quickly, stumpff, psi)
+        c0, c1, c2, c3 = stumpff_quickly(beta * s * s)
         g1, g2, g3 = s * c1, s * s * c2, s * s * s * c3
         miss = (r * g1 + eta * g2 + mu * g3) - span
         slope = r + eta * g1 + zeta * g2

@@ -173,7 +173,7 @@ def _kinetic_masses(H: Formula, p: Sequence[sp.Symbol]) -> list[Formula] | None:
 
 def _kepler(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Symbol | None) -> SplitHamiltonian | None:
     """p²/2m − a/r and a perturbation V(q, t)."""
-    masses = _kinetic_masses(H, p)
+    masses: list[Formula] | None = _kinetic_masses(H, p)
     free = {*q, *p, *(() if t is None else (t,))}
     if masses is None or len({*masses}) != 1 or masses[0].free_symbols & free:
         return None
@@ -185,15 +185,16 @@ def _kepler(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Sy
         return None
     kinetic = _sum(y**2 for y in p) * masses[0] / 2
     rest = _sum([sp.expand(H - kinetic), -attraction[0]])
+    none_left = rest == 0
     if rest.free_symbols & {*p}:
         return None
     strength = -attraction[0] * sp.sqrt(squared)
-    terms: tuple[Formula, ...] = (kinetic + attraction[0], rest) if rest != 0 else (kinetic + attraction[0],)
+    terms: tuple[Formula, ...] = (kinetic + attraction[0],) if none_left else (kinetic + attraction[0], rest)
     timed = [False, t is not None and t in rest.free_symbols][: len(terms)]
 
     def build(parameters: Parameters) -> Splitting:
         made: list[Part] = [kepler_part(1 / _number(masses[0], parameters), _number(strength, parameters))]
-        if rest != 0:
+        if not none_left:
             made.append(shear(rest, q, p, t, parameters, "perturbation"))
         return with_clock(made, timed, False)
 
@@ -243,7 +244,8 @@ def _quadratic(
 
 
 def _sum(terms: Iterable[Formula]) -> Formula:
-    return sp.Add(*terms)
+    total: Formula = sp.Add(*terms)
+    return total
 
 
 def _number(value: Formula, parameters: Parameters) -> float:

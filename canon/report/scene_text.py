@@ -56,6 +56,7 @@ def explanation_lines(result: Result) -> list[str]:
     for friction in model.frictions:
         forces = ", ".join(text_of(force) for force in friction.force)
         lines.append(f"  {friction.effect:<18} no part of it: the force ({forces})")
+    lines += [f"  {effect:<18} no part of it: {text_of(g)} = 0" for effect, g in model.constraints]
     lines += ["", f"Splitting: {problem.kind}"]
     lines += [f"  {name or 'part':<18} {formula}" for name, formula in problem.parts]
     lines += ["", f"Method: {integrator_name(result)}", f"  {choice.why}", f"  {choice.method.source}"]

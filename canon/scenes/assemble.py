@@ -37,7 +37,24 @@ def model_of_bodies(surroundings: Surroundings, effects: Sequence[Named]) -> Mod
     lrl = next((part.lrl for _, part in effects if part.lrl), {})
     places, momenta = ([tuple(getattr(body, word)) for body in bodies] for word in ("x", "p"))
     total = {f"P_{axis}": sp.Add(*column) for axis, column in zip("xyz", zip(*momenta, strict=True), strict=False)}
-    return Model(q, p, surroundings.t, tuple(terms), frictions, total, angular_momenta(places, momenta), lrl)
+    held = tuple((kind, g) for kind, part in effects for g in part.constraints)
+    if held:
+        _check_constrained(effects, surroundings)
+    mass = tuple(body.mass for body in bodies for _ in body.x)
+    return Model(
+        q, p, surroundings.t, tuple(terms), frictions, total, angular_momenta(places, momenta), lrl, held, mass
+    )
+
+
+def _check_constrained(effects: Sequence[Named], surroundings: Surroundings) -> None:
+    """Refuse what constraints can't be joined with in this version."""
+    for kind, part in effects:
+        if part.shift or part.generator != 0 or part.rates or part.resistance is not None:
+            raise InputError(
+                f"the effect {kind!r} together with a constraint is not available in this version", "effect"
+            )
+    if surroundings.relativistic:
+        raise InputError("constraints in relativistic dynamics are not available in this version", "dynamics")
 
 
 def model_of_system(model: Model, effects: Sequence[Named]) -> Model:

@@ -6,6 +6,7 @@ from typing import Any, Final, NamedTuple
 
 from canon.errors import InputError
 from canon.numeric.integrators import catalogue
+from canon.numeric.integrators.rattle import Constrained
 from canon.scenes.problem import Problem
 
 COARSE: Final = 1e-4
@@ -26,7 +27,13 @@ def choose(problem: Problem, accuracy: float | None, name: str | None, where: st
             return Choice(catalogue.method(name), "asked for")
         except InputError as error:
             raise error.at(where) from None
-    known = {method.name: method for method in catalogue.METHODS}
+    known: dict[str, Any] = {method.name: method for method in catalogue.METHODS}
+    if isinstance(problem.value, Constrained):
+        order = (
+            4 if accuracy is not None and accuracy >= COARSE else 8 if accuracy is not None and accuracy < FINE else 6
+        )
+        chosen = next(each for each in catalogue.CONSTRAINED if each.traits.order == order)
+        return Choice(chosen, f"symplectic on the constraint surface; order {order} for the accuracy")
     if not problem.splits:
         stages = 2 if accuracy is not None and accuracy >= COARSE else 3 if accuracy is None or accuracy >= FINE else 4
         chosen = known[f"gauss{2 * stages}"]

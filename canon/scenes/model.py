@@ -41,7 +41,7 @@ class Model:
 
     **Arguments:** `q` and `p` (n,) symbols, `t` the time; `terms`, whose sum is the Hamiltonian; `momenta`,
     `angular_momenta` and `lrl`, those that the monitors of these names follow, each with its name; empty where there
-    are none.
+    are none; `constraints` g(q, t) = 0, each with its effect, and the `mass` of every coordinate, for bodies.
     """
 
     q: tuple[sp.Symbol, ...]
@@ -52,6 +52,8 @@ class Model:
     momenta: Mapping[str, Formula] = field(default_factory=dict)
     angular_momenta: Mapping[str, Formula] = field(default_factory=dict)
     lrl: Mapping[str, Formula] = field(default_factory=dict)
+    constraints: tuple[tuple[str, Formula], ...] = ()
+    mass: tuple[Formula, ...] = ()
 
     @property
     def H(self) -> Formula:
@@ -66,4 +68,8 @@ class Model:
     @property
     def effects(self) -> tuple[str, ...]:
         """The names of the effects that contribute, each once."""
-        return tuple(dict.fromkeys(x.effect for x in (*self.terms, *self.frictions)))
+        return tuple(
+            dict.fromkeys(
+                (*(x.effect for x in (*self.terms, *self.frictions)), *(effect for effect, _ in self.constraints))
+            )
+        )

@@ -3,25 +3,30 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import sympy as sp
 
+from canon.numeric.constrained_formula import constrained
 from canon.numeric.friction import friction_part
 from canon.numeric.hamilton_equations import hamilton_equations
 from canon.numeric.integrators.problem import Field, Part, Splitting
-from canon.numeric.split_hamiltonian import SplitHamiltonian, split_hamiltonian
+from canon.numeric.integrators.rattle import Constrained
+from canon.numeric.split_hamiltonian import SplitHamiltonian, shear, split_hamiltonian, with_clock
 from canon.scenes.model import Model
+
+SMALL: Final = 12
+"""Coordinates up to which all splittings are looked for: that takes algebra, which many bodies are too many for."""
 
 
 @dataclass(frozen=True)
 class Problem:
-    """What is integrated: `value`, a Splitting or a Field on slots (q, p); `parts` names each part with its formula.
+    """What is integrated: `value`, on slots (q, p); `parts` names each part with its formula.
 
     `exact`: it is one part, whose closed flow is the motion. `kind` says how it was split.
     """
 
-    value: Splitting | Field
+    value: Splitting | Field | Constrained
     kind: str
     parts: tuple[tuple[str, str], ...] = ()
     exact: bool = False
@@ -34,7 +39,11 @@ class Problem:
 
 def problem_of(model: Model) -> Problem:
     """The problem of a model."""
+    if model.constraints:
+        return constrained_problem(model)
     linear = all(friction.matrix is not None for friction in model.frictions)
+    if linear and model.n > SMALL and (split := _large(model)) is not None:
+        return split
     found = split_hamiltonian(model.H, model.q, model.p, model.t) if linear else ()
     chosen = _best(found)
     if chosen is None:
@@ -47,6 +56,35 @@ def problem_of(model: Model) -> Problem:
     return Problem(
         _with_friction(splitting, model), f"{chosen.kind}, and damping", (*shown, ("damping", "linear friction"))
     )
+
+
+def _large(model: Model) -> Problem | None:
+    """T(p) + V(q, t) of many bodies, taken as it is written; None where it is not written so."""
+    kinetic, rest = list[Any](), list[Any]()
+    for term in model.terms:
+        free = term.expr.free_symbols
+        if free & {*model.p} and free & {*model.q, model.t}:
+            return None
+        (kinetic if free & {*model.p} else rest).append(term.expr)
+    T, V = sp.Add(*kinetic), sp.Add(*rest)
+    parts = [shear(T, model.q, model.p, model.t, {}, "T"), shear(V, model.q, model.p, model.t, {}, "V")]
+    quadratic = all(part.is_polynomial(*model.p) for part in kinetic)
+    splitting = with_clock(parts, [False, model.t in V.free_symbols], quadratic)
+    shown = (("T", _text(T)), ("V", _text(V)))
+    if not model.frictions:
+        return Problem(splitting, "T(p) + V(q)", shown)
+    return Problem(
+        _with_friction(splitting, model), "T(p) + V(q), and damping", (*shown, ("damping", "linear friction"))
+    )
+
+
+def constrained_problem(model: Model) -> Problem:
+    """The problem of a model with constraints, for which the whole motion is one part."""
+    potential = sp.Add(*(term.expr for term in model.terms if not term.expr.free_symbols & {*model.p}))
+    surfaces = [g for _, g in model.constraints]
+    value = constrained([float(m) for m in model.mass], potential, surfaces, model.q, model.t)
+    shown = (*((effect, f"{_text(g)} = 0") for effect, g in model.constraints), ("potential", _text(potential)))
+    return Problem(value, "holonomic constraints, by their multipliers", shown)
 
 
 def _text(term: Any) -> str:

@@ -235,4 +235,4 @@ def test_bad_input_is_told_from_good(text: str, says: str) -> None:
 
 
 def test_every_effect_has_a_test() -> None:
-    assert {name.split()[0] for name in SINGLE} | {"mutual_gravity", "coupling_spring"} == {*EFFECTS}
+    assert {name.split()[0] for name in SINGLE} | {"mutual_gravity", "coupling_spring", "rod", "surface"} == {*EFFECTS}

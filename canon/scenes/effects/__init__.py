@@ -16,8 +16,10 @@ from canon.scenes.effects import (
     mutual_gravity,
     potential,
     power_law,
+    rod,
     rotating_frame,
     spring,
+    surface,
     uniform_gravity,
 )
 from canon.scenes.effects.effect import Effect
@@ -39,11 +41,13 @@ EFFECTS: Final[dict[str, Effect]] = {
         magnetic_field,
         rotating_frame,
         accelerated_frame,
+        rod,
+        surface,
     )
 }
 """The effects of this version by their kind."""
 
 LATER: Final = (
-    "rod", "string", "surface", "skate", "torque", "gravity_torque", "refractive_index", "scatterer",
+    "string", "skate", "torque", "gravity_torque", "refractive_index", "scatterer",
 )  # fmt: skip
 """The effects of the format that this version has not got."""

@@ -65,8 +65,8 @@ class Contribution:
 
     **Arguments:** `potential` V(x, t), and `generator` G(x, p, t), linear in the momenta: both are terms of H; `shift`,
     for each particle's name the s(x, t) that takes p to p − s in its kinetic energy; `rates`, for each particle's name
-    the λ of a force −2 m λ v; `resistance`, the matrix α of a force −α v, over all coordinates; `lrl`, the
-    Laplace–Runge–Lenz vector of the motion that this effect alone makes.
+    the λ of a force −2 m λ v; `resistance`, the matrix α of a force −α v, over all coordinates; `constraints`, the
+    g(x, t) that it keeps at 0; `lrl`, the Laplace–Runge–Lenz vector of the motion that this effect alone makes.
     """
 
     potential: Formula = sp.S.Zero
@@ -74,6 +74,7 @@ class Contribution:
     shift: Mapping[str, Vector] = field(default_factory=dict)
     rates: Mapping[str, Formula] = field(default_factory=dict)
     resistance: Formula | None = None
+    constraints: tuple[Formula, ...] = ()
     lrl: Mapping[str, Formula] = field(default_factory=dict)
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.scenes.monitors.conserved import read_conserved
+from canon.scenes.monitors.constraint import read_constraint
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.loop import read_cartan, read_loop
 from canon.scenes.monitors.reading import Reading
@@ -34,10 +35,12 @@ AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
     "loop": read_loop,
     "cartan": read_cartan,
     "reversibility": read_reversibility,
+    "constraint": read_constraint,
 }
 """The monitors of this version: (flow, times, q, p) to a reading."""
 
-_ABSENT: Final = {"casimir": "rigid bodies", "constraint": "constraints"}
+_ABSENT: Final = {"casimir": "rigid bodies"}
+_FREE_ONLY: Final = ("symplecticity", "volume", "loop", "cartan")
 _NEEDS: Final = {
     "momentum": "a scene of bodies, or a system that names its momenta",
     "angular_momentum": "positions in a plane or in space",
@@ -50,6 +53,10 @@ def check_monitors(names: Sequence[str], model: Any, where: str) -> None:
     for name in names:
         if name not in AVAILABLE:
             raise InputError(f"the monitor {name!r} is one of {_ABSENT[name]}, which this version has not got", where)
+        if model.constraints and name in _FREE_ONLY:
+            raise InputError(f"the monitor {name!r} on a constraint surface is not available in this version", where)
+        if name == "constraint" and not model.constraints:
+            raise InputError("the monitor 'constraint' needs a constraint: a rod or a surface", where)
         quantities = {"momentum": model.momenta, "angular_momentum": model.angular_momenta, "lrl": model.lrl}
         if name in quantities and not quantities[name]:
             raise InputError(f"the monitor {name!r} needs {_NEEDS[name]}", where)

@@ -55,11 +55,16 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
             for friction in model.frictions:
                 if friction.effect == effect:
                     terms += [quantity.diff(y) * F for y, F in zip(model.p, friction.force, strict=True)]
+            for held, g in model.constraints:
+                if held == effect:
+                    # its reaction is along ∂g/∂q, and a surface that moves does work
+                    pulls = zip(model.q, model.p, strict=True)
+                    terms += [g.diff(model.t)] if energy else [quantity.diff(y) * g.diff(x) for x, y in pulls]
             if not _vanishes(terms, model, q, p):
                 found.append(effect)
     broken = tuple(dict.fromkeys(found))
     total = sp.Add(*(term.expr for term in model.terms))
-    if broken and not model.frictions and all(q_ != model.H for q_ in quantities):
+    if broken and not model.frictions and not model.constraints and all(q_ != model.H for q_ in quantities):
         # terms may break it one by one and keep it together, as kinetic energy and a frame's rotation do
         whole = [[*_bracket_terms(x, total, model), x.diff(model.t)] for x in quantities]
         if all(_vanishes(terms, model, q, p) for terms in whole):

@@ -6,7 +6,7 @@ import numpy as np
 import sympy as sp
 
 from canon.numeric.observe import observe
-from canon.scenes.model import Model
+from canon.scenes.model import Formula, Model
 
 
 def volume_exponent(model: Model, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> tuple[float, float]:
@@ -29,7 +29,7 @@ def _trapezoid(values: np.ndarray, times: np.ndarray) -> float:
 
 def conformal_rate(model: Model) -> float | None:
     """The λ with which areas Σ dp∧dq contract as exp(−2λt): one rate for all momenta, and no vector potential."""
-    rates = [friction.rate for friction in model.frictions]
+    rates: list[Formula] = [friction.rate for friction in model.frictions]
     if any(rate is None for rate in rates) or any(
         value != 0 for friction in model.frictions for value in friction.rest
     ):

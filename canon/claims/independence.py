@@ -227,10 +227,8 @@ def not_zero_for_any_parameters(
     variables, short = sorted(tape.support(node) - parameters), is_short(tape, node, SHORT)
     if short and len(branches) == 1 and _has_a_constant_coefficient(tape, node, variables, conditions):
         return True
-    values = [[_value_at(tape, branch, variables, place) for branch in branches] for place in PLACES]
-    if any(all(v is not None and never_zero(v, conditions) for v in there) for there in values):
-        return True
-    if all(_without_common_zero([there[k] for there in values], conditions) for k in range(len(branches))):
+    values = [_product_at(tape, branches, variables, place, conditions) for place in PLACES]
+    if any(v is not None and never_zero(v, conditions) for v in values) or _without_common_zero(values, conditions):
         return True
     return (
         not (short or quick) and len(branches) == 1 and _has_a_constant_coefficient(tape, node, variables, conditions)
@@ -273,17 +271,45 @@ def _has_a_constant_coefficient(
     return any(never_zero(c, conditions) for c in different)
 
 
-def _value_at(tape: Tape, node: Node, variables: Sequence[Node], place: Sequence[Fraction]) -> sp.Expr | None:
-    """The value at a point as a formula in the parameters, or None where it is long or isn't defined."""
+def _product_at(
+    tape: Tape,
+    branches: Sequence[Node],
+    variables: Sequence[Node],
+    place: Sequence[Fraction],
+    conditions: Sequence[Condition],
+) -> sp.Expr | None:
+    """The product of all branches at a point as a formula in the parameters, or None where it is long or undefined.
+
+    Which branch continues which from one point to another isn't known: √(x²) is x at one and −x at another. So they
+    are taken together. No denominator may vanish there for any parameters: a/(a + x − 1) at x = 1 is 1, but for a = 0.
+    """
     values = {x: tape.number(place[k % len(place)]) for k, x in enumerate(variables)}
+    found: list[sp.Expr] = []
     try:
-        value = substitute(tape, node, values)
-    except InputError:
+        for node in _denominators(tape, branches, variables):
+            below = substitute(tape, node, values)
+            if not (is_short(tape, below) and never_zero(tape.to_sympy(below), conditions)):
+                return None
+        for branch in branches:
+            value = substitute(tape, branch, values)
+            if not is_short(tape, value):
+                return None
+            found.append(tape.to_sympy(value))
+    except (InputError, ZeroDivisionError):
         return None
-    if not is_short(tape, value):
-        return None
-    there = tape.to_sympy(value)
-    return None if there.has(sp.zoo, sp.nan, sp.oo) else there
+    return None if any(v.has(sp.zoo, sp.nan, sp.oo) for v in found) else sp.Mul(*found)
+
+
+def _denominators(tape: Tape, nodes: Sequence[Node], variables: Sequence[Node]) -> list[Node]:
+    """What is divided by and contains one of the variables."""
+    found: dict[Node, None] = {}
+    for i in tape.reach(nodes):
+        op = tape.ops[i]
+        if op[0] == "*":
+            found.update((factor, None) for factor, e in op[1] if e < 0)
+        elif op[0] == "r" and op[2] < 0:
+            found[op[1]] = None
+    return [node for node in found if not tape.support(node).isdisjoint(variables)]
 
 
 def _branches(tape: Tape, node: Node, parameters: frozenset[Node]) -> Iterator[Node]:

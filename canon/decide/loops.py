@@ -19,7 +19,7 @@ from flint import acb, arb
 
 from canon.budget import Budget
 from canon.decide.arbitrary import rational
-from canon.decide.derivative import derivative
+from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, excludes_zero, precision
 from canon.decide.region import Region, admits, holds
 from canon.decide.search import Sample, ball_point, samples
@@ -94,8 +94,10 @@ def circulation(
 
 def integral(tape: Tape, slopes: Mapping[Node, Node], loop: Ellipse) -> Ball | None:
     """The form's integral round the loop, as a ball; None where it can't be enclosed."""
-    wanted = [slopes[node] for node in loop.plane]
+    wanted = [_continued(tape, slopes[node]) for node in loop.plane]
     order = tape.reach(wanted)
+    if any(tape.ops[i][:2] == ("f", "abs") for i in order):
+        return None
 
     def integrand(s: acb, _analytic: bool) -> acb:
         cosine, sine = s.cos(), s.sin()
@@ -114,6 +116,13 @@ def integral(tape: Tape, slopes: Mapping[Node, Node], loop: Ellipse) -> Ball | N
         except FAILURES:
             return None
         return value.real if value.is_finite() else None
+
+
+def _continued(tape: Tape, node: Node) -> Node:
+    """The node with √(u²) for |u| of real u: the quadrature's errors are bounded on complex discs, by analyticity."""
+    sizes = [i for i in tape.reach([node]) if tape.ops[i][:2] == ("f", "abs")]
+    inner = {i: tape.ops[i][2][0] for i in sizes}
+    return substitute(tape, node, {i: tape.sqrt(tape.power(u, 2)) for i, u in inner.items() if not tape.is_complex(u)})
 
 
 def _inside(tape: Tape, loop: Ellipse, region: Region, budget: Budget) -> bool:

@@ -87,9 +87,16 @@ def _bounded_pair(tower: Tower, p: Polynomial) -> str | None:
             return None
     if made is None or made.kind not in ("cos", "sin") or made.sign == "cplx" or abs(slope) > abs(constant):
         return None
-    partner = tower.generators[made.index + 1 if made.kind == "cos" else made.index - 1]
-    strict = abs(slope) < abs(constant) or partner.sign in ("pos", "neg")
+    strict = abs(slope) < abs(constant) or _partner_has_a_sign(tower, made)
     return ("pos" if strict else "nonneg") if constant > 0 else ("neg" if strict else "nonpos")
+
+
+def _partner_has_a_sign(tower: Tower, made: Generator) -> bool:
+    """Whether the sine of a cosine, or the cosine of a sine, is nowhere 0; a cosine of whole turns of pi has none."""
+    k, kind = (made.index + 1, "sin") if made.kind == "cos" else (made.index - 1, "cos")
+    if k >= len(tower.generators) or tower.generators[k].kind != kind or tower.generators[k].data is not made.data:
+        return False
+    return tower.generators[k].sign in ("pos", "neg")
 
 
 def _against_one(tower: Tower, p: Polynomial) -> str | None:

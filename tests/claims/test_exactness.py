@@ -100,3 +100,13 @@ def test_fluxes_that_cancel_outside_of_a_circle_are_not_refuted(status):
     form = plus(flux("x - 1"), flux("x + 1", a="-1"))
     assert gauge(status, "xy", form, where=("x**2 + y**2 > 4",)) in ("supported", "proved")
     assert gauge(status, "xy", form, where=("x**2 + y**2 > 1/4",)) == "refuted"
+
+
+def test_the_quadrature_round_a_loop_continues_absolute_values_analytically(ask):
+    """The modulus of a complex number isn't the continuation of |x|: sin(200|z|) stays small where sin(200 z) grows."""
+    form = ("D(y*sin(200*abs(x + 5)), x)", "sin(200*abs(x + 5))")
+    (verdict,) = gauge(ask, "xy", form, where=("x + 5 > 0", "x**2 + y**2 > 1/10"))
+    assert verdict.status in ("proved", "supported")
+    (verdict,) = gauge(ask, "xy", plus(flux(), ("D(y*sin(abs(x + 5)), x)", "sin(abs(x + 5))")), where=("x + 5 > 0",))
+    assert verdict.status == "refuted"
+    assert verdict.detail["loop_integral"].startswith(("6.28318530", "-6.28318530"))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -21,7 +22,7 @@ from canon.numeric.precision import UNIT, UNIT_32, double
 from canon.numeric.rounding import Unbounded, with_rounding
 from canon.numeric.running_bound import run_bounded
 from canon.numeric.scalar_program import Unscalar, values_and_jacobian
-from canon.numeric.traced import Traced, traced
+from canon.numeric.traced import Source, Traced, traced
 from canon.program import Program
 
 Method = Literal["forward-mode AD", "complex step", "central differences"]
@@ -117,7 +118,7 @@ def _of_jax(traced: Traced, points: Array, rounded_numbers: bool) -> Differentia
     try:
         if traced.single or size > LARGEST_TAKEN_APART:
             raise Unscalar("too large, or float32")
-        program = values_and_jacobian(traced.one, size)
+        program = _taken_apart(traced.source, size) if traced.source else values_and_jacobian(traced.one, size)
         evaluate, linearise, bounded = _run_directly(program, rounded_numbers)
     except Unscalar:
         program = None
@@ -138,6 +139,12 @@ def _of_jax(traced: Traced, points: Array, rounded_numbers: bool) -> Differentia
         said=lambda: "",
         program=program,
     )
+
+
+@lru_cache(maxsize=64)
+def _taken_apart(source: Source, size: int) -> Program:
+    """Values and Jacobian of a program: taking it apart costs more than running it at a thousand points."""
+    return values_and_jacobian(source.one, size)
 
 
 def _run_directly(program: Program, rounded_numbers: bool) -> tuple[Callable[[Array], Array], Linearise, bool]:

@@ -229,9 +229,12 @@ def _half(x: Any, flag: Any) -> Any:
 def _read(words: Array) -> Sweep:
     halves = np.ascontiguousarray(words.astype("<u8", copy=False).view("<u2").reshape(-1, 4).T)
     nothing = np.zeros(0, dtype=np.intp)
-    flags = [np.flatnonzero(half & _SIGN) if (half >= _SIGN).any() else nothing for half in halves]
-    for half, flagged in zip(halves, flags, strict=True):
-        half[flagged] &= _SIZE
+    flags = []
+    for half in halves:
+        flagged = half >= _SIGN
+        flags.append(np.flatnonzero(flagged) if flagged.any() else nothing)
+        if len(flags[-1]):
+            half &= _SIZE
     exceeds, outside, undefined, unresolved = flags
     rough = np.flatnonzero(halves.max(axis=0) > _INFINITE) if halves.max() > _INFINITE else nothing
     if len(outside) or len(undefined) or len(rough):

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
@@ -16,19 +16,35 @@ from canon.numeric.precision import double
 Array = np.ndarray
 ADDRESS: Final = re.compile(r" at 0x[0-9a-f]+")
 """What differs in a program's text between two objects that are the same function."""
+UNTOLD: Final = re.compile(r" at 0x|custom_|callback")
+"""Signs that two programs of one text may differ."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """A jax program as a key: two are equal only if they have the same operations and the same numbers.
+
+    `text` has every operation with its numbers in full, `constants` the bits of the arrays that it refers to.
+    """
+
+    text: str
+    constants: tuple[bytes, ...]
+    one: Callable[[Any], Any] = field(compare=False)
 
 
 @dataclass(frozen=True)
 class Traced:
     """A map of one point as a jax program: `one` runs it, `form` says how the function takes a point.
 
-    `steady` says that tracing it twice gave one program; `single`, that it computes in float32 somewhere.
+    `steady` says that tracing it twice gave one program; `single`, that it computes in float32 somewhere. `source` is
+    the program as a key, None where its text does not say all: derivatives of its own, calls to Python.
     """
 
     one: Callable[[Any], Any]
     form: str
     steady: bool
     single: bool
+    source: Source | None = None
 
 
 def traced(function: Callable[..., Any], size: int) -> Traced | None:
@@ -49,8 +65,9 @@ def traced(function: Callable[..., Any], size: int) -> Traced | None:
                 continue
             if np.issubdtype(shape.dtype, np.complexfloating):
                 raise InputError("the map returns complex numbers: an audit is of a real map")
-            steady = _same(closed, again) or _repeats(one, size)
-            return Traced(_runner(closed), form, steady, "f32[" in str(closed))
+            text, run = str(closed.jaxpr), _runner(closed)
+            steady = _same(closed, text, again) or _repeats(one, size)
+            return Traced(run, form, steady, "f32[" in text, _source(closed, text, run))
     return None
 
 
@@ -66,10 +83,31 @@ def _runner(closed: Any) -> Callable[[Any], Any]:
     return lambda z: run(z)[0]
 
 
-def _same(first: Any, second: Any) -> bool:
-    """Whether two programs have the same operations and the same numbers."""
-    texts = [ADDRESS.sub("", str(program.jaxpr)) for program in (first, second)]
-    return texts[0] == texts[1] and all(np.array_equal(a, b) for a, b in zip(first.consts, second.consts, strict=True))
+def _same(first: Any, text: str, second: Any) -> bool:
+    """Whether two programs, the first with its text, have the same operations and the same numbers."""
+    if ADDRESS.sub("", text) != ADDRESS.sub("", str(second.jaxpr)):
+        return False
+    pairs = zip(_constants(first), _constants(second), strict=True)
+    return all(np.array_equal(a, b) for a, b in pairs)
+
+
+def _source(closed: Any, text: str, one: Callable[[Any], Any]) -> Source | None:
+    if UNTOLD.search(text):
+        return None
+    constants = [np.asarray(constant) for constant in _constants(closed)]
+    if any(constant.dtype.kind not in "fiub" for constant in constants):
+        return None
+    return Source(text, tuple(constant.tobytes() for constant in constants), one)
+
+
+def _constants(closed: Any) -> Iterator[Any]:
+    """The arrays that a program and the programs within it refer to, which its text shows by name alone."""
+    yield from closed.consts
+    for equation in closed.jaxpr.eqns:
+        for value in equation.params.values():
+            for inner in value if isinstance(value, (tuple, list)) else (value,):
+                if hasattr(inner, "eqns") and hasattr(inner, "consts"):
+                    yield from _constants(inner)
 
 
 def _repeats(one: Callable[[Any], Any], size: int) -> bool:

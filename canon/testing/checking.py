@@ -12,7 +12,7 @@ from canon.errors import InputError
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.transformation import Transformation
 from canon.testing.laws import Law, assert_law
-from canon.testing.maps import canonical_maps
+from canon.testing.maps import canonical_maps, drift, exchange, hyperbolic, kick, linear
 from canon.testing.strategies import functions, generating_functions, phase_spaces
 
 Maker = Callable[[PhaseSpace], st.SearchStrategy[Any]]
@@ -28,9 +28,15 @@ def short_maps(space: PhaseSpace) -> st.SearchStrategy[Transformation]:
     return canonical_maps(space, max_factors=2)
 
 
+def elementary_maps(space: PhaseSpace) -> st.SearchStrategy[Transformation]:
+    """Canonical maps of one factor, whose equations have one solution that is found at once."""
+    return canonical_maps(space, max_factors=1, factors=(kick, drift, linear, exchange, hyperbolic))
+
+
 MAKERS: Mapping[str, Maker] = {
     "function": simple_functions,
     "map": short_maps,
+    "elementary map": elementary_maps,
     "generating function": generating_functions,
 }
 """For each kind of object that a law may take, a strategy of such objects on a phase space."""
@@ -48,9 +54,9 @@ def check_laws(
     """Check each law of random objects; objects for which a law can't be written down are passed over.
 
     **Arguments:** the `laws`; a strategy of phase `spaces` (default: one or two degrees of freedom); `makers`, for each
-    kind of object a function from a phase space to a strategy, in place of canon's own ("function", "map", "generating
-    function"); `max_examples` for each law; `budget`, seconds for each residual. With `derandomize` each call draws the
-    same objects.
+    kind of object a function from a phase space to a strategy, in place of canon's own ("function", "map", "elementary
+    map", "generating function"); `max_examples` for each law; `budget`, seconds for each residual. With `derandomize`
+    each call draws the same objects.
 
     **Returns:** how many laws were checked. **Raises:** `AssertionError` for the first that fails, at a simple example.
     """

@@ -139,6 +139,10 @@ def group_laws(compose: Composition = compose) -> tuple[Law, ...]:
             "inverse", "the inverse of a canonical map is canonical", ("map",),
             lambda s, f: _brackets_of_map(s, f.inverse()),
         ),
+        Law(
+            "inverse last", "f⁻¹ ∘ f = 1", ("elementary map",),
+            lambda s, f: _difference(compose(f, f.inverse()), identity_transformation(s)),
+        ),
     )  # fmt: skip
 
 

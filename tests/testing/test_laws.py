@@ -7,7 +7,8 @@ import pytest
 import sympy as sp
 from hypothesis import strategies as st
 
-from canon import InputError, PhaseSpace, poisson_bracket
+from canon import InputError, PhaseSpace, Transformation, poisson_bracket
+from canon.mechanics.composition import compose
 from canon.testing import GENERATING_LAWS, GROUP_LAWS, Law, bracket_laws, check_laws, functions, group_laws
 
 Bracket = Callable[[Any, Any, PhaseSpace], Any]
@@ -84,8 +85,18 @@ def test_a_wrong_composition_is_caught() -> None:
     assert check_laws([law for law in group_laws() if law.name == "identity first"], max_examples=2) == 1
 
 
+def test_a_composition_that_takes_no_map_back_is_caught() -> None:
+    def careless(first: Any, second: Any) -> Any:
+        made = compose(first, second)
+        return Transformation(made.space, Q=[-Q for Q in made.expressions[: made.space.n]], P=made.P)
+
+    (law,) = (law for law in group_laws(careless) if law.name == "inverse last")
+    with pytest.raises(AssertionError, match="inverse last: f⁻¹ ∘ f = 1"):
+        check_laws([law], max_examples=5)
+
+
 def test_groups_and_generating_functions() -> None:
-    assert check_laws(GROUP_LAWS, max_examples=2) == 6
+    assert check_laws(GROUP_LAWS, max_examples=2) == 7
     assert check_laws(GENERATING_LAWS, max_examples=2) == 3
 
 

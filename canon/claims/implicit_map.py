@@ -46,8 +46,8 @@ class ImplicitImages:
 
     **Fields:** `images` (N, 2n), nan where the equations were not solved (`solved`, (N,)); `jacobians` (N, 2n, 2n) of
     the map; `errors` (N, 2n), estimates of the images' rounding; `condition` (N,), by how much that is larger than one
-    roundoff; `iterations` (N,) of Newton's method; `types`, for each point the type that its image was found in, F's
-    own or near a caustic another; `bits` (N,).
+    roundoff; `iterations` (N,) of Newton's method; `types`, for each point F's own type, or near a caustic the one that
+    is best conditioned for the map's Jacobian; `bits` (N,) in which the equations were solved.
     """
 
     images: Array
@@ -65,7 +65,7 @@ class ImplicitImages:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What is worth saying: points not solved, and those near a caustic, with the type used there."""
+        """What is worth saying: points not solved, and those near a caustic, with the type that is regular there."""
         lines = []
         count = len(self.images)
         if not self.solved.all():
@@ -74,7 +74,9 @@ class ImplicitImages:
             near = [k for k in np.flatnonzero(self.bits > 53) if self.types[k] == types]
             name = types[0] if len(set(types)) == 1 else list(types)
             most = max(int(self.bits[k]) for k in near)
-            lines.append(f"near a caustic at {len(near)} of {count} points: found as type {name}, in {most} bits")
+            lines.append(
+                f"near a caustic at {len(near)} of {count} points: solved in {most} bits; type {name} is regular there"
+            )
         return tuple(lines)
 
     def __str__(self) -> str:

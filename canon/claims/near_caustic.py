@@ -1,4 +1,4 @@
-"""The image of a point near a caustic of a generating function, by another type and in more digits.
+"""The image of a point near a caustic of a generating function, in more digits, and the type that is regular there.
 
 Where F's second derivatives are large and cancel, double precision loses the image's digits although the map is regular
 there. The type that is best conditioned for the map's Jacobian has no caustic near; its function is the Legendre

@@ -65,7 +65,7 @@ def check_symbols(formulas: Iterable[Formula | sp.Expr], known: Mapping[str, sp.
     """
     for formula in formulas:
         expression = formula.expr if isinstance(formula, Formula) else formula
-        others = [s for s in expression.free_symbols if known.get(getattr(s, "name", ""), s) != s]
+        others = [s for s in expression.free_symbols if isinstance(s, sp.Symbol) and known.get(s.name, s) != s]
         for symbol in sorted(others, key=str):
             meant = known[symbol.name]
             mine, its = (_assumed(x) for x in (symbol, meant))

@@ -106,10 +106,16 @@ def run_with_step(
         )
     steps = max(int(np.ceil(duration / step * (1 - 1e-12))), 1)
     search = _Search(problem, method, state, duration, samples, None, exact, t0, None, watch)
-    coarse = search.made(max(steps // 2, 1)) if steps >= 2 * (samples - 1) else None
     run = search.made(steps)
     error = None
-    if coarse is not None and not search.interrupted and run.completed == coarse.completed == samples:
+    if search.interrupted or steps < 2 * (samples - 1):
+        return search.planned(run, error, reached=True)
+    coarse = search.made(max(steps // 2, 1))
+    # what was stopped is the estimate of the error, not the run itself
+    stopped, search.interrupted = search.interrupted, False
+    search.runs.reverse()
+    search.trials.reverse()
+    if not stopped and run.completed == coarse.completed == samples:
         error = distance(run, coarse) / (1 if exact else (total(run) / total(coarse)) ** method.traits.order - 1)
     return search.planned(run, error, reached=True)
 
@@ -190,10 +196,10 @@ class _Search:
             begun = time.monotonic()
             try:
                 run = advance(self.problem, self.method, run, chunks=chunks)
+                if self.watch is not None:
+                    self.watch(run.done / run.chunks)
             except KeyboardInterrupt:
                 raise KeyboardInterrupt(run) from None
-            if self.watch is not None:
-                self.watch(run.done / run.chunks)
             spent = time.monotonic() - begun
             chunks = max(1, min(int(chunks * min(PIECE / max(spent, 1e-6), 8)), run.chunks))
         return run

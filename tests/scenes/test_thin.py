@@ -80,3 +80,22 @@ def test_bad_input_is_told_from_good(text: str, says: str) -> None:
     with pytest.raises(InputError) as caught:
         simulate(read_scene_text(text))
     assert says in str(caught.value)
+
+
+def test_what_is_stopped_keeps_what_was_computed() -> None:
+    """Ctrl-C ends a run at its last stored state, and nothing further is begun."""
+    looks = 0
+
+    def watch(part: float) -> None:
+        nonlocal looks
+        looks += 1
+        if looks == 2:
+            raise KeyboardInterrupt
+
+    text = scene("p**2/2 - cos(q)", duration=500.0, more='step = 0.001\nsamples = 6\nintegrator = "verlet"')
+    result = simulate(read_scene_text(text), watch=watch)
+    assert looks == 2
+    assert result.planned.interrupted
+    assert 1 <= len(result.times) < 6
+    assert any(message.startswith("interrupted at t = ") for message in result.messages)
+    assert np.isfinite(result.q).all()

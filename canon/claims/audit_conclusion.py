@@ -7,9 +7,12 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, Final
 
+import numpy as np
+
 from canon.claims.audit_report import AuditReport
 from canon.claims.audit_run import AuditRun
 from canon.errors import InputError
+from canon.numeric.differences import has_kink
 
 LEAST: Final = 0.5
 """The part of the points at which the map must be finite for a verdict of `supported`."""
@@ -38,7 +41,11 @@ def conclude(run: AuditRun, samples: int, start: float) -> AuditReport:
             failures.append(
                 f"{defect.label} is off by {defect.size:.3g}, bound {defect.bound:.2g}, at {run.place(defect.point)}"
             )
-            witness = witness or _confirmed(run, defect.name)
+            # what differs from one evaluation to the next is no map that could be refuted
+            witness = witness or (_confirmed(run, defect.name) if run.map.steady else None)
+            bent = _bent(run, defect.point)
+            if bent and bent not in doubts:
+                doubts.append(bent)
     if run.failing and not failures:
         doubts.append(f"brackets exceed their bounds at {run.failing} points, by less than rounding tells")
     elif run.failing and run.failing < run.audited:
@@ -80,6 +87,14 @@ def conclude(run: AuditRun, samples: int, start: float) -> AuditReport:
         witness=witness,
         seconds=time.monotonic() - start,
     )
+
+
+def _bent(run: AuditRun, point: tuple[float, ...]) -> str:
+    """What to say of a point at which the map fails because it has no derivative there; nothing elsewhere."""
+    assert run.map is not None
+    if not run.map.steady or not has_kink(run.map.evaluate, np.array(point), run.where.lengths, run.map.unit):
+        return ""
+    return f"the map is not differentiable at {run.place(point)}: its differences to the two sides differ"
 
 
 def _gaps(run: AuditRun, samples: int) -> list[str]:

@@ -24,6 +24,11 @@ SAFETY: Final = 4.0
 NOISE: Final = 16.0
 """How much of the function's rounding, over the step, is granted to an extrapolated difference."""
 
+KINK_STEP: Final = 1e-4
+"""The step at which differences to two sides are compared, and then at a sixteenth of it."""
+KINK: Final = 1e-3
+"""A kink's slopes differ by at least this part of their size: less is taken for curvature."""
+
 TINY_STEP: Final = 1e-30
 ULPS: Final = 8
 
@@ -60,6 +65,29 @@ def central_differences(
                 above = row
             columns.append((np.asarray(best), np.asarray(error)))
     return np.stack([best for best, _ in columns], axis=2), np.stack([error for _, error in columns], axis=2)
+
+
+def has_kink(evaluate: Callable[[Array], Array], point: Array, lengths: Array, unit: float) -> bool:
+    """Whether differences to the two sides of a point (m,) differ along some variable, however short the step.
+
+    Curvature makes them differ by an amount that falls with the step; a kink's stays, and a jump's grows.
+    """
+    with np.errstate(all="ignore"):
+        for k in range(len(point)):
+            gaps = []
+            for step in (KINK_STEP * lengths[k], KINK_STEP * lengths[k] / 16):
+                moved = np.stack([point, point, point])
+                moved[0, k] -= step
+                moved[2, k] += step
+                below, here, above = evaluate(moved)
+                ahead, behind = (above - here) / (moved[2, k] - point[k]), (here - below) / (point[k] - moved[0, k])
+                noise = NOISE * unit * (np.abs(below) + np.abs(here) + np.abs(above)) / step
+                gaps.append(np.abs(ahead - behind))
+            if np.any(
+                (gaps[1] > noise) & (gaps[1] > gaps[0] / 2) & (gaps[1] > KINK * (np.abs(ahead) + np.abs(behind)))
+            ):
+                return True
+    return False
 
 
 def complex_step(mapped: PointMap, points: Array) -> Array:

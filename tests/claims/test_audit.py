@@ -440,3 +440,29 @@ def test_what_is_no_map_is_an_input_error(bad: Any, message: str) -> None:
 def test_options_that_make_no_sense_are_input_errors(options: dict[str, Any], message: str) -> None:
     with pytest.raises(InputError, match=message):
         audit(symplectic_euler, **options)
+
+
+def test_a_point_on_a_kink_is_told_apart_from_a_failure() -> None:
+    def folded(z: Array) -> Array:
+        return np.array([abs(z[0]), np.sign(z[0]) * z[1]])
+
+    report = audit(folded, dimension=2, domain=np.array([[0.0, 1.0], [1.0, 1.0], [0.5, 0.2]]))
+    assert report.verdict == "undecided"
+    assert report.doubts == ("the map is not differentiable at q = 0, p = 1: its differences to the two sides differ",)
+    bent = audit(lambda z: np.array([z[0], z[1] + 5 * z[0] ** 2 + 1e-3 * z[1] ** 3]), dimension=2)
+    assert not bent.doubts  # curvature is no kink
+    assert bent.failures
+
+
+def test_what_depends_on_hidden_state_is_not_refuted() -> None:
+    calls: list[int] = []
+
+    def drifting(z: Any) -> Any:
+        calls.append(1)
+        return z * (1 + 1e-3 * len(calls))
+
+    report = audit(drifting, dimension=2, samples=10)
+    assert (report.verdict, report.witness) == ("undecided", None)
+    assert "hidden state" in report.doubts[0]
+    with pytest.raises(AuditFailed):
+        report.require()

@@ -18,7 +18,8 @@ def test_every_claim_file_of_every_room_is_listed() -> None:
     rooms = [Path(str(entry)).parent.name for entry in FILES]
     assert list(dict.fromkeys(rooms)) == list(ROOMS)
     folder = Path(str(FILES[0])).parents[1]
-    assert len(FILES) == len(list(folder.rglob("*.toml")))
+    # `systems` holds what scenes can name, not claims
+    assert len(FILES) == len([file for file in folder.rglob("*.toml") if file.parent.name != "systems"])
 
 
 @pytest.mark.parametrize("entry", FILES, ids=lambda entry: entry.name)

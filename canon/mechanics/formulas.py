@@ -67,7 +67,7 @@ def check_symbols(formulas: Iterable[Formula | sp.Expr], known: Mapping[str, sp.
         expression = formula.expr if isinstance(formula, Formula) else formula
         others = [s for s in expression.free_symbols if isinstance(s, sp.Symbol) and known.get(s.name, s) != s]
         for symbol in sorted(others, key=str):
-            meant = known[symbol.name]
+            meant = known[str(symbol)]
             mine, its = (_assumed(x) for x in (symbol, meant))
             raise InputError(
                 f"this {symbol} is {mine}, and the {symbol} of the phase space is {its}: two different symbols; "

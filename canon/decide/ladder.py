@@ -127,7 +127,7 @@ class _Ladder:
                 answers[node] = Answer("proved", "identity", certificate=argument, balls=self.seen(node))
         if done():
             return
-        self.normal_forms(left(), answers)
+        self.normal_forms(left(), answers, first_refutation)
         if done():
             return
         self.deeper_witnesses(left(), answers, first_refutation)
@@ -225,8 +225,11 @@ class _Ladder:
 
     # -- proofs ---------------------------------------------------------------------------------------
 
-    def normal_forms(self, nodes: Sequence[Node], answers: Answers) -> None:
-        """Numerators modulo the relations of the kernels; modular evaluation tells when to stop trying."""
+    def normal_forms(self, nodes: Sequence[Node], answers: Answers, first_refutation: bool) -> None:
+        """Numerators modulo the relations of the kernels; modular evaluation tells when to stop trying.
+
+        Before the large ones, points at which to refute what doesn't reduce: one of them may make all others idle.
+        """
         self.tried.append("normal form")
         positive = [r.nodes[0] for r in self.region.requirements if r.kind == "positive"]
         try:
@@ -242,7 +245,10 @@ class _Ladder:
             if costly:
                 hopeless = self._modular_nonzero(tower, costly)
                 costly = [node for node in costly if node not in hopeless]
-                zero |= self._at_any_cost(tower, costly)
+                if hopeless and costly:
+                    self.deeper_witnesses(sorted(hopeless), answers, first_refutation)
+                if not first_refutation or not any(answer.status == "refuted" for answer in answers.values()):
+                    zero |= self._at_any_cost(tower, costly)
         except (Unsupported, TooCostly, ZeroDivisionError) as reason:
             self.tried.append(f"no tower: {reason}")
             return

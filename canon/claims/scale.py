@@ -53,7 +53,9 @@ def _no_real_root(base: sp.Expr) -> bool:
     if len(base.free_symbols) != 1:
         return False
     (name,) = base.free_symbols
-    if not name.is_real or not base.is_polynomial(name):
+    if not name.is_real or base.has(sp.Function) or sp.count_ops(base) > 200 or is_steep(base):
+        return False  # such coefficients aren't rational, or to expand it may take for ever
+    if not base.is_polynomial(name):
         return False
     polynomial = sp.Poly(base, name)
     if not polynomial.domain.is_QQ and not polynomial.domain.is_ZZ:

@@ -176,3 +176,14 @@ def test_what_is_nowhere_zero(expression, expected):
 
 def test_first_batches_are_small():
     assert questions.FIRST_BATCH <= 10
+
+
+def test_coefficients_that_are_no_numbers_of_the_rationals_are_not_expanded(monkeypatch):
+    def refused(*_: object) -> None:
+        raise AssertionError("a polynomial was made of it")
+
+    a = sp.Symbol("a", real=True)
+    monkeypatch.setattr(sp, "Poly", refused)
+    assert not never_zero((1 + a * sp.sin(1)) * (2 + a**2 * sp.cos(2)) + sp.cos(a**0) * a)
+    monkeypatch.undo()
+    assert never_zero(a**2 + a + 1)

@@ -5,6 +5,7 @@ processes make of claims that no honest verifier would survive.
 """
 
 import os
+import signal
 import sys
 import time
 import types
@@ -69,6 +70,7 @@ sys.modules["canon.claims.reader"] = reader
 sys.modules["canon.claims.verify"] = verifier
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs begin with it ignored
     from canon.cli.main import entry
 
     entry()

@@ -15,7 +15,7 @@ from canon.numeric.symplectic_matrix import symplectic_defect
 from canon.testing import MatrixMutant, loops, matrix_mutants, symplectic_matrices
 
 Array = np.ndarray
-few = settings(max_examples=max(3, settings.default.max_examples // 8))
+few = settings(max_examples=max(2, settings.default.max_examples // 16))
 
 
 @given(st.integers(1, 4).flatmap(lambda n: matrix_mutants(n, condition=4.0)))

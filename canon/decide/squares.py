@@ -41,6 +41,8 @@ def _by_pythagoras(tower: Tower, p: Polynomial) -> Iterator[Polynomial]:
     terms = ring.terms(p)
     for _, (cosine, sine) in tower.memory.get("angles", []):
         c, s = cosine[0], sine[0]
+        if not s:  # an angle of whole turns
+            continue
         k, m = ring.degrees(c).index(1), ring.degrees(s).index(1)
         degrees = {e[k] + e[m] for e in terms}
         top = max(degrees)

@@ -14,6 +14,7 @@ IDENTITIES = [
     ("n: integer positive", "", "cos(n*pi)**2", "1", "proved"),
     ("n: integer", "", "(-1)**(2*n)", "1", "proved"),
     ("n: integer", "", "cos(n*pi)", "(-1)**n", "proved"),
+    ("n: integer", "", "sqrt(5+4*cos(n*pi))", "2+cos(n*pi)", "supported"),
     ("n: integer, x: real", "", "sin(x+2*pi*n)", "sin(x)", "proved"),
     ("n: integer, x: real", "", "sin(x+pi*n)", "sin(x)", "refuted"),
     ("x: real", "pi/2 < x < 3*pi/2", "asin(sin(x))", "pi-x", "proved"),

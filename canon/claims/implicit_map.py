@@ -20,6 +20,7 @@ from canon.decide.search import Finder, Sample
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError
 from canon.numeric.implicit import MixedSolution, solve_mixed
+from canon.numeric.map_shape import of_any_form
 from canon.numeric.mixed_variables import Types
 from canon.numeric.precision import UNIT
 
@@ -145,14 +146,7 @@ class ImplicitMap:
 
     def __call__(self, *arguments: Any) -> Any:
         """The image of a phase point, of points, or of a pair (q, p)."""
-        if len(arguments) == 2:
-            q, p = (np.asarray(part, dtype=float) for part in arguments)
-            new = self(np.concatenate([q, p], axis=-1))
-            return new[..., : q.shape[-1]], new[..., q.shape[-1] :]
-        (z,) = arguments
-        points = np.asarray(z, dtype=float)
-        flat = points.reshape(-1, points.shape[-1])
-        return self.solve(flat).images.reshape(points.shape)
+        return of_any_form(lambda z: self.solve(z).images, arguments)
 
     def solve(self, points: Array, guess: Array | None = None) -> ImplicitImages:
         """Images with all that is known of them.

@@ -46,15 +46,20 @@ class Parser(argparse.ArgumentParser):
         return actions
 
 
-def seconds(text: str) -> float:
-    """Read a time in seconds, more than 0."""
+def positive(text: str, *, wanted: str = "positive number: give one as 0.01") -> float:
+    """Read a number above 0; `wanted` ends the message about what is none."""
     try:
         value = float(text)
     except ValueError:
         value = math.nan
     if not (value > 0 and math.isfinite(value)):
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds: give one above 0, as 2.5")
+        raise argparse.ArgumentTypeError(f"{text!r} is no {wanted}")
     return value
+
+
+def seconds(text: str) -> float:
+    """Read a time in seconds, more than 0."""
+    return positive(text, wanted="number of seconds: give one above 0, as 2.5")
 
 
 def count(text: str) -> int:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
 import os
 import sys
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
-from canon.cli.parser import BAD_INPUT, seconds
+from canon.cli.parser import BAD_INPUT, positive, seconds
 
 if TYPE_CHECKING:
     from canon.scenes.scene import Scene
@@ -39,7 +38,7 @@ def declare(parser: argparse.ArgumentParser) -> None:
         "--accuracy", type=_fraction, metavar="A", help="of the states, relative to the largest (default: 1e-9)"
     )
     how.add_argument("--budget", type=seconds, metavar="SECONDS", help="be as accurate as this time allows")
-    how.add_argument("--step", type=_length, metavar="H", help="a fixed step")
+    how.add_argument("--step", type=positive, metavar="H", help="a fixed step")
     parser.add_argument("--integrator", metavar="NAME", help="instead of the one that the planner would choose")
     parser.add_argument(
         "--explain", action="store_true", help="show the Hamiltonian, its splitting, the method, its price"
@@ -53,19 +52,9 @@ def _picture(text: str) -> str:
 
 
 def _fraction(text: str) -> float:
-    value = _length(text)
+    value = positive(text)
     if not 1e-15 <= value < 1:
         raise argparse.ArgumentTypeError(f"{text!r} is no accuracy: give one from 1e-15 to 1, as 1e-9")
-    return value
-
-
-def _length(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not (value > 0 and math.isfinite(value)):
-        raise argparse.ArgumentTypeError(f"{text!r} is no positive number: give one as 0.01")
     return value
 
 

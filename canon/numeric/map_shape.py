@@ -97,6 +97,17 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
     return PointMap(one, evaluate, single, steady, np.array(usable), form, many, lambda: first[0] if first else "")
 
 
+def of_any_form(images: Callable[[Array], Array], arguments: tuple[Any, ...]) -> Any:
+    """What a map of points (N, 2n) makes of one phase point (2n,), of points (…, 2n), or of a pair (q, p)."""
+    if len(arguments) == 2:
+        q, p = (np.asarray(part, dtype=float) for part in arguments)
+        new = of_any_form(images, (np.concatenate([q, p], axis=-1),))
+        return new[..., : q.shape[-1]], new[..., q.shape[-1] :]
+    (z,) = arguments
+    points = np.asarray(z, dtype=float)
+    return images(points.reshape(-1, points.shape[-1])).reshape(points.shape)
+
+
 def forms(function: Callable[..., Any], size: int) -> list[tuple[str, Callable[[Any], Any]]]:
     """The ways in which the function may take a point, likely ones first: each as a name and a function of z (2n,).
 

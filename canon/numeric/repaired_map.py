@@ -15,6 +15,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from canon.numeric.map_shape import of_any_form
 from canon.numeric.mixed_variables import Pattern
 from canon.numeric.precision import UNIT
 
@@ -70,14 +71,7 @@ class RepairedMap:
 
     def __call__(self, *arguments: Any) -> Any:
         """The image of a phase point, of points, or of a pair (q, p)."""
-        if len(arguments) == 2:
-            q, p = (np.asarray(part, dtype=float) for part in arguments)
-            new = self(np.concatenate([q, p], axis=-1))
-            return new[..., : q.shape[-1]], new[..., q.shape[-1] :]
-        (z,) = arguments
-        points = np.asarray(z, dtype=float)
-        flat = points.reshape(-1, points.shape[-1])
-        return self.images(flat).reshape(points.shape)
+        return of_any_form(self.images, arguments)
 
     def images(self, points: Array) -> Array:
         """The images of points (N, 2n): y is found from v = ±∂F/∂x by Broyden's method, which starts at f's own."""

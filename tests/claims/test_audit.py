@@ -334,44 +334,28 @@ def test_exceptions_at_some_points_are_reported() -> None:
     assert "raises (RuntimeError: too far)" in report.notes[0]
 
 
-def test_hidden_state_is_noticed() -> None:
-    calls: list[int] = []
-
-    def remembers(z: Array) -> Array:
-        calls.append(1)
-        return np.array([z[0], z[1] + 1e-6 * len(calls)])
-
-    report = audit(remembers, dimension=2, samples=20)
-    assert report.verdict == "undecided"
-    assert any("hidden state" in doubt for doubt in report.doubts)
-
-
-def test_float32_is_said_and_paid_for() -> None:
-    report = audit(lambda z: np.array([z[0] + np.sin(z[1]), z[1]]).astype(np.float32), dimension=2, samples=50)
-    assert any("float32" in note for note in report.notes)
-    assert report.brackets["{Q,P}"].bound > 1e-8
-
-
-def test_float32_in_jax_is_said() -> None:
-    def rounded(z: Any) -> Any:
-        w = z.astype(jnp.float32)
-        return jnp.stack([w[0] + jnp.sin(w[1]), w[1]])
-
-    report = audit(rounded, dimension=2, samples=50)
-    assert any("float32" in note for note in report.notes)
-    assert report.brackets["{Q,P}"].bound > 1e-8
-
-
-def test_hidden_state_of_a_jax_function_is_noticed() -> None:
+@pytest.mark.parametrize("numbers", [np, jnp])
+def test_hidden_state_is_noticed(numbers: Any) -> None:
     calls: list[int] = []
 
     def remembers(z: Any) -> Any:
         calls.append(1)
-        return jnp.stack([z[0], z[1] + 1e-6 * len(calls)])
+        return numbers.stack([z[0], z[1] + 1e-6 * len(calls)])
 
     report = audit(remembers, dimension=2, samples=20)
     assert report.verdict == "undecided"
     assert any("hidden state" in doubt for doubt in report.doubts)
+
+
+@pytest.mark.parametrize("numbers", [np, jnp])
+def test_float32_is_said_and_paid_for(numbers: Any) -> None:
+    def rounded(z: Any) -> Any:
+        w = z.astype(numbers.float32)
+        return numbers.stack([w[0] + numbers.sin(w[1]), w[1]])
+
+    report = audit(rounded, dimension=2, samples=50)
+    assert any("float32" in note for note in report.notes)
+    assert report.brackets["{Q,P}"].bound > 1e-8
 
 
 def test_complex_numbers_on_the_way_have_estimates() -> None:

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         Conventions,
     )
     from canon.mechanics.generating_function import GeneratingFunction
+    from canon.mechanics.hamilton_jacobi import CompleteIntegral
     from canon.mechanics.hamiltonian import Hamiltonian
     from canon.mechanics.lagrangian import Lagrangian
     from canon.mechanics.legendre_conversion import recovered
@@ -95,6 +96,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.composition": ("compose", "extended_by_time", "identity_transformation"),
     "canon.mechanics.point_transformation": ("PointTransformation",),
     "canon.mechanics.hamiltonian": ("Hamiltonian",),
+    "canon.mechanics.hamilton_jacobi": ("CompleteIntegral",),
     "canon.mechanics.lagrangian": ("Lagrangian",),
     "canon.mechanics.poisson": (
         "bracket_matrix",
@@ -131,6 +133,7 @@ __all__ = [
     "CanonError",
     "Claim",
     "ClaimFailed",
+    "CompleteIntegral",
     "Condition",
     "Conventions",
     "DefectBound",

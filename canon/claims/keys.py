@@ -7,14 +7,17 @@ from dataclasses import dataclass, field
 from typing import Final, Literal
 
 Form = Literal[
-    "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix", "structure"
-]
+    "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix",
+    "structure", "constants", "constant",
+]  # fmt: skip
 """What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
-`["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value."""
+`["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
+of constants, which may be new variables; an expression of constants, or the name of one that it declares."""
 
-Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian"]
+Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "integral"]
 """The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
-none at all; coordinates and velocities. Parameters and (but for "parameters") time are open to all."""
+none at all; coordinates and velocities; coordinates and the constants of an integral. Parameters and (but for
+"parameters") time are open to all."""
 
 Need = Literal["hamiltonian", "transformation", "generating_function", "map", "square"]
 """What a kind needs of its file: sections; `map`, a transformation or a generating function; `square`, as many new
@@ -77,12 +80,21 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "equations_of_motion": KeySpec({"qdot": _PER_PAIR, "pdot": _PER_PAIR}, ("hamiltonian",)),
     "hamiltonian_field": KeySpec({"qdot": _PER_PAIR, "pdot": _PER_PAIR, "H": Key(optional=True)}),
     "legendre": KeySpec({"L": Key(side="lagrangian"), "velocities": Key("names")}, ("hamiltonian",)),
+    "hamilton_jacobi": KeySpec(
+        {
+            "S": Key(side="integral", optional=True),
+            "W": Key(side="integral", optional=True),
+            "constants": Key("constants"),
+            "energy": Key("constant", "integral", optional=True),
+        },
+        ("hamiltonian",),
+    ),
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
 }
 """The kinds that this version checks."""
 
 LATER: Final = (
-    "hamilton_jacobi", "action", "frequency", "action_angle", "normal_form", "algebra", "matrix_algebra", "group",
+    "action", "frequency", "action_angle", "normal_form", "algebra", "matrix_algebra", "group",
     "casimir",
 )  # fmt: skip
 """The kinds of the format that this version doesn't check yet."""

@@ -10,6 +10,7 @@ from canon.claims import (
     bracket,
     dynamics,
     generating_function,
+    hamilton_jacobi,
     independence,
     invariant,
     lie_series,
@@ -32,6 +33,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **independence.KINDS,
         **dynamics.KINDS,
         **lie_series.KINDS,
+        **hamilton_jacobi.KINDS,
     }
 )
 

@@ -88,7 +88,10 @@ def _open(space: PhaseSpace, side: Side, types: tuple[int, ...]) -> tuple[str, .
         template = GeneratingFunction(space, types, 0)
         return _named((*template.old_arguments, *template.new_arguments))
     old, new = _named(space.old), _named(space.new)
-    return {"old": old, "new": new, "both": old + new, "parameters": (), "lagrangian": _named(space.q)}[side]
+    coordinates = _named(space.q)
+    return {
+        "old": old, "new": new, "both": old + new, "parameters": (), "lagrangian": coordinates, "integral": coordinates
+    }[side]  # fmt: skip
 
 
 def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
@@ -99,6 +102,7 @@ def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
         "both": "a formula of the variables",
         "parameters": "an expression in parameters alone",
         "lagrangian": "a formula of velocities and of the coordinates",
+        "integral": "a formula of the coordinates and of the constants",
     }[side]
     return f"{words} {', '.join(allowed)}".rstrip()
 

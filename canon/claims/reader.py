@@ -183,7 +183,7 @@ class _Keys:
             self.vocabulary = self.vocabulary.declaring({s.name: s for s in tensor["coordinates"]})
             self._check_hamiltonian(tensor["coordinates"])
         given = [word for word in self.spec.keys if word in self.table and word not in TENSOR]
-        given.sort(key=lambda word: self.spec.keys[word].form not in ("name", "names"))
+        given.sort(key=lambda word: self.spec.keys[word].form not in ("name", "names", "constants"))
         return {word: self._value(word, self.spec.keys[word], self.table[word]) for word in given} | tensor
 
     def _declared(self) -> Vocabulary:
@@ -192,10 +192,11 @@ class _Keys:
         for word, entry in self.spec.keys.items():
             if word not in self.table:
                 continue
-            if entry.form == "name":
-                listed: tuple[str, ...] = (document.name(self.table[word], key(word)),)
-            elif entry.form == "names" and word != "coordinates":
-                listed = document.names(self.table[word], key(word))
+            value = self.table[word]
+            if entry.form == "name" or (entry.form == "constant" and isinstance(value, str) and value.isidentifier()):
+                listed: tuple[str, ...] = (document.name(value, key(word)),)
+            elif entry.form in ("names", "constants") and word != "coordinates":
+                listed = document.names(value, key(word))
             else:
                 continue
             own |= {name: symbol_with(name) for name in listed}
@@ -203,7 +204,7 @@ class _Keys:
 
     def _value(self, word: str, entry: Key, value: Any) -> Any:
         where = key(word)
-        if entry.form == "expression":
+        if entry.form in ("expression", "constant"):
             return self._formula(value, entry, where)
         if entry.form in ("expressions", "per pair"):
             return self._formulas(word, entry, value)
@@ -211,6 +212,8 @@ class _Keys:
             return self._name(document.name(value, where), where)
         if entry.form == "names":
             return self._velocities(value, where)
+        if entry.form == "constants":
+            return tuple(self._constant(name, where) for name in document.names(value, where))
         if entry.form == "number":
             return self._number(value, where)
         if entry.form == "power":
@@ -228,6 +231,9 @@ class _Keys:
         elif entry.side == "lagrangian":
             velocities = document.names(self.table["velocities"], key("velocities"))
             allowed = [*(symbol.name for symbol in self.names.space.q), *velocities]
+        elif entry.side == "integral":
+            constants = document.names(self.table["constants"], key("constants"))
+            allowed = [*([] if entry.form == "constant" else (s.name for s in self.names.space.q)), *constants]
         return self.names.formula(value, entry.side, where, types=types, vocabulary=self.vocabulary, allowed=allowed)
 
     def _formulas(self, word: str, entry: Key, value: Any) -> tuple[Formula, ...]:
@@ -247,6 +253,16 @@ class _Keys:
             raise InputError(f"{name!r} is a function or an abbreviation, not a parameter", where)
         if symbol in (*self.names.space.old, *self.names.space.new):
             raise InputError(f"{name!r} is a variable of [phase_space], not a parameter", where)
+        return symbol
+
+    def _constant(self, name: str, where: str) -> sp.Symbol:
+        """The symbol of a constant of an integral: a name of its own, a parameter, or a new variable."""
+        space = self.names.space
+        symbol = self.vocabulary.symbols.get(name)
+        if symbol is None:
+            raise InputError(f"{name!r} is a function or an abbreviation, not a constant", where)
+        if symbol in (*space.old, space.t):
+            raise InputError(f"{name!r} moves, so it is no constant", where)
         return symbol
 
     def _velocities(self, value: Any, where: str) -> tuple[sp.Symbol, ...]:

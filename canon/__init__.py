@@ -10,7 +10,8 @@ if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.claims.audit import AuditFailed, AuditReport, audit
     from canon.claims.certify import DefectBound, certify
-    from canon.claims.implicit_map import ImplicitImages, ImplicitMap
+    from canon.claims.implicit_images import ImplicitImages
+    from canon.claims.implicit_map import ImplicitMap
     from canon.claims.invariance import cartan_loop_invariant, loop_invariant, surface_invariant
     from canon.claims.invariance_report import Invariance, NotInvariant
     from canon.claims.symplectify import MapRepair, MatrixRepair, symplectify
@@ -82,7 +83,8 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.domain": ("Condition", "Domain"),
     "canon.expression": ("Formula",),
     "canon.claims.audit": ("AuditFailed", "AuditReport", "audit"),
-    "canon.claims.implicit_map": ("ImplicitImages", "ImplicitMap"),
+    "canon.claims.implicit_images": ("ImplicitImages",),
+    "canon.claims.implicit_map": ("ImplicitMap",),
     "canon.claims.invariance": ("cartan_loop_invariant", "loop_invariant", "surface_invariant"),
     "canon.claims.invariance_report": ("Invariance", "NotInvariant"),
     "canon.claims.certify": ("DefectBound", "certify"),

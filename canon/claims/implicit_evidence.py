@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from canon.claims.implicit_map import ImplicitImages, with_caustics
+from canon.claims.implicit_images import ImplicitImages, with_caustics
 from canon.claims.mixed_derivatives import OnTape
 from canon.decide.cloud import cloud_around
 from canon.decide.search import Finder
@@ -86,7 +86,7 @@ def _judged(F: OnTape, u: Array, seed: int) -> Solved | None:
         z[:, pattern.old_conjugates] = pattern.old_signs * there.gradient[:, :n]
         start = _beside(F, u, rng)
         found = solve_mixed(F, pattern, z, start)
-        images = with_caustics(F, z, found, DEEPEST)
+        images = with_caustics(F, z, found, most=DEEPEST)
         usable = found.solved & np.isfinite(found.M_errors).all(axis=(1, 2))
         if not usable.any():
             return None

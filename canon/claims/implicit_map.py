@@ -5,24 +5,22 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from canon.budget import Budget
+from canon.claims.implicit_images import ImplicitImages, joined, with_caustics
 from canon.claims.mixed_derivatives import OnTape
-from canon.claims.near_caustic import solve_deeply
-from canon.claims.question import Question
+from canon.claims.other_type import of_type, valued
 from canon.decide.cloud import cloud_around
 from canon.decide.search import Finder, Sample
-from canon.decide.tape import Node, Unsupported
+from canon.decide.tape import Unsupported
 from canon.errors import InputError
 from canon.numeric.implicit import MixedSolution, solve_mixed
 from canon.numeric.map_shape import of_any_form
 from canon.numeric.mixed_variables import Types
-from canon.numeric.precision import UNIT
 
 if TYPE_CHECKING:
     from canon.mechanics import GeneratingFunction
@@ -37,55 +35,6 @@ AROUND: Final = 32
 """Starts are the nearest of the guesses, and of so many near ones those with the smallest new arguments."""
 
 BLOCK: Final = 1024
-DEEP: Final = 1e6
-"""Where an image loses more digits than this, it is found in more of them."""
-
-
-@dataclass(frozen=True)
-class ImplicitImages:
-    """Images of N points under the map of a generating function.
-
-    **Fields:** `images` (N, 2n), nan where the equations were not solved (`solved`, (N,)); `jacobians` (N, 2n, 2n) of
-    the map; `errors` (N, 2n), estimates of the images' rounding; `condition` (N,), by how much that is larger than one
-    roundoff; `iterations` (N,) of Newton's method; `types`, for each point F's own type, or near a caustic the one that
-    is best conditioned for the map's Jacobian; `bits` (N,) in which the equations were solved.
-    """
-
-    images: Array
-    jacobians: Array
-    errors: Array
-    condition: Array
-    iterations: Array
-    types: tuple[Types, ...]
-    bits: Array
-
-    @property
-    def solved(self) -> Array:
-        """At which points (N,) the equations were solved."""
-        return np.isfinite(self.images).all(axis=1)
-
-    @property
-    def notes(self) -> tuple[str, ...]:
-        """What is worth saying: points not solved, and those near a caustic, with the type that is regular there."""
-        lines = []
-        count = len(self.images)
-        if not self.solved.all():
-            lines.append(f"not solved at {int((~self.solved).sum())} of {count} points")
-        for types in dict.fromkeys(self.types[k] for k in np.flatnonzero(self.bits > 53)):
-            near = [k for k in np.flatnonzero(self.bits > 53) if self.types[k] == types]
-            name = types[0] if len(set(types)) == 1 else list(types)
-            most = max(int(self.bits[k]) for k in near)
-            lines.append(
-                f"near a caustic at {len(near)} of {count} points: solved in {most} bits; type {name} is regular there"
-            )
-        return tuple(lines)
-
-    def __str__(self) -> str:
-        found = self.condition[self.solved]
-        most = f"{found.max():.2g}" if len(found) else "unknown"
-        return "; ".join(
-            (f"{int(self.solved.sum())} of {len(self.images)} points, condition at most {most}", *self.notes)
-        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,13 +67,8 @@ class ImplicitMap:
     @cached_property
     def _seeded(self) -> tuple[OnTape, Array]:
         """F on a tape, and mixed points u (K, 2n) of its region."""
-        question = Question(self.generating.transformation().canonical(), Budget(10.0))
+        question, F = valued(self.generating, self.parameters)
         tape = question.tape
-        names = {symbol.name: symbol for symbol in (*self.generating.space.parameters, self.generating.space.t)}
-        values: dict[Node, Node] = {
-            tape.symbol(names[name]): tape.number(Fraction(float(value))) for name, value in self.parameters.items()
-        }
-        F = OnTape.of(question, self.generating, values)
         if tape.functions_of(F.gradient):
             raise InputError("an arbitrary function has no values", "generating_function, F")
         finder = Finder(tape, F.nodes, F.region, random.Random(0))
@@ -143,6 +87,16 @@ class ImplicitMap:
         fixed = np.ones(cloud.size)
         u = np.stack([cloud.points.get(node, fixed) for node in F.u], axis=1)
         return F, u
+
+    def _of_type(self, types: Types) -> OnTape | None:
+        """The function of another type of this map, if formulas lead to it: that is tried once for each type."""
+        if types not in self._others:
+            self._others[types] = of_type(self.generating, types, self.parameters)
+        return self._others[types]
+
+    @cached_property
+    def _others(self) -> dict[Types, OnTape | None]:
+        return {}
 
     def __call__(self, *arguments: Any) -> Any:
         """The image of a phase point, of points, or of a pair (q, p)."""
@@ -167,7 +121,7 @@ class ImplicitMap:
             self._solved(F, z[k : k + BLOCK], None if wanted is None else wanted[k : k + BLOCK])
             for k in range(0, len(z), BLOCK)
         ]
-        return parts[0] if len(parts) == 1 else _joined(parts)
+        return parts[0] if len(parts) == 1 else joined(parts)
 
     def _solved(self, F: OnTape, z: Array, guess: Array | None) -> ImplicitImages:
         n = z.shape[1] // 2
@@ -179,7 +133,7 @@ class ImplicitMap:
                 found = solve_mixed(F, F.pattern, z, start)
                 best = found if best is None else _nearer(best, found, target)
         assert best is not None
-        return with_caustics(F, z, best)
+        return with_caustics(F, z, best, of_type=self._of_type)
 
     def _starts(self, z: Array) -> list[Array]:
         """New arguments at points of the region whose old variables are near z: the nearest, and the smallest."""
@@ -200,23 +154,6 @@ class ImplicitMap:
         return [new[order[:, k]] for k in range(order.shape[1])]
 
 
-def with_caustics(F: OnTape, z: Array, found: MixedSolution, most: int | None = None) -> ImplicitImages:
-    """The solution with points near a caustic found again, in more digits (`most` of them at most, the worst)."""
-    count = len(z)
-    n = z.shape[1] // 2
-    images, M = found.images.copy(), found.M.copy()
-    errors, condition = found.errors.copy(), found.condition.copy()
-    types = [F.pattern.types] * count
-    bits = np.full(count, 53)
-    worst = [k for k in np.argsort(-np.where(found.solved, condition, 0.0)) if found.solved[k] and condition[k] > DEEP]
-    for k in worst[:most]:
-        deep = solve_deeply(F, z[k], found.u[k, n:], int(k), float(condition[k]))
-        if deep is not None:
-            images[k], M[k], types[k], bits[k] = deep.image, deep.M, deep.types, deep.bits
-            errors[k], condition[k] = UNIT * np.abs(deep.image), 1.0
-    return ImplicitImages(images, M, errors, condition, found.iterations, tuple(types), bits)
-
-
 def _nearer(one: MixedSolution, other: MixedSolution, target: Array) -> MixedSolution:
     """Of two solutions at each point the one whose new arguments are nearer to the target."""
     n = target.shape[1]
@@ -228,15 +165,3 @@ def _nearer(one: MixedSolution, other: MixedSolution, target: Array) -> MixedSol
 
     names = ("u", "solved", "images", "errors", "M", "M_errors", "condition", "iterations")
     return MixedSolution(*(mixed(getattr(one, name), getattr(other, name)) for name in names))
-
-
-def _joined(parts: list[ImplicitImages]) -> ImplicitImages:
-    return ImplicitImages(
-        images=np.concatenate([part.images for part in parts]),
-        jacobians=np.concatenate([part.jacobians for part in parts]),
-        errors=np.concatenate([part.errors for part in parts]),
-        condition=np.concatenate([part.condition for part in parts]),
-        iterations=np.concatenate([part.iterations for part in parts]),
-        types=tuple(types for part in parts for types in part.types),
-        bits=np.concatenate([part.bits for part in parts]),
-    )

@@ -2,8 +2,8 @@
 
 Where F's second derivatives are large and cancel, double precision loses the image's digits although the map is regular
 there. The type that is best conditioned for the map's Jacobian has no caustic near; its function is the Legendre
-transform of F, evaluated by solving for F's own arguments. Newton's iterates are the same in both types; so they are
-carried in F's arguments, in as many more digits as cancel, and judged in the other type's.
+transform of F, evaluated by solving for F's own arguments. Newton's iterates are the same in both types, since the
+variables that are exchanged enter linearly; so they are carried in F's arguments, in as many more digits as cancel.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from flint import arb, arb_mat
 from canon.claims.mixed_derivatives import OnTape
 from canon.decide.enclosure import Ball, OutOfDomain, precision
 from canon.decide.tape import Unsupported
-from canon.numeric.mixed_variables import Types, best_conditioned
+from canon.numeric.mixed_variables import Types, comparable
 
 Array = Any  # numpy arrays
 STEPS: Final = 40
@@ -29,14 +29,12 @@ GUARD: Final = 2.0**-70
 class Deep:
     """An image (2n,), rounded to doubles, with the map's Jacobian M, found in `bits` bits.
 
-    `types` is the type that is best conditioned there, `condition` that type's; `u`, F's own arguments.
+    `regular` are the types that are best conditioned there, about equally: F's own alone, where no other is better.
     """
 
-    u: Array
     image: Array
     M: Array
-    types: Types
-    condition: float
+    regular: tuple[Types, ...]
     bits: int
 
 
@@ -74,9 +72,7 @@ def _rounded(F: OnTape, x: list[Ball], y: list[Ball], row: int, bits: int) -> De
     image[pattern.new_arguments] = [float(value) for value in y]
     image[pattern.new_conjugates] = pattern.new_signs * [float(g) for g in gradient[n:]]
     M = _jacobian(F, hessian)
-    best = best_conditioned(M[None])
-    u = np.array([float(value) for value in (*x, *y)])
-    return Deep(u, image, M, best.types, best.condition, bits)
+    return Deep(image, M, comparable(M[None], pattern.types), bits)
 
 
 def _jacobian(F: OnTape, hessian: list[list[Ball]]) -> Array:

@@ -19,6 +19,8 @@ ALL_UP_TO: Final = 5
 """Degrees of freedom up to which all 4ⁿ patterns are compared; beyond, they are improved one degree at a time."""
 
 FLOOR: Final = 1e-12
+COMPARABLE: Final = 10.0
+"""A type that is better conditioned by no more than this isn't worth a change."""
 
 
 @dataclass(frozen=True)
@@ -100,6 +102,21 @@ def best_conditioned(M: Array) -> Conditioned:
             best = condition, types
     assert best is not None
     return Conditioned(best[1], best[0], compared)
+
+
+def comparable(M: Array, own: Types) -> tuple[Types, ...]:
+    """The types that are conditioned for M about as well as the best: those with the fewest changes from `own` first.
+
+    That is `own` alone, where it is one of them; and the best alone in more than `ALL_UP_TO` degrees of freedom.
+    """
+    best = best_conditioned(M)
+    limit = COMPARABLE * best.condition
+    if condition_of(own, M) <= limit:
+        return (own,)
+    if len(own) > ALL_UP_TO:
+        return (best.types,)
+    found = [types for types in product((2, 3, 1, 4), repeat=len(own)) if condition_of(types, M) <= limit]
+    return tuple(sorted(found, key=lambda types: sum(a != b for a, b in zip(types, own, strict=True))))
 
 
 def _improved(types: Types, M: Array) -> tuple[Types, int]:

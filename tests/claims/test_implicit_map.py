@@ -1,11 +1,16 @@
 """Maps of generating functions, solved for: exact values, branches, caustics, evidence, and a flaw made on purpose."""
 
+from collections.abc import Callable
+
+import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sp
 
 from canon import GeneratingFunction, ImplicitMap, InputError, PhaseSpace, loop_invariant, verify
+from canon.claims import implicit_images
 from canon.numeric import implicit
+from canon.numeric.precision import UNIT
 
 Array = np.ndarray
 RNG = np.random.default_rng(5)
@@ -83,32 +88,107 @@ def test_the_map_keeps_loops() -> None:
     assert loop_invariant(KICKED.transformation(), loop).preserved is True
 
 
-@pytest.mark.parametrize(("time", "switched"), [(1.0, False), (1e-2, False), (1e-8, True), (1e-12, True)])
-def test_near_a_caustic_all_digits_are_kept_and_another_type_is_named(time: float, switched: bool) -> None:
+# -- near a caustic ------------------------------------------------------------------------------
+
+h = PhaseSpace("q", "p", symbols={"h": "real"}).symbols("h")
+KICKS = PhaseSpace("q", "p", new=("Q", "P"), symbols={"h": "real"})
+KICK = GeneratingFunction(KICKS, type=1, F=-((Q - x) ** 2) / (2 * h) + h * sp.cos(x))
+VERLET = GeneratingFunction(KICKS, type=1, F=-((Q - x) ** 2) / (2 * h) + h * (sp.cos(x) + sp.cos(Q)) / 2)
+FOLD = GeneratingFunction(KICKS, type=2, F=h * x * KICKS.symbols("P") + KICKS.symbols("P") ** 3 / 3 - x**3 / 3)
+SIZES = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12]
+"""Mixed derivatives by which the arguments of F depend on one another: ∂Q/∂p for type 1, ∂²F/∂q∂P for `FOLD`."""
+
+
+def flow_exactly(q: mp.mpf, p: mp.mpf, tau: mp.mpf) -> list[mp.mpf]:
+    return [q * mp.cos(tau) - p * mp.sin(tau), q * mp.sin(tau) + p * mp.cos(tau)]
+
+
+def kick_exactly(q: mp.mpf, p: mp.mpf, h: mp.mpf) -> list[mp.mpf]:
+    return [q + h * (p + h * mp.sin(q)), p + h * mp.sin(q)]
+
+
+def verlet_exactly(q: mp.mpf, p: mp.mpf, h: mp.mpf) -> list[mp.mpf]:
+    half = p + h / 2 * mp.sin(q)
+    return [q + h * half, half + h / 2 * mp.sin(q + h * half)]
+
+
+def fold_exactly(q: mp.mpf, p: mp.mpf, h: mp.mpf) -> list[mp.mpf]:
+    P = (p + q**2) / h
+    return [h * q + P**2, P]
+
+
+def exact_images(rule: Callable[..., list[mp.mpf]], z: Array, size: float) -> Array:
+    """The images of the same doubles in 50 digits, rounded once."""
+    with mp.workdps(50):
+        return np.array([[float(value) for value in rule(*map(mp.mpf, (*point, size)))] for point in z])
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(
+    ("generating", "rule", "how"),
+    [
+        (FLOW, flow_exactly, "type 2 in place of 1, by its own formula"),
+        (KICK, kick_exactly, "type 2 in place of 1, by its own formula"),
+        (VERLET, verlet_exactly, "in place of 1, in "),
+        (FOLD, fold_exactly, "F's own type, in "),
+    ],
+)
+def test_near_a_caustic_another_type_keeps_all_digits(
+    generating: GeneratingFunction, rule: Callable[..., list[mp.mpf]], how: str, size: float
+) -> None:
     """For short times the type-1 function of a flow has a caustic: q and Q are nearly the same variable."""
+    z = np.array([[0.7, 0.3], [0.2, -1.0], [-0.4, 0.9]])
+    if generating is FOLD:  # where the derivatives of F cancel, too
+        z[:, 1] = size / 2 - z[:, 0] ** 2
+    name = "tau" if generating is FLOW else "h"
+    found = ImplicitMap(generating, {name: size}).solve(z)
+    exact = exact_images(rule, z, size)
+    off = np.abs(found.images - exact) / np.abs(exact).max(axis=1, keepdims=True)
+    assert off.max() < (5e-16 if size < 1e-7 else 1e-9)
+    assert np.all(np.abs(found.images - exact) <= found.errors + UNIT * np.abs(exact))
+    largest = np.abs(found.jacobians).max(axis=(1, 2)) ** 2
+    assert np.all(np.abs(np.linalg.det(found.jacobians) - 1) < 1e-9 * largest)
+    if size < 1e-7:
+        (note,) = found.notes
+        assert how in note
+        assert found.own_condition.min() > 1e6 > 1e2 > found.condition.max()
+    assert found.condition.max() < 1e6
+
+
+def test_each_degree_of_freedom_has_the_type_that_it_needs() -> None:
+    """A fast pendulum beside a slow one: only the short flow's pair changes its type."""
+    Q1, Q2 = FOUR.symbols("Q1 Q2")
+    short, one = sp.Rational(1, 10**9), sp.S.One
+    F = sum(((a**2 + b**2) * sp.cos(s) - 2 * a * b) / (2 * sp.sin(s)) for a, b, s in ((q1, Q1, short), (q2, Q2, one)))
+    z = RNG.uniform(-1, 1, (40, 4))
+    found = ImplicitMap(GeneratingFunction(FOUR, type=1, F=F)).solve(z)
+    assert set(found.types) == {(2, 1)}
+    assert (found.bits == 53).all()
+    for k, time in ((0, 1e-9), (1, 1.0)):
+        exact = exact_images(flow_exactly, z[:, [k, k + 2]], time)
+        assert np.abs(found.images[:, [k, k + 2]] - exact).max() < 1e-15
+    assert "type [2, 1] in place of 1, by its own formula; condition" in str(found)
+
+
+def test_another_type_that_is_not_confirmed_is_not_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A Legendre transform made wrong on purpose, by one part in 10⁴: more digits are taken in its place."""
+    right = GeneratingFunction.converted
+
+    def wrong(F: GeneratingFunction, type: int) -> GeneratingFunction:  # noqa: A002
+        found = right(F, type)
+        return GeneratingFunction(found.space, type, found.F.expr * (1 + sp.Rational(1, 10**4)))
+
+    monkeypatch.setattr(GeneratingFunction, "converted", wrong)
     z = np.array([[0.7, 0.3], [0.2, -1.0]])
-    found = ImplicitMap(FLOW, {"tau": time}).solve(z)
-    c, s = np.cos(time), np.sin(time)
-    exact = np.stack([z[:, 0] * c - z[:, 1] * s, z[:, 0] * s + z[:, 1] * c], axis=1)
-    assert np.abs(found.images - exact).max() < 1e-13
-    assert bool(found.notes) is switched
-    if switched:
-        assert found.types == ((2,), (2,)) or found.types == ((3,), (3,))
-        assert "near a caustic at 2 of 2 points: solved in " in str(found)
-        assert np.allclose(found.jacobians, [[c, -s], [s, c]], rtol=0, atol=1e-15)
+    found = ImplicitMap(FLOW, {"tau": 1e-9}).solve(z)
+    assert (found.bits > 53).all()
+    assert np.abs(found.images - exact_images(flow_exactly, z, 1e-9)).max() < 1e-15
 
 
-def test_double_precision_alone_would_lose_them() -> None:
-    """The other side of the last test: without more digits half of them are gone."""
-    from canon.claims import implicit_map
-
-    z = np.array([[0.7, 0.3]])
-    kept = implicit_map.DEEP
-    try:
-        implicit_map.DEEP = np.inf
-        found = ImplicitMap(FLOW, {"tau": 1e-8}).solve(z)
-    finally:
-        implicit_map.DEEP = kept
+def test_double_precision_alone_would_lose_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The other side of these tests: F's own equations in double precision leave half of the digits."""
+    monkeypatch.setattr(implicit_images, "LOSES", np.inf)
+    found = ImplicitMap(FLOW, {"tau": 1e-8}).solve(np.array([[0.7, 0.3]]))
     off = abs(found.images[0, 1] - 0.3)
     assert 1e-11 < off <= found.errors[0, 1]
     assert found.condition[0] > 1e6
@@ -157,7 +237,7 @@ def test_evidence_says_that_points_lie_near_a_caustic() -> None:
     verdict = verify(GeneratingFunction(space, type=1, F=short).transformation().canonical(), method="numeric")
     assert verdict.status == "supported"
     assert "near a caustic" in verdict.detail["solved"]
-    assert "is regular there" in verdict.detail["solved"]
+    assert "in place of 1, in " in verdict.detail["solved"]
 
 
 def test_evidence_that_denies_the_theorem_is_an_alarm(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,8 +5,11 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import signal
 import sys
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
@@ -32,7 +35,14 @@ def declare(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     parser.add_argument("--plot", metavar="FILE", type=_picture, help="draw the orbit into a .png, .svg or .pdf file")
-    parser.add_argument("--out", metavar="FILE.npz", help="write the stored states into a file")
+    parser.add_argument(
+        "--out", metavar="FILE.npz", help="write the stored states into a file, now and then and at last"
+    )
+    parser.add_argument(
+        "--resume",
+        metavar="FILE.npz",
+        help="go on with the run that wrote this file and was interrupted; --out is this file, too, if not given",
+    )
     how = parser.add_mutually_exclusive_group()
     how.add_argument(
         "--accuracy", type=_fraction, metavar="A", help="of the states, relative to the largest (default: 1e-9)"
@@ -62,18 +72,57 @@ def execute(arguments: argparse.Namespace) -> int:
     """Run the scene, print and write what is asked for, and return the exit status."""
     from canon.errors import InputError
 
+    begun = time.monotonic()
+    if arguments.out is None:
+        arguments.out = arguments.resume
     try:
         scene = _with_options(_read(arguments.scene), arguments)
         _check_folders(arguments)
-        from canon.scenes.simulate import simulate
-
-        with _watched(arguments.json) as watch:
-            result = simulate(scene, watch=watch)
+        if scene.settings.budget is not None:
+            left = max(scene.settings.budget - (time.monotonic() - begun), 0.0)
+            scene = replace(scene, settings=replace(scene.settings, budget=left))
+        result = _run(scene, arguments)
     except InputError as error:
         return _refuse(arguments, error)
     _write(result, arguments)
     _print(result, arguments)
     return 0 if result.ok else 1
+
+
+def _run(scene: Scene, arguments: argparse.Namespace) -> Result:
+    from canon.errors import InputError
+    from canon.report.states_file import read_arrays, write_arrays
+    from canon.scenes.simulate import simulate
+
+    def keep(arrays: Any) -> None:
+        write_arrays(arrays, arguments.out)
+
+    with _watched(arguments.json) as watch, _terminated_as_interrupted():
+        if arguments.resume is None:
+            return simulate(scene, watch=watch, keep=None if arguments.out is None else keep)
+        try:
+            resume = read_arrays(arguments.resume)
+            return simulate(scene, watch=watch, keep=keep, resume=resume)
+        except InputError as error:
+            raise error if error.where else error.at(f"--resume {arguments.resume}") from None
+
+
+@contextmanager
+def _terminated_as_interrupted() -> Iterator[None]:
+    """SIGTERM within ends the run as Ctrl-C does: what was computed until then is written."""
+
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    try:
+        before = signal.signal(signal.SIGTERM, interrupt)
+    except ValueError:  # not in the main thread, where no signal arrives
+        yield
+        return
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def _read(name: str) -> Scene:

@@ -51,6 +51,11 @@ class Run:
         return self.per_sample * (self.samples - 1)
 
     @property
+    def total(self) -> int:
+        """The steps of the whole run, whether they were made or not."""
+        return self.chunks * self.per_chunk
+
+    @property
     def steps(self) -> int:
         """Steps that were made."""
         return self.done * self.per_chunk

@@ -16,6 +16,7 @@ from canon.scenes.assemble import Named, initial_state, model_of_bodies, model_o
 from canon.scenes.bodies import read_bodies
 from canon.scenes.effects import EFFECTS, LATER
 from canon.scenes.effects.effect import Contribution, Given, Particle, Surroundings
+from canon.scenes.identity import digest_of
 from canon.scenes.monitors import check_monitors
 from canon.scenes.own_hamiltonian import read_own_hamiltonian
 from canon.scenes.scene import Body, Scene
@@ -80,7 +81,7 @@ def scene_of(tables: Table) -> Scene:
         )
     check_monitors(settings.monitors, model, key("monitor", "[run]"))
     absent = tuple(kind for kind in EFFECTS if kind not in {name for name, _ in effects})
-    return Scene(title, model, q, p, settings, bodies, units, absent)
+    return Scene(title, model, q, p, settings, bodies, units, absent, digest=digest_of(tables))
 
 
 def _placed(table: Table) -> Placed:

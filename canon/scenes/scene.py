@@ -49,7 +49,10 @@ class Body:
 
 @dataclass(frozen=True)
 class Scene:
-    """A model, its initial state (`q`, `p` as floats), and the settings; `bodies` are empty for a system."""
+    """A model, its initial state (`q`, `p` as floats), and the settings; `bodies` are empty for a system.
+
+    `digest` tells what moves, and how, from what moves in other scenes, whatever the settings.
+    """
 
     title: str
     model: Model
@@ -60,3 +63,4 @@ class Scene:
     units: str = ""
     absent: tuple[str, ...] = ()
     notes: Mapping[str, str] = field(default_factory=dict)
+    digest: str = ""

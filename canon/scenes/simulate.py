@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -14,10 +14,13 @@ from canon.numeric.integrators.rattle import Constrained
 from canon.numeric.observe import observe
 from canon.numeric.operations import operations_per_step
 from canon.numeric.planner import Planned, run_for_accuracy, run_with_step
+from canon.numeric.step_search import BUDGET_USED
+from canon.scenes.identity import identity_of
 from canon.scenes.methods import Choice, choose
 from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.problem import SMALL, Problem, problem_of
+from canon.scenes.saved import Arrays, differing_versions, restored, resumable, saved
 from canon.scenes.scene import Scene
 
 
@@ -41,12 +44,21 @@ class Result:
     seconds: tuple[float, float]
     messages: tuple[str, ...]
     ok: bool
+    resumable: Arrays = field(default_factory=dict)
 
 
-def simulate(scene: Scene, *, watch: Callable[[float], None] | None = None) -> Result:
-    """The scene's run. `watch` is told, now and then, which part of a run is done.
+def simulate(
+    scene: Scene,
+    *,
+    watch: Callable[[float], None] | None = None,
+    keep: Callable[[Arrays], None] | None = None,
+    resume: Arrays | None = None,
+) -> Result:
+    """The scene's run. `watch` is told, now and then, which part of a run is done, and `keep` given the arrays with
+    which it can be gone on with: given as `resume` they make a run that has every bit of one that wasn't interrupted.
 
-    **Raises:** `InputError` where the initial state is no state of the system, or a method cannot solve the problem.
+    **Raises:** `InputError` where the initial state is no state of the system, a method cannot solve the problem, or
+    what is to be resumed is damaged or of another scene.
     """
     _check_start(scene)
     begun = time.process_time()
@@ -58,12 +70,15 @@ def simulate(scene: Scene, *, watch: Callable[[float], None] | None = None) -> R
             raise InputError(f"the initial state is not on its constraints: {'; '.join(faults)}")
     choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
     state = (np.array(scene.q), np.array(scene.p))
+    identity = identity_of(scene, choice.method.name)
     shared = {
         "duration": settings.duration,
         "samples": settings.samples,
         "exact": problem.exact,
         "watch": watch,
         "t0": settings.start,
+        "keep": None if keep is None else lambda progress: keep(saved(progress, identity)),
+        "resume": None if resume is None else lambda task: restored(resume, identity, task.begin),
     }
     if settings.step is not None:
         planned = run_with_step(problem.value, choice.method, state, step=settings.step, **shared)
@@ -80,9 +95,12 @@ def simulate(scene: Scene, *, watch: Callable[[float], None] | None = None) -> R
     compiling = planned.compile_seconds
     running = max(time.process_time() - begun - compiling, 0.0)
     messages, ok = _judged(scene, planned, monitors)
+    if resume is not None and (other := differing_versions(resume)):
+        messages = (*messages, f"begun with {other}: the last bits may differ from those of one run")
     return Result(
-        scene, problem, choice, planned, times, q, p, monitors, operations, (compiling, running), messages, ok
-    )
+        scene, problem, choice, planned, times, q, p, monitors, operations, (compiling, running), messages, ok,
+        resumable(planned.progress, identity),
+    )  # fmt: skip
 
 
 def _check_start(scene: Scene) -> None:
@@ -104,8 +122,12 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
     """What to say of the run, and whether it is as it should be."""
     run, messages, ok = planned.run, [], True
     times = run.times
-    if planned.interrupted:
-        messages.append(f"interrupted at t = {times[planned.good - 1]:.6g}: what was computed until then is kept")
+    if planned.good == run.samples and planned.interrupted:
+        messages.append(f"interrupted before a finer run was finished: the last one is kept{_reached(planned)}")
+        ok = False
+    elif planned.interrupted or (planned.reason == BUDGET_USED and planned.good < run.samples):
+        why = "interrupted" if planned.interrupted else "the budget was used"
+        messages.append(f"{why} at t = {times[planned.good - 1]:.6g}: what was computed until then is kept")
         ok = False
     elif planned.good < run.samples:
         last, after = run.times[planned.good - 1], run.times[planned.good]
@@ -124,3 +146,7 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
             messages.append(f"{reading.name}: {reading.alarm}")
             ok = False
     return tuple(messages), ok
+
+
+def _reached(planned: Planned) -> str:
+    return "" if planned.error is None else f", with an error of {planned.error:.1e}"

@@ -1,0 +1,65 @@
+"""A run as arrays that can be kept on disk and gone on with, nothing in them but numbers and one line of JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from importlib.metadata import version
+from typing import Any, Final
+
+import numpy as np
+
+import canon
+from canon.errors import InputError
+from canon.numeric.progress import Begin, Packed, Progress, pack, unpack
+from canon.scenes.identity import check_same
+
+FORMAT: Final = 1
+KEY: Final = "resume"
+Arrays = Mapping[str, np.ndarray]
+
+
+def saved(progress: Progress, identity: dict[str, Any]) -> dict[str, np.ndarray]:
+    """The arrays of a run that is not finished: its states until now, and what it can be gone on with."""
+    run = progress.shown
+    q, p = (np.asarray(slot) for slot in run.states[:2])
+    return {"times": run.times[: run.completed], "q": q, "p": p, **resumable(progress, identity)}
+
+
+def resumable(progress: Progress, identity: dict[str, Any]) -> dict[str, np.ndarray]:
+    """What a run can be gone on with: a line of JSON under `KEY`, and the arrays that it speaks of."""
+    packed = pack(progress)
+    header = {"format": FORMAT, "versions": versions(), "identity": identity, **packed.figures}
+    return {KEY: np.array(json.dumps(header)), **packed.arrays}
+
+
+def restored(arrays: Arrays, identity: dict[str, Any], begin: Begin) -> Progress:
+    """The progress that was saved. **Raises:** `InputError` where it is damaged, or of another scene."""
+    header = _header(arrays)
+    check_same(header.get("identity"), identity)
+    return unpack(Packed(header, arrays), begin)
+
+
+def differing_versions(arrays: Arrays) -> str:
+    """The versions that a run was begun with, where they are others than today's; nothing where they are the same."""
+    then, now = _header(arrays).get("versions"), versions()
+    if not isinstance(then, dict) or then == now:
+        return ""
+    return ", ".join(f"{name} {str(then.get(name))[:40]}" for name in now)
+
+
+def versions() -> dict[str, str]:
+    """The programs on which every bit of a run depends."""
+    return {"canon": canon.__version__, **{name: version(name) for name in ("jax", "jaxlib", "numpy")}}
+
+
+def _header(arrays: Arrays) -> dict[str, Any]:
+    if KEY not in arrays:
+        raise InputError("it holds states, but nothing to go on with: was it written by `canon simulate --out`?")
+    try:
+        header = json.loads(str(arrays[KEY][()]))
+    except (ValueError, RecursionError) as error:
+        raise InputError("what it holds of the run is damaged") from error
+    if not isinstance(header, dict) or header.get("format") != FORMAT:
+        raise InputError(f"it is not of format {FORMAT}, which this version of canon reads")
+    return header

@@ -1,0 +1,90 @@
+"""`canon simulate --resume`: what is interrupted and gone on with has every bit, and no file is trusted."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from canon.cli import simulate as command
+from canon.cli.main import main
+from canon.report.states_file import read_arrays, write_arrays
+
+SCENE = """
+[[body]]
+name = "ball"
+mass = 1.0
+position = [1.0, 0.0]
+velocity = [0.0, 1.1]
+[[effect]]
+kind = "inverse_distance"
+a = 1.0
+[[effect]]
+kind = "inverse_square"
+c = 0.01
+[run]
+duration = 30
+samples = 31
+accuracy = 1e-8
+"""
+
+
+def run(folder: Path, *options: str, text: str = SCENE) -> int:
+    (folder / "scene.toml").write_text(text)
+    return main(["simulate", str(folder / "scene.toml"), *options])
+
+
+def test_an_interrupted_run_is_gone_on_with(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    whole, part = tmp_path / "whole.npz", tmp_path / "part.npz"
+    assert run(tmp_path, "--out", str(whole)) == 0
+
+    class Stopping(command._watched):
+        """Presses Ctrl-C while the run goes on."""
+
+        def __enter__(self):
+            looks = iter([None] * 6)
+
+            def watch(done: float) -> None:
+                if next(looks, "now") == "now":
+                    raise KeyboardInterrupt
+
+            return watch
+
+    with monkeypatch.context() as patched:
+        patched.setattr(command, "_watched", Stopping)
+        assert run(tmp_path, "--out", str(part)) == 1
+    assert "interrupted" in capsys.readouterr().out
+    assert run(tmp_path, "--resume", str(part)) == 0
+    assert str(part) in capsys.readouterr().out
+    one, other = (read_arrays(path) for path in (whole, part))
+    assert one.keys() == other.keys() >= {"times", "q", "p", "position_ball", "velocity_ball"}
+    assert all(np.array_equal(one[name], other[name]) for name in one if name != "resume")
+
+    assert run(tmp_path, "--resume", str(part), text=SCENE.replace("c = 0.01", "c = 0.02")) == 3
+    assert "it is the run of another scene" in capsys.readouterr().err
+    assert run(tmp_path, "--resume", str(part), "--accuracy", "1e-6") == 3
+    assert "begun with accuracy 1e-08, and this is accuracy 1e-06" in capsys.readouterr().err
+    write_arrays({**other, "resume": np.array("[")}, part)
+    assert run(tmp_path, "--resume", str(part)) == 3
+    assert "damaged" in capsys.readouterr().err
+
+
+def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "states.npz"
+
+    def refused(says: str) -> None:
+        assert run(tmp_path, "--resume", str(path)) == 3
+        assert says in capsys.readouterr().err
+
+    refused("there is no such file")
+    path.write_text("no archive")
+    refused("it is damaged")
+    np.savez(path, q=np.array([{"an": "object"}], dtype=object))
+    refused("it is damaged")
+    np.savez_compressed(path, q=np.zeros(3))
+    refused("not a file that `canon simulate --out` wrote")
+    write_arrays({"q": np.zeros(3)}, path)
+    refused("nothing to go on with")
+    path.write_bytes(path.read_bytes()[:-40])
+    refused("it is damaged")

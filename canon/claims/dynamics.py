@@ -6,19 +6,18 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from canon.claims.bracket import names
 from canon.claims.chart import chart_of
 from canon.claims.independence import full_rank
 from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.show import with_value
+from canon.claims.velocities import region_in_velocities, velocity_names
 from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node
-from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
-    from canon.decide.region import Region
 
 
 def _pulled(question: Question, label: str, node: Node, actual: Node | None = None) -> Residual:
@@ -26,20 +25,12 @@ def _pulled(question: Question, label: str, node: Node, actual: Node | None = No
     return Residual(label, chart.pull(node), None if actual is None else chart.pull(actual))
 
 
-def _with_value(question: Question, outcome: Outcome) -> Outcome:
-    """A refutation with the value that the quantity really has."""
-    failed = outcome.failed
-    if failed is None or failed.residual.actual is None:
-        return outcome
-    return outcome.with_detail(value=question.show(failed.residual.actual))
-
-
 def equations_of_motion(question: Question) -> Outcome:
     """`equations_of_motion`: q̇ = ∂H/∂p and ṗ = −∂H/∂q are `qdot`, `pdot`."""
     H = question.hamiltonian()
     qdot, pdot = question.formulas("qdot", question.space.n), question.formulas("pdot", question.space.n)
     region = question.region(*qdot, *pdot)
-    return _with_value(question, question.decide(_flow(question, question.load(H), qdot, pdot, ("{}'", "{}'")), region))
+    return with_value(question, question.decide(_flow(question, question.load(H), qdot, pdot, ("{}'", "{}'")), region))
 
 
 def infinitesimal(question: Question) -> Outcome:
@@ -47,7 +38,7 @@ def infinitesimal(question: Question) -> Outcome:
     G = question.formula("generator")
     dq, dp = question.formulas("dq", question.space.n), question.formulas("dp", question.space.n)
     region = question.region(G, *dq, *dp)
-    return _with_value(
+    return with_value(
         question, question.decide(_flow(question, question.load(G), dq, dp, ("delta {}", "delta {}")), region)
     )
 
@@ -76,7 +67,7 @@ def hamiltonian_field(question: Question) -> Outcome:
         H = question.formula("H")
         region = question.region(H, *qdot, *pdot)
         flow = _flow(question, question.load(H), qdot, pdot, ("{}'", "{}'"))
-        return _with_value(question, question.decide(flow, region))
+        return with_value(question, question.decide(flow, region))
     region = question.region(*qdot, *pdot)
     slopes = [tape.negative(question.load(f)) for f in pdot] + [question.load(f) for f in qdot]
     variables = question.nodes(question.space.old)
@@ -89,7 +80,7 @@ def hamiltonian_field(question: Question) -> Outcome:
 
     outcome = question.decide(curls(), region)
     if outcome.status != "proved" or question.method == "numeric":
-        return _with_value(question, outcome)
+        return with_value(question, outcome)
     from canon.claims.potential import verified_potential
 
     found = verified_potential(question, slopes, variables, region)
@@ -100,17 +91,13 @@ def legendre(question: Question) -> Outcome:
     """`legendre`: with p = ∂L/∂q̇, H is Σ p q̇ − L, and det ∂²L/∂q̇² is not identically 0."""
     H, space, tape = question.hamiltonian(), question.space, question.tape
     L = question.formula("L")
-    velocities = names(question.key("velocities"))
-    if len(velocities) != space.n:
-        raise InputError(f"{space.n} names are expected", "key 'velocities'")
-    if len({*velocities, *space.old, space.t}) != 3 * space.n + 1:
-        raise InputError("velocities are names of their own, each once", "key 'velocities'")
+    velocities = velocity_names(question, "velocities")
     for symbol in sorted(L.expr.free_symbols & set(space.p), key=str):
         raise InputError(f"L is a function of coordinates and velocities, not of {symbol}", "key 'L'")
     v, node = question.nodes(velocities), question.load(L)
     momenta = [derivative(tape, node, x) for x in v]
     images = dict(zip(question.nodes(space.p), momenta, strict=True))
-    region = _region_of_velocities(question, H, L, images)
+    region = region_in_velocities(question, L, carried=[H], images=images)
     plain = chart_of(tape, space, None)
     energy = tape.minus(tape.plus(*(tape.times(x, p) for x, p in zip(v, momenta, strict=True))), node)
     along = substitute(tape, question.load(H), images)
@@ -123,17 +110,6 @@ def legendre(question: Question) -> Outcome:
     if regular.status == "refuted":
         regular = regular.with_detail(hessian="det d2L/dv2 is identically 0")
     return combined([outcome, regular]).with_detail(momenta=shown)
-
-
-def _region_of_velocities(question: Question, H: Formula, L: Formula, images: dict[Node, Node]) -> Region:
-    """The domain in coordinates and velocities: a map of the file is left out unless it is one of the old variables."""
-    if question.chart.direction in ("forward", "none"):
-        return question.region(L, images=images)
-    new = set(question.space.new)
-    asked = question.subject.domain
-    kept = tuple(c for c in asked.conditions if not any(term.free_symbols & new for term in c.terms))
-    domain = Domain((*kept, *H.conditions, *L.conditions), asked.surface)
-    return question.region(domain=domain, images=images, chart=chart_of(question.tape, question.space, None))
 
 
 KINDS = {

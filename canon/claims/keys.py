@@ -14,10 +14,10 @@ Form = Literal[
 `["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
 of constants, which may be new variables; an expression of constants, or the name of one that it declares."""
 
-Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "integral"]
+Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "jet", "integral"]
 """The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
-none at all; coordinates and velocities; coordinates and the constants of an integral. Parameters and (but for
-"parameters") time are open to all."""
+none at all; coordinates and velocities; these and accelerations; coordinates and the constants of an integral.
+Parameters and (but for "parameters") time are open to all."""
 
 Need = Literal["hamiltonian", "transformation", "generating_function", "map", "square"]
 """What a kind needs of its file: sections; `map`, a transformation or a generating function; `square`, as many new
@@ -47,6 +47,7 @@ class KeySpec:
 _OLD: Final = Key()
 _NEW: Final = Key(side="new")
 _PER_PAIR: Final = Key("per pair")
+_LAGRANGIAN: Final = Key(side="lagrangian")
 TENSOR: Final[Mapping[str, Key]] = {
     "tensor": Key("matrix", optional=True),
     "coordinates": Key("names", optional=True),
@@ -79,7 +80,28 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "infinitesimal": KeySpec({"generator": _OLD, "dq": _PER_PAIR, "dp": _PER_PAIR}),
     "equations_of_motion": KeySpec({"qdot": _PER_PAIR, "pdot": _PER_PAIR}, ("hamiltonian",)),
     "hamiltonian_field": KeySpec({"qdot": _PER_PAIR, "pdot": _PER_PAIR, "H": Key(optional=True)}),
-    "legendre": KeySpec({"L": Key(side="lagrangian"), "velocities": Key("names")}, ("hamiltonian",)),
+    "legendre": KeySpec({"L": _LAGRANGIAN, "velocities": Key("names")}, ("hamiltonian",)),
+    "euler_lagrange": KeySpec(
+        {
+            "L": _LAGRANGIAN,
+            "velocities": Key("names"),
+            "accelerations": Key("names", optional=True),
+            "dissipation": Key(side="lagrangian", optional=True),
+            "forces": Key("per pair", "lagrangian", optional=True),
+            "equations": Key("per pair", "jet", optional=True),
+            "qddot": Key("per pair", "lagrangian", optional=True),
+        }
+    ),
+    "noether": KeySpec(
+        {
+            "L": _LAGRANGIAN,
+            "velocities": Key("names"),
+            "dq": Key("per pair", "lagrangian"),
+            "dt": Key(side="lagrangian", optional=True),
+            "f": Key(side="lagrangian", optional=True),
+            "charge": Key(side="lagrangian", optional=True),
+        }
+    ),
     "hamilton_jacobi": KeySpec(
         {
             "S": Key(side="integral", optional=True),

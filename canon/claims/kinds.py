@@ -13,6 +13,7 @@ from canon.claims import (
     hamilton_jacobi,
     independence,
     invariant,
+    lagrangian,
     lie_series,
     new_hamiltonian,
     transformation,
@@ -32,6 +33,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **bracket.KINDS,
         **independence.KINDS,
         **dynamics.KINDS,
+        **lagrangian.KINDS,
         **lie_series.KINDS,
         **hamilton_jacobi.KINDS,
     }

@@ -88,10 +88,7 @@ def _open(space: PhaseSpace, side: Side, types: tuple[int, ...]) -> tuple[str, .
         template = GeneratingFunction(space, types, 0)
         return _named((*template.old_arguments, *template.new_arguments))
     old, new = _named(space.old), _named(space.new)
-    coordinates = _named(space.q)
-    return {
-        "old": old, "new": new, "both": old + new, "parameters": (), "lagrangian": coordinates, "integral": coordinates
-    }[side]  # fmt: skip
+    return {"old": old, "new": new, "both": old + new, "parameters": ()}.get(side, _named(space.q))
 
 
 def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
@@ -103,6 +100,7 @@ def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
         "parameters": "an expression in parameters alone",
         "lagrangian": "a formula of velocities and of the coordinates",
         "integral": "a formula of the coordinates and of the constants",
+        "jet": "a formula of accelerations, velocities and coordinates",
     }[side]
     return f"{words} {', '.join(allowed)}".rstrip()
 

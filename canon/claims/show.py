@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 from sympy.simplify.fu import TR5, TR6
 
 from canon.decide.tape import Node, Tape
+
+if TYPE_CHECKING:
+    from canon.claims.outcome import Outcome
+    from canon.claims.question import Question
 
 SHORT = 40
 STEEP = 40
@@ -72,3 +76,11 @@ def shown(tape: Tape, node: Node, *, shorten: bool = True) -> str:
     except FAILURES:
         text = str(expression)
     return text if len(text) <= 200 else LONG
+
+
+def with_value(question: Question, outcome: Outcome) -> Outcome:
+    """A refutation with the value that the quantity really has."""
+    failed = outcome.failed
+    if failed is None or failed.residual.actual is None:
+        return outcome
+    return outcome.with_detail(value=question.show(failed.residual.actual))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from canon.claims import document
 from canon.claims.document import Table, key
@@ -67,8 +68,8 @@ class _Keys:
             return self._formula(value, entry, where)
         if entry.form in ("expressions", "per pair"):
             return self._formulas(word, entry, value)
-        if entry.form == "tables":
-            return self._tables(entry, value, where)
+        if entry.form in ("tables", "functions"):
+            return (self._tables if entry.form == "tables" else self._functions)(entry, value, where)
         simple: Mapping[Form, Callable[[Any, str], Any]] = {
             "name": self._parameter,
             "names": self._velocities,
@@ -171,6 +172,25 @@ class _Keys:
         if not found:
             raise InputError("at least one table name = value is expected", where)
         return tuple(found)
+
+    def _functions(self, entry: Key, value: Any, where: str) -> dict[sp.Expr, Formula]:
+        """The table "x(t)" = formula: functions that the file declares, of different names, each with its formula."""
+        found: dict[sp.Expr, Formula] = {}
+        for text, given in document.table(value, where).items():
+            place = f"{where}, {text[:80]!r}"
+            call = self._formula(text, entry, place).expr
+            arguments = call.args if isinstance(call, AppliedUndef) else ()
+            if not arguments or len(set(arguments)) < len(arguments) or not all(a.is_Symbol for a in arguments):
+                raise InputError('a declared function of different names is expected, as in "x(t)" = "A*cos(t)"', place)
+            if any(call.func == other.func for other in found):
+                raise InputError(f"{call.func.__name__!r} is given twice", place)
+            found[call] = self._formula(given, entry, place)
+        if not found:
+            raise InputError('at least one function is expected, as in "x(t)" = "A*cos(t)"', where)
+        for formula in found.values():
+            for name in sorted({call.func.__name__ for call in found} & {name for name, _ in formula.calls}):
+                raise InputError(f"the formula {formula} contains {name!r} itself: write it out", where)
+        return found
 
     def _check_hamiltonian(self, coordinates: tuple[sp.Symbol, ...]) -> None:
         """Refuse a Hamiltonian in phase-space variables that the tensor's bracket doesn't know."""

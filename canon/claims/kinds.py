@@ -16,6 +16,7 @@ from canon.claims import (
     lagrangian,
     lie_series,
     new_hamiltonian,
+    solves,
     transformation,
 )
 from canon.claims.outcome import Outcome
@@ -34,6 +35,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **independence.KINDS,
         **dynamics.KINDS,
         **lagrangian.KINDS,
+        **solves.KINDS,
         **lie_series.KINDS,
         **hamilton_jacobi.KINDS,
     }

@@ -194,7 +194,7 @@ DEMAND = claim("identity", 'lhs="x"\nrhs="x"')
         (OSCILLATOR + claim("canonical_when", "solutions=[{q=1}]"), "'q' is a variable of [phase_space]"),
         (OSCILLATOR + claim("canonical_when", "solutions=[{m='q'}]"), "in parameters alone"),
         (OSCILLATOR + claim("legendre", "L='p'\nvelocities=['v']"), "of velocities and of the coordinates q, v"),
-        (OSCILLATOR + claim("legendre", "L='v'\nvelocities=['v','w']"), "2 velocities for 1 coordinates"),
+        (OSCILLATOR + claim("legendre", "L='v'\nvelocities=['v','w']"), "2 names for 1 coordinates"),
         (OSCILLATOR + claim("legendre", "L='v'\nvelocities=['q']"), "'q' is a variable"),
         (OSCILLATOR + claim("lie_series", "f='q'\ngenerator='p'\nequals='q'\nparameter='p'"), "'p' is a variable"),
     ],

@@ -1,0 +1,103 @@
+"""Functions that solve equations: each arbitrary function of the file is replaced by the formula claimed for it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from canon.claims.outcome import Outcome, Residual
+from canon.decide.derivative import derivative, rebuild, substitute
+from canon.decide.region import Region, Requirement
+from canon.decide.tape import Node
+from canon.domain import Domain
+from canon.errors import InputError
+from canon.expression import Formula
+
+if TYPE_CHECKING:
+    import sympy as sp
+
+    from canon.claims.question import Question
+
+
+def solves(question: Question) -> Outcome:
+    """`solves`: with `solution` in place of the functions, every one of `equations` vanishes.
+
+    Derivatives are those of the formulas; x(0) and x(2*t) are their values at these arguments, so that initial and
+    boundary conditions are equations like others.
+    """
+    solution: Mapping[sp.Expr, Formula] = question.key("solution")
+    equations = question.formulas("equations", side="both")
+    for formula in equations:
+        if not any(_calls(formula, call) for call in solution):
+            raise InputError(f"the equation {formula} has none of the functions of 'solution' in it", "key 'equations'")
+    written = question.region(*equations)
+    replaced = _Replaced(question, solution)
+    residuals = [
+        Residual(f"equation {i}", replaced.value(question.chart.pull(question.load(formula))))
+        for i, formula in enumerate(equations, 1)
+    ]
+    kept = [
+        Requirement(r.kind, tuple(replaced.value(node) for node in r.nodes), r.said, r.note)
+        for r in written.requirements
+    ]
+    surface = tuple(replaced.value(node) for node in written.surface)
+    region = Region((*kept, *replaced.requirements), surface, written.symbols)
+    return question.decide(residuals, region)
+
+
+def _calls(formula: Formula, call: sp.Expr) -> bool:
+    return any(name == call.func.__name__ for name, _ in formula.calls)
+
+
+@dataclass(frozen=True)
+class _Function:
+    """A formula with the nodes of its arguments, and where it is smooth."""
+
+    arguments: tuple[Node, ...]
+    value: Node
+    region: Region
+
+
+class _Replaced:
+    """Nodes with the functions of a solution put in, and the conditions that come with them."""
+
+    def __init__(self, question: Question, solution: Mapping[sp.Expr, Formula]) -> None:
+        self.tape = question.tape
+        self.values: dict[Node, Node] = {}
+        self.requirements: list[Requirement] = []
+        self.functions = {
+            call.func.__name__: _Function(
+                tuple(self.tape.symbol(x) for x in call.args),  # pyright: ignore[reportArgumentType]
+                question.load(formula),
+                Region.of(self.tape, Domain(formula.conditions)),
+            )
+            for call, formula in solution.items()
+        }
+
+    def value(self, node: Node) -> Node:
+        """The node with every function replaced, its arguments first."""
+        for i in self.tape.reach([node]):
+            if i not in self.values:
+                op = self.tape.ops[i]
+                known = op[0] == "u" and op[1] in self.functions
+                self.values[i] = self._applied(i) if known else rebuild(self.tape, i, self.values)
+        return self.values[node]
+
+    def _applied(self, node: Node) -> Node:
+        _, name, orders, arguments = self.tape.ops[node]
+        function = self.functions[name]
+        slope = function.value
+        for x, order in zip(function.arguments, orders, strict=True):
+            for _ in range(order):
+                slope = derivative(self.tape, slope, x)
+        images = dict(zip(function.arguments, (self.values[a] for a in arguments), strict=True))
+        for r in function.region.requirements:
+            nodes = tuple(substitute(self.tape, n, images) for n in r.nodes)
+            requirement = r if nodes == r.nodes else Requirement(r.kind, nodes, r.said, f" (of {name} at its argument)")
+            if requirement not in self.requirements:
+                self.requirements.append(requirement)
+        return substitute(self.tape, slope, images)
+
+
+KINDS = {"solves": solves}

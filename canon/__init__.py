@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         InputError,
     )
     from canon.expression import Formula
+    from canon.mechanics.birkhoff import NormalForm, birkhoff_gustavson
     from canon.mechanics.composition import (
         compose,
         extended_by_time,
@@ -69,6 +70,7 @@ if TYPE_CHECKING:
         jacobi,
         legendre,
         lie_series,
+        normal_form,
     )
     from canon.mechanics.subject import Subject
     from canon.mechanics.transformation import Transformation
@@ -99,6 +101,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.point_transformation": ("PointTransformation",),
     "canon.mechanics.hamiltonian": ("Hamiltonian",),
     "canon.mechanics.hamilton_jacobi": ("CompleteIntegral",),
+    "canon.mechanics.birkhoff": ("NormalForm", "birkhoff_gustavson"),
     "canon.mechanics.lagrangian": ("Lagrangian",),
     "canon.mechanics.poisson": (
         "bracket_matrix",
@@ -122,6 +125,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
         "jacobi",
         "legendre",
         "lie_series",
+        "normal_form",
     ),
 }
 _HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
@@ -151,6 +155,7 @@ __all__ = [
     "Lagrangian",
     "MapRepair",
     "MatrixRepair",
+    "NormalForm",
     "NotInvariant",
     "PhaseSpace",
     "PointTransformation",
@@ -159,6 +164,7 @@ __all__ = [
     "Verdict",
     "__version__",
     "audit",
+    "birkhoff_gustavson",
     "bracket",
     "bracket_matrix",
     "cartan_loop_invariant",
@@ -181,6 +187,7 @@ __all__ = [
     "legendre",
     "lie_series",
     "loop_invariant",
+    "normal_form",
     "poisson_bracket",
     "recovered",
     "standard_j",

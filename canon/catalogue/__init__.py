@@ -1,14 +1,14 @@
 """The built-in catalogue: claim files of classical mechanics, shipped as package data.
 
-Five rooms: `course` (the statements of a course on Hamiltonian mechanics), `errata` (its printed errors, each beside
+Six rooms: `course` (the statements of a course on Hamiltonian mechanics), `errata` (its printed errors, each beside
 the corrected statement), `transformations`, `brackets` and `flows` (textbook maps, algebras and evolutions, with
-near misses that must be refuted).
+near misses that must be refuted), and `actions` (action variables, frequencies and normal forms).
 """
 
 from importlib.resources import files as _package_files
 from importlib.resources.abc import Traversable
 
-ROOMS = ("course", "errata", "transformations", "brackets", "flows")
+ROOMS = ("course", "errata", "transformations", "brackets", "flows", "actions")
 
 
 def files() -> tuple[Traversable, ...]:

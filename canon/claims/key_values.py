@@ -18,6 +18,8 @@ from canon.errors import InputError
 from canon.expression import Formula, Vocabulary
 from canon.mechanics.phase_space import symbol_with
 
+HIGHEST_DEGREE = 20
+
 
 def read_keys(table: Table, spec: KeySpec, names: Names) -> Mapping[str, Any]:
     """The values of a claim's keys, typed as `canon.claims.keys` says. **Raises:** `InputError` with the place."""
@@ -68,8 +70,9 @@ class _Keys:
             return self._formula(value, entry, where)
         if entry.form in ("expressions", "per pair"):
             return self._formulas(word, entry, value)
-        if entry.form in ("tables", "functions"):
-            return (self._tables if entry.form == "tables" else self._functions)(entry, value, where)
+        tables = {"tables": self._tables, "functions": self._functions, "degrees": self._degrees}
+        if entry.form in tables:
+            return tables[entry.form](entry, value, where)
         simple: Mapping[Form, Callable[[Any, str], Any]] = {
             "name": self._parameter,
             "names": self._velocities,
@@ -143,9 +146,20 @@ class _Keys:
     def _number(self, value: Any, where: str) -> int:
         number = document.whole(value, where)
         lowest, highest = (0, 40) if "parameter" in self.spec.keys else (1, self.names.space.n)
+        if "N" in self.spec.keys:
+            lowest, highest = 2, HIGHEST_DEGREE
         if not lowest <= number <= highest:
             raise InputError(f"a whole number from {lowest} to {highest} is expected, not {number}", where)
         return number
+
+    def _degrees(self, entry: Key, value: Any, where: str) -> dict[int, Formula]:
+        """The table degree = polynomial of a normal form."""
+        found: dict[int, Formula] = {}
+        for word, given in document.table(value, where).items():
+            if not (word.isdecimal() and 2 <= int(word) <= HIGHEST_DEGREE):
+                raise InputError(f"degrees from 2 to {HIGHEST_DEGREE} are expected, not {word[:80]!r}", where)
+            found[int(word)] = self._formula(given, entry, f"{where}, degree {word}")
+        return found
 
     def _power(self, value: Any, where: str) -> tuple[sp.Symbol, int]:
         items = document.listing(value, where)

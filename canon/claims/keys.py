@@ -8,12 +8,12 @@ from typing import Final, Literal
 
 Form = Literal[
     "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix",
-    "structure", "constants", "constant", "functions",
+    "structure", "constants", "constant", "functions", "degrees",
 ]  # fmt: skip
 """What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
 `["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
 of constants, which may be new variables; an expression of constants, or the name of one that it declares; a table
-"x(t)" = formula of functions that the file declares."""
+"x(t)" = formula of functions that the file declares; a table degree = polynomial."""
 
 Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "jet", "integral"]
 """The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
@@ -115,12 +115,13 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "solves": KeySpec(
         {"solution": Key("functions", "both"), "equations": Key("expressions", "both")},
     ),
+    "normal_form": KeySpec({"order": Key("number"), "N": Key("degrees")}, ("hamiltonian",)),
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
 }
 """The kinds that this version checks."""
 
 LATER: Final = (
-    "action", "frequency", "action_angle", "normal_form", "algebra", "matrix_algebra", "group",
+    "action", "frequency", "action_angle", "algebra", "matrix_algebra", "group",
     "casimir",
 )  # fmt: skip
 """The kinds of the format that this version doesn't check yet."""

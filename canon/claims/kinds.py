@@ -16,6 +16,7 @@ from canon.claims import (
     lagrangian,
     lie_series,
     new_hamiltonian,
+    normal_form,
     solves,
     transformation,
 )
@@ -38,6 +39,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **solves.KINDS,
         **lie_series.KINDS,
         **hamilton_jacobi.KINDS,
+        **normal_form.KINDS,
     }
 )
 

@@ -3,7 +3,7 @@
 Claims about transformations and generating functions are methods of these.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
@@ -104,3 +104,9 @@ def legendre(space: PhaseSpace, H: Expression, L: Expression, velocities: sp.Sym
     """H is the Legendre transform of L, with momenta dL/dv and a Hessian in the velocities that is not singular."""
     names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
     return _about(space, H).claim("legendre", {"L": as_formula(L), "velocities": names})
+
+
+def normal_form(space: PhaseSpace, H: Expression, order: int, N: Mapping[int, Expression]) -> Claim:
+    """N, by degree, is a Birkhoff–Gustavson normal form of H about the origin to this order."""
+    table = {degree: as_formula(part, f"N, degree {degree}") for degree, part in N.items()}
+    return _about(space, H).claim("normal_form", {"order": order, "N": table})

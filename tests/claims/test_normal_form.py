@@ -1,0 +1,134 @@
+"""Claims of normal forms, unique or not: decided both ways, exactly."""
+
+import pytest
+
+from canon.claims.reader import read_text
+from canon.claims.verify import verify
+
+LINE = 'q = ["q"]\np = ["p"]\n'
+PLANE = 'q = ["x", "y"]\np = ["px", "py"]\n'
+RESONANT = {
+    "definitions": """I = "(x**2 + y**2 + px**2 + py**2)/2"
+L = "x*py - y*px"
+u = "x*y + px*py"
+v = "(x**2 + px**2 - y**2 - py**2)/2"
+N4 = "-5/12*I**2 + 7/12*L**2"
+N6 = "-67/432*I**3 - 7/144*I*L**2 + 7/18*(v**3 - 3*v*u**2)"
+""",
+    "hamiltonian": 'H = "I + x**2*y - y**3/3"',
+}
+
+
+def _claim(order: int, **N: str) -> str:
+    table = ", ".join(f'{name[1:]} = "{value}"' for name, value in N.items())
+    return f'kind = "normal_form"\norder = {order}\nN = {{{table}}}'
+
+
+@pytest.mark.parametrize(
+    ("order", "N", "expected"),
+    [
+        (6, {"N4": "N4", "N6": "N6"}, "proved"),
+        (6, {"N2": "I", "N3": "0", "N4": "N4", "N6": "N6 + bracket(N4, 3*u*v - L*v)"}, "proved"),
+        (6, {"N4": "N4", "N6": "N6 + L*u*v/1000"}, "proved"),  # {L**2, u**2} is a multiple of L*u*v
+        (6, {"N4": "N4", "N6": "N6 + L*I**2/1000"}, "refuted"),
+        (6, {"N4": "N4", "N6": "N6 + I**3/1000"}, "refuted"),
+        (5, {"N4": "N4 + bracket(N4, u*v)*0 + u*v/1000"}, "refuted"),
+        (6, {"N4": "N4", "N6": "N6 + x**6/1000"}, "refuted"),
+        (4, {"N2": "L", "N4": "N4"}, "refuted"),
+        (6, {"N4": "N4"}, "refuted"),
+    ],
+)
+def test_one_to_one_resonance(status, order, N, expected):
+    assert status(_claim(order, **N), space=PLANE, **RESONANT) == expected
+
+
+def test_a_true_normal_form_of_higher_order_that_isnt_the_computed_one(ask):
+    """exp{., k} of the computed one up to order 8: the correction found in degree 6 must fit in degree 8 too."""
+    import sympy as sp
+
+    from canon.mechanics.birkhoff import birkhoff_gustavson, exponential
+    from canon.mechanics.phase_space import PhaseSpace
+
+    space = PhaseSpace("x y", "px py")
+    x, y, px, py = space.symbols("x y px py")
+    found = birkhoff_gustavson(space, (px**2 + py**2 + x**2 + y**2) / 2 + x**2 * y - y**3 / 3, 8)
+    gx, gy, gpx, gpy = found.algebra.generators
+    kappa = (gx * gy + gpx * gpy) * (gx * gpy - gy * gpx)
+    moved = exponential(found.algebra, dict(found.parts), kappa, 8)
+    N = {f"N{d}": sp.sstr(found.algebra.expression(f)).replace("\n", "") for d, f in moved.items() if d > 2}
+    assert moved[6] != found.parts[6]
+    holds, fails = ask(_claim(8, **N), _claim(8, **(N | {"N8": N["N8"] + " + I**4/1000"})), space=PLANE, **RESONANT)
+    assert holds.status == "proved"
+    assert (fails.status, fails.detail["fails_at_degree"]) == ("refuted", 8)
+    assert fails.witness is None
+    assert fails.detail["resonances"] == ["(1, -1)"]
+
+
+def test_without_a_semisimple_linear_flow_more_is_reached(status):
+    """P = p √(1 + 2p²) makes p²/2 + p⁴ of p²/2: no κ that commutes with H₂ does that."""
+    free = {"hamiltonian": 'H = "p**2/2"'}
+    assert status(_claim(6, N3="5*p**3", N4="p**4"), space=LINE, **free) == "proved"
+    assert status(_claim(4, N4="q*p**3"), space=LINE, **free) == "refuted"
+
+
+def test_parameters_have_a_witness(ask):
+    sections = {"symbols": 'omega = "positive"\na = "real"', "hamiltonian": 'H = "p**2/2 + omega**2*q**2/2 + a*q**4"'}
+    term = "3*a*(p**2 + omega**2*q**2)**2/(8*omega**4)"
+    right, wrong = ask(_claim(4, N4=term), _claim(4, N4=term + "*(1 + a*omega/1000)"), space=LINE, **sections)
+    assert right.status == "proved"
+    assert wrong.status == "refuted"
+    assert set(wrong.witness) == {"a", "omega"}
+
+
+def test_small_divisors_leave_a_claim_supported(ask):
+    sections = {"symbols": 'w = "positive"', "hamiltonian": 'H = "(px**2 + x**2)/2 + w*(py**2 + y**2)/2 + x**2*y"'}
+    (verdict,) = ask(_claim(3), space=PLANE, **sections)
+    assert verdict.status == "supported"
+    assert "w - 2 = 0" in verdict.detail["note"]
+    (verdict,) = ask(_claim(3), space=PLANE, domain='where = ["w > 2"]', **sections)
+    assert verdict.status == "proved"
+    (verdict,) = ask(_claim(3), space=PLANE, **(sections | {"symbols": 'w = "negative"'}))
+    assert verdict.status == "supported"
+    assert "w + 2 = 0" in verdict.detail["note"]
+
+
+def test_outside_of_exact_arithmetic(ask):
+    (verdict,) = ask(_claim(3), space=LINE, hamiltonian='H = "p**2/2 + q**2*cos(1 + q)/2"')
+    assert verdict.status == "undecided"
+    (verdict,) = ask(_claim(4), space=LINE, symbols='V = "function"', hamiltonian='H = "p**2/2 + V(q)"')
+    assert verdict.status == "undecided"
+
+
+def test_sampling_alone_decides_nothing_for_it(ask):
+    options = {"method": "numeric"}
+    good, bad = ask(_claim(4, N4="I**2"), _claim(4, N4="x**4"), space=PLANE, options=options, **RESONANT)
+    assert (good.status, bad.status) == ("undecided", "refuted")
+
+
+@pytest.mark.parametrize(
+    ("H", "N", "words"),
+    [
+        ("p**2/2 + q", "{}", "no equilibrium"),
+        ("p**2/2 + sqrt(q)", "{}", "isn't inside the domain: q > 0"),
+        ("p**2/2 + q**2*t", "{}", "H depends on t"),
+        ("p**2/2 + q**2", '{4 = "q**3"}', "not homogeneous of degree 4"),
+        ("p**2/2 + q**2", '{6 = "q**6"}', "the order is 4"),
+        ("p**2/2 + q**2", '{4 = "sqrt(1 + q**2)"}', "a polynomial in the variables"),
+    ],
+)
+def test_bad_input(H, N, words):
+    text = f'[phase_space]\n{LINE}[hamiltonian]\nH = "{H}"\n[[claim]]\nkind = "normal_form"\norder = 4\nN = {N}'
+    reading = read_text(text)
+    assert not reading.problems
+    with pytest.raises(Exception, match=words):
+        verify(reading.claims[0])
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [('N = {x = "q"}', "degrees from 2 to 20"), ("N = {}\norder = 21", "from 2 to 20"), ('N = "q"', "")],
+)
+def test_faults_of_the_file(line, words):
+    order = "" if "order" in line else "order = 4\n"
+    reading = read_text(f'[phase_space]\n{LINE}[hamiltonian]\nH = "p"\n[[claim]]\nkind = "normal_form"\n{order}{line}')
+    assert words in reading.problems[0]["message"]

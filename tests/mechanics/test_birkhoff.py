@@ -1,0 +1,92 @@
+"""Normal forms by Lie series: Hénon and Heiles (Gustavson 1966), the pendulum, resonances, what isn't semisimple."""
+
+import pytest
+import sympy as sp
+
+from canon.errors import InputError
+from canon.mechanics.birkhoff import NoNormalForm, birkhoff_gustavson, resonances
+from canon.mechanics.phase_space import PhaseSpace
+
+PLANE = PhaseSpace("x y", "px py")
+X, Y, PX, PY = PLANE.symbols("x y px py")
+ISOTROPIC = (PX**2 + PY**2 + X**2 + Y**2) / 2
+HENON_HEILES = ISOTROPIC + X**2 * Y - Y**3 / 3
+LINE = PhaseSpace("q", "p", positive="omega")
+Q, P, OMEGA = LINE.symbols("q p omega")
+
+
+def test_henon_heiles_to_order_12_in_invariants_of_the_resonance():
+    found = birkhoff_gustavson(PLANE, HENON_HEILES, 12)
+    L, u, v = X * PY - Y * PX, X * Y + PX * PY, (X**2 + PX**2 - Y**2 - PY**2) / 2
+    fourth = -sp.Rational(5, 12) * ISOTROPIC**2 + sp.Rational(7, 12) * L**2
+    sixth = -sp.Rational(67, 432) * ISOTROPIC**3 - sp.Rational(7, 144) * ISOTROPIC * L**2
+    sixth += sp.Rational(7, 18) * (v**3 - 3 * v * u**2)
+    assert sp.expand(found.term(4) - fourth) == 0
+    assert sp.expand(found.term(6) - sixth) == 0
+    assert [found.term(degree) for degree in (3, 5, 7, 9, 11)] == [0] * 5
+    for degree in (8, 10, 12):
+        part = found.parts[degree]
+        assert part != 0
+        assert found.algebra.bracket(part, found.parts[2]) == 0
+
+
+def test_the_transformation_is_symplectic_order_by_order_and_leads_to_the_normal_form():
+    found = birkhoff_gustavson(PLANE, HENON_HEILES, 4)
+    assert birkhoff_gustavson(PLANE, HENON_HEILES, 8).symplectic_defect() == {}
+    assert found.symplectic_defect() == {}
+    images = dict(zip(PLANE.old, found.transformation(), strict=True))
+    difference = sp.Poly(HENON_HEILES.subs(images, simultaneous=True) - found.hamiltonian(), *PLANE.old)
+    assert min(map(sum, difference.monoms())) == 5  # by substitution, without a Lie series
+
+
+def test_a_wrong_generator_is_seen():
+    found = birkhoff_gustavson(PLANE, HENON_HEILES, 5)
+    broken = dict(zip(PLANE.old, found.transformation(), strict=True))
+    broken[X] += X**2 / 1000
+    bracket = sum(
+        broken[X].diff(a) * broken[PX].diff(b) - broken[X].diff(b) * broken[PX].diff(a) for a, b in ((X, PX), (Y, PY))
+    )
+    degrees = list(map(sum, sp.Poly(bracket - 1, *PLANE.old).monoms()))
+    assert min(degrees) == 1
+
+
+def test_the_pendulum():
+    found = birkhoff_gustavson(LINE, P**2 / 2 + 1 - sp.cos(Q), 10)
+    J = sp.Symbol("J")
+    energy = J - J**2 / 16 - J**3 / 256 - 5 * J**4 / 8192 - 33 * J**5 / 262144
+    assert sp.expand(found.hamiltonian() - energy.subs(J, (P**2 + Q**2) / 2)) == 0
+
+
+def test_parameters_square_roots_and_saddles():
+    found = birkhoff_gustavson(LINE, P**2 / 2 + OMEGA**2 * Q**2 / 2 + Q**4, 4)
+    assert sp.expand(found.term(4) - 3 * (P**2 + OMEGA**2 * Q**2) ** 2 / (8 * OMEGA**4)) == 0
+    H = (PX**2 + X**2) / 2 + sp.sqrt(2) * (PY**2 + Y**2) / 2 + X * Y**2
+    found = birkhoff_gustavson(PLANE, H, 4)
+    assert found.algebra.bracket(found.parts[4], found.parts[2]) == 0
+    saddle = birkhoff_gustavson(LINE, P**2 / 2 - Q**2 / 2 + Q**4, 4)
+    assert sp.expand(saddle.term(4) - 3 * (P**2 - Q**2) ** 2 / 8) == 0
+
+
+def test_resonances():
+    three = PhaseSpace("x y z", "u v w")
+    x, y, z, u, v, w = three.symbols("x y z u v w")
+    H2 = (u**2 + x**2) / 2 + (v**2 + 4 * y**2) / 2 - sp.sqrt(2) * (w**2 + z**2) / 2
+    assert resonances(three, H2, 4) == [(2, -1, 0)]
+    assert resonances(PLANE, ISOTROPIC, 6) == [(1, -1)]
+    assert resonances(PLANE, (PX**2 + X**2 - PY**2 - Y**2) / 2, 6) == [(1, 1)]
+    assert resonances(PLANE, X * PY, 6) is None
+
+
+@pytest.mark.parametrize(
+    ("H", "error", "words"),
+    [
+        (P**2 / 2 + Q, InputError, "no equilibrium"),
+        (P**2 / 2 + sp.sqrt(Q), InputError, "isn't analytic at the origin"),
+        (Q**3, InputError, "no quadratic part"),
+        (P**2 / 2 + Q**4, NoNormalForm, "isn't semisimple"),
+        (P**2 / 2 + Q**2 * sp.cos(1) + sp.sin(1) * Q**3, ValueError, "coefficients in"),
+    ],
+)
+def test_what_has_none(H, error, words):
+    with pytest.raises(error, match=words):
+        birkhoff_gustavson(LINE, H, 4)

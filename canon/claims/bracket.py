@@ -124,12 +124,12 @@ def _pulled(question: Question, residuals: Iterable[Residual]) -> Iterator[Resid
         yield Residual(residual.label, chart.pull(residual.node), actual)
 
 
-def _decided(question: Question, residuals: Iterable[Residual], region: Region) -> Outcome:
-    """The outcome, with the actual value of the bracket that fails."""
+def decided(question: Question, residuals: Iterable[Residual], region: Region, *, warn: bool = True) -> Outcome:
+    """The outcome, with the actual value of the bracket that fails; `warn` of a tensor that violates Jacobi's."""
     outcome = question.decide(_pulled(question, residuals), region)
     if outcome.failed is not None and outcome.failed.residual.actual is not None:
         outcome = outcome.with_detail(value=question.show(outcome.failed.residual.actual))
-    return outcome.with_detail(warning=_not_poisson(question, region))
+    return outcome.with_detail(warning=_not_poisson(question, region) if warn else None)
 
 
 def _not_poisson(question: Question, region: Region) -> str | None:
@@ -161,7 +161,7 @@ def bracket(question: Question) -> Outcome:
     actual = bracket_of(question)(question.load(f), question.load(g))
     label = f"{{{f.text or f.expr}, {g.text or g.expr}}}"
     node = question.tape.minus(actual, question.load(equals))
-    return _decided(question, [Residual(label, node, actual)], region)
+    return decided(question, [Residual(label, node, actual)], region)
 
 
 def jacobi(question: Question) -> Outcome:
@@ -171,7 +171,7 @@ def jacobi(question: Question) -> Outcome:
     b = bracket_of(question)
     x, y, z = (question.load(formula) for formula in (f, g, h))
     total = question.tape.plus(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y)))
-    return _decided(question, [Residual("{f, {g, h}} + {g, {h, f}} + {h, {f, g}}", total, total)], region)
+    return decided(question, [Residual("{f, {g, h}} + {g, {h, f}} + {h, {f, g}}", total, total)], region)
 
 
 def conserved(question: Question) -> Outcome:
@@ -181,7 +181,7 @@ def conserved(question: Question) -> Outcome:
     node = question.load(f)
     explicit = derivative(question.tape, node, question.chart.time)
     rate = question.tape.plus(explicit, bracket_of(question)(node, question.load(H)))
-    return _decided(question, [Residual("df/dt", rate, rate)], region)
+    return decided(question, [Residual("df/dt", rate, rate)], region)
 
 
 def involution(question: Question) -> Outcome:
@@ -197,7 +197,7 @@ def involution(question: Question) -> Outcome:
             value = b(question.load(f), question.load(g))
             yield Residual(f"{{{f.text or f.expr}, {g.text or g.expr}}}", value, value)
 
-    return _decided(question, pairs(), region)
+    return decided(question, pairs(), region)
 
 
 def identity(question: Question) -> Outcome:
@@ -208,7 +208,7 @@ def identity(question: Question) -> Outcome:
     if question.subject.map is None and used & set(question.space.new):
         raise InputError("new variables occur, but there is no transformation that relates them to the old ones")
     residual = Residual("lhs - rhs", tape.minus(question.load(lhs), question.load(rhs)))
-    return _decided(question, [residual], question.region(lhs, rhs))
+    return decided(question, [residual], question.region(lhs, rhs))
 
 
 KINDS = {"bracket": bracket, "jacobi": jacobi, "conserved": conserved, "involution": involution, "identity": identity}

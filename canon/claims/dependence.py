@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from canon.budget import BudgetExceeded
+from canon.claims.fixed_parameters import moved_region
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.parameters import solutions
 from canon.claims.show import FAILURES, is_short
@@ -73,7 +74,7 @@ def _at_parameters(
         def with_values(node: Node, images: Mapping[Node, Node] = images) -> Node:
             return substitute(tape, node, images)
 
-        moved = _moved(tape, region, with_values) if _allowed(tape, images) else None
+        moved = moved_region(tape, region, with_values) if _allowed(tape, images) else None
         found = None if moved is None else _vanishing(question, minors, with_values, moved)
         if found is not None:
             return found.with_detail(dependent_at={str(name): str(value) for name, value in table.items()})
@@ -123,7 +124,7 @@ def _for_functions(
         def with_functions(node: Node, chosen: Mapping[str, str] = chosen) -> Node:
             return in_place_of_functions(tape, node, chosen)
 
-        moved = _moved(tape, region, with_functions)
+        moved = moved_region(tape, region, with_functions)
         found = None if moved is None else _vanishing(question, minors, with_functions, moved)
         if found is not None:
             return found.with_detail(dependent_for=chosen)
@@ -148,25 +149,6 @@ def in_place_of_functions(tape: Tape, node: Node, chosen: Mapping[str, str]) -> 
             choice = chosen[op[1]]
             values[i] = tape.plus(*(values[a] for a in op[3])) if choice not in ("0", "1") else tape.number(int(choice))
     return values[node]
-
-
-def _moved(tape: Tape, region: Region, move: Move) -> Region | None:
-    """The region with its conditions so changed; None where one of them can't hold any more."""
-    try:
-        requirements = tuple(
-            Requirement(r.kind, tuple(map(move, r.nodes)), r.said, r.note) for r in region.requirements
-        )
-        surface = tuple(map(move, region.surface))
-    except (InputError, ZeroDivisionError):
-        return None
-    left = []
-    for r in requirements:
-        value = tape.value(r.nodes[0])
-        if value is None or r.kind not in ("positive", "nonzero"):
-            left.append(r)
-        elif value == 0 or (r.kind == "positive" and value < 0):
-            return None
-    return Region(tuple(left), surface, region.symbols)
 
 
 def _vanishing(question: Question, minors: Sequence[Node], move: Move, region: Region) -> Outcome | None:
@@ -219,7 +201,7 @@ def _near_a_point(
         def there(node: Node, fixed: Mapping[Node, Node] = fixed) -> Node:
             return substitute(tape, node, fixed)
 
-        moved = _moved(tape, region, there)
+        moved = moved_region(tape, region, there)
         found = None if moved is None else _vanishing(question, minors, there, moved.also(*box))
         if found is not None:
             point = {str(tape.symbol_at(x)): str(v) for x, v in place.point.items()}

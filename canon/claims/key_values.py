@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from canon.claims import document
+from canon.claims import algebra_keys, document
 from canon.claims.document import Table, key
 from canon.claims.keys import TENSOR, Form, Key, KeySpec
 from canon.claims.names import Names
@@ -39,14 +39,18 @@ class _Keys:
     def read(self) -> Mapping[str, Any]:
         """Each key's value, as `canon.claims.keys` types it."""
         tensor = {}
-        if any(word in self.table for word in TENSOR):
-            tensor = read_tensor(self.table, self.names)
+        own = [word for word in TENSOR if self.spec.keys.get(word) == TENSOR[word]]
+        if any(word in self.table for word in own):
+            tensor = read_tensor({word: self.table[word] for word in own if word in self.table}, self.names)
             self.coordinates = tensor["coordinates"]
             self.vocabulary = self.vocabulary.declaring({s.name: s for s in tensor["coordinates"]})
             self._check_hamiltonian(tensor["coordinates"])
-        given = [word for word in self.spec.keys if word in self.table and word not in TENSOR]
+        given = [word for word in self.spec.keys if word in self.table and word not in own]
         given.sort(key=lambda word: self.spec.keys[word].form not in ("name", "names", "constants"))
-        return {word: self._value(word, self.spec.keys[word], self.table[word]) for word in given} | tensor
+        values = {word: self._value(word, self.spec.keys[word], self.table[word]) for word in given}
+        if "structure" in values:  # what is claimed of the basis, not the bracket that is used
+            values["brackets"] = values.pop("structure")
+        return values | tensor
 
     def _declared(self) -> Vocabulary:
         """The file's vocabulary with the names that the claim itself declares."""
@@ -66,6 +70,10 @@ class _Keys:
 
     def _value(self, word: str, entry: Key, value: Any) -> Any:
         where = key(word)
+        if entry.form in algebra_keys.FORMS:
+            return algebra_keys.read_algebra_key(
+                entry.form, self.table, word, self.names, self.vocabulary, lambda v, at: self._formula(v, entry, at)
+            )
         if entry.form in ("expression", "constant"):
             return self._formula(value, entry, where)
         if entry.form in ("expressions", "per pair"):
@@ -92,6 +100,8 @@ class _Keys:
             words = ["velocities"] + ["accelerations"] * (entry.side == "jet" and "accelerations" in self.table)
             jets = [name for word in words for name in document.names(self.table[word], key(word))]
             allowed = [*(symbol.name for symbol in self.names.space.q), *jets]
+        elif entry.side == "group":
+            allowed = [n for word in ("first", "second") for n in document.names(self.table[word], key(word))]
         elif entry.side == "integral":
             constants = document.names(self.table["constants"], key("constants"))
             allowed = [*([] if entry.form == "constant" else (s.name for s in self.names.space.q)), *constants]

@@ -8,17 +8,18 @@ from typing import Final, Literal
 
 Form = Literal[
     "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix",
-    "structure", "constants", "constant", "functions", "degrees",
+    "structure", "constants", "constant", "functions", "degrees", "basis", "matrices", "algebra", "brackets",
 ]  # fmt: skip
 """What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
 `["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
 of constants, which may be new variables; an expression of constants, or the name of one that it declares; a table
-"x(t)" = formula of functions that the file declares; a table degree = polynomial."""
+"x(t)" = formula of functions that the file declares; a table degree = polynomial; a table name = expression, or
+name = matrix; the name of a Lie algebra; a table "A,B" = combination of a basis."""
 
-Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "jet", "integral"]
+Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "jet", "integral", "group"]
 """The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
-none at all; coordinates and velocities; these and accelerations; coordinates and the constants of an integral.
-Parameters and (but for "parameters") time are open to all."""
+none at all; coordinates and velocities; these and accelerations; coordinates and the constants of an integral; the
+parameters of two elements of a group. Parameters and (but for "parameters") time are open to all."""
 
 Need = Literal["hamiltonian", "transformation", "generating_function", "map", "square"]
 """What a kind needs of its file: sections; `map`, a transformation or a generating function; `square`, as many new
@@ -55,6 +56,11 @@ TENSOR: Final[Mapping[str, Key]] = {
     "structure": Key("structure", optional=True),
 }
 """The keys that put another Poisson bracket in place of the canonical one."""
+
+_EQUALS: Final[Mapping[str, Key]] = {
+    "equals": Key("algebra", optional=True),
+    "structure": Key("brackets", optional=True),
+}
 
 KEYS: Final[Mapping[str, KeySpec]] = {
     "canonical": KeySpec(
@@ -116,12 +122,11 @@ KEYS: Final[Mapping[str, KeySpec]] = {
         {"solution": Key("functions", "both"), "equations": Key("expressions", "both")},
     ),
     "normal_form": KeySpec({"order": Key("number"), "N": Key("degrees")}, ("hamiltonian",)),
+    "matrix_algebra": KeySpec({"basis": Key("matrices", "parameters"), **_EQUALS}),
+    "casimir": KeySpec({"f": _OLD, **TENSOR}),
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
 }
 """The kinds that this version checks."""
 
-LATER: Final = (
-    "action", "frequency", "action_angle", "algebra", "matrix_algebra", "group",
-    "casimir",
-)  # fmt: skip
+LATER: Final = ("action", "frequency", "action_angle", "algebra", "group")
 """The kinds of the format that this version doesn't check yet."""

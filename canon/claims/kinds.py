@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from canon.claims import (
     bracket,
+    casimir,
     dynamics,
     generating_function,
     hamilton_jacobi,
@@ -15,6 +16,7 @@ from canon.claims import (
     invariant,
     lagrangian,
     lie_series,
+    matrix_algebra,
     new_hamiltonian,
     normal_form,
     solves,
@@ -40,6 +42,8 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **lie_series.KINDS,
         **hamilton_jacobi.KINDS,
         **normal_form.KINDS,
+        **matrix_algebra.KINDS,
+        **casimir.KINDS,
     }
 )
 

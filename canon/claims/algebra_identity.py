@@ -1,0 +1,171 @@
+"""Which Lie algebra structure constants make, and whether it is the one that a claim names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from canon.claims.outcome import Outcome, exact
+from canon.claims.scale import never_zero
+from canon.errors import InputError
+from canon.mechanics.algebra.identify import Identification, identify
+from canon.mechanics.algebra.identity import isomorphic
+from canon.mechanics.algebra.lie_algebra import LieAlgebra
+from canon.mechanics.algebra.names import read_name
+from canon.mechanics.algebra.rescaling import rescaled
+from canon.mechanics.formulas import replaced
+from canon.sign import declared
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+    from canon.decide.region import Region
+
+INVARIANTS = "real Lie algebras of different dimension, Levi subalgebra or abelian factors aren't isomorphic"
+CLASSIFIED = "its Levi decomposition, complex types and real forms determine a real Lie algebra of this kind"
+RIGID = "semisimple Lie algebras don't change their isomorphism class where their structure constants are continuous"
+LARGEST_SYMBOLIC = 10
+VALUES = (sp.S.One, sp.S.NegativeOne, sp.S.Zero, sp.Integer(2))
+
+
+def identity_outcome(question: Question, region: Region, algebra: LieAlgebra, equals: str | None) -> Outcome:
+    """What the algebra is, for all values of the parameters in its structure constants; is it `equals`?
+
+    Proved where the isomorphism is determined by invariants, refuted where invariants differ; where the constants
+    depend on parameters, after a change of scale that makes them rational, or because a semisimple algebra is rigid.
+    """
+    named = None if equals is None else read_name(equals)
+    try:
+        found, reason = _for_all_parameters(algebra)
+    except ArithmeticError as error:
+        return Outcome("undecided", note=f"not identified: {error}")
+    if found is None:
+        return _at_values(question, region, algebra, equals)
+    detail = described(found)
+    if named is None:
+        return exact("proved", CLASSIFIED, **detail)
+    same = isomorphic(found.identity, named)
+    if same is None:
+        return Outcome("undecided", detail=detail, note=f"not identified among several: is it {equals}?")
+    if not same:
+        detail["fails"] = f"isomorphism with {equals}"
+        return question.refuted_exactly(region, INVARIANTS, **detail)
+    return exact("proved", "; ".join(part for part in (reason, CLASSIFIED) if part), **detail)
+
+
+def described(found: Identification) -> dict[str, Any]:
+    """What was found, for a verdict's detail."""
+    detail: dict[str, Any] = {"algebra": found.identity.name}
+    if found.identity.aliases:
+        detail["also_called"] = ", ".join(found.identity.aliases)
+    positive, negative, zero = found.killing_signature
+    detail["killing_signature"] = f"{positive} positive, {negative} negative, {zero} zero"
+    bases = found.ideal_bases()
+    if len(bases) > 1:
+        detail["simple_ideals"] = [", ".join(basis) for basis in bases]
+    return detail
+
+
+def _for_all_parameters(algebra: LieAlgebra) -> tuple[Identification | None, str]:
+    """The identification that holds for all values of the parameters, and the argument for that; None: not found."""
+    scaled = rescaled(algebra)
+    if scaled is not None:
+        if scaled.is_trivial:
+            return identify(scaled.algebra), ""
+        scales = ", ".join(f"{n} by {s}" for n, s in zip(algebra.names, scaled.scales, strict=True) if s != 1)
+        return identify(scaled.algebra), f"the basis rescaled, {scales}"
+    if not _is_semisimple_throughout(algebra):
+        return None, ""
+    values = next(_tables(algebra.parameters))
+    there = at(algebra, values)
+    return (identify(there), RIGID) if there is not None and there.is_rational else (None, "")
+
+
+def at(algebra: LieAlgebra, values: Mapping[Any, Any]) -> LieAlgebra | None:
+    """The algebra at values of its parameters; None where a constant isn't defined there."""
+    constants: dict[tuple[int, int], dict[int, Any]] = {}
+    for pair, row in algebra.constants.items():
+        constants[pair] = {
+            c: value if isinstance(value, Fraction) else sp.nsimplify(replaced(value, values), rational=False)
+            for c, value in row.items()
+        }
+        if any(not isinstance(v, Fraction) and v.has(sp.zoo, sp.nan, sp.oo) for v in constants[pair].values()):
+            return None
+    return LieAlgebra(algebra.names, constants)
+
+
+def _tables(parameters: frozenset[sp.Symbol]) -> Iterator[dict[sp.Symbol, sp.Expr]]:
+    """Allowed values of the parameters: 1, −1, 0 or 2 for all, as far as each may be that."""
+    for value in VALUES:
+        chosen = {}
+        for symbol in parameters:
+            facts = declared(symbol)
+            tried = [value, *VALUES]
+            chosen[symbol] = next((v for v in tried if _may_be(facts, v)), None)
+        if None not in chosen.values():
+            yield chosen
+
+
+def _may_be(facts: Mapping[str, bool], value: Any) -> bool:
+    known = declared(sp.Dummy(positive=True)) if value > 0 else declared(sp.Dummy(negative=True))
+    known = declared(sp.Dummy(zero=True)) if value == 0 else known
+    signs = ("positive", "negative", "zero", "nonnegative", "nonpositive", "nonzero")
+    return all(known.get(word) == facts[word] for word in signs if facts.get(word) is not None)
+
+
+def _is_semisimple_throughout(algebra: LieAlgebra) -> bool:
+    """The Killing form is nowhere singular, the constants are continuous, and the parameters make a connected set."""
+    if algebra.dimension > LARGEST_SYMBOLIC:
+        return False
+    for symbol in algebra.parameters:
+        facts = declared(symbol)
+        connected = any(facts.get(sign) for sign in ("positive", "negative", "nonnegative", "nonpositive"))
+        if not facts.get("real") or facts.get("integer") or not (connected or facts.get("zero") is None):
+            return False
+    values = [v for row in algebra.constants.values() for v in row.values() if not isinstance(v, Fraction)]
+    if any(not v.is_rational_function(*algebra.parameters) for v in values):
+        return False
+    if not all(never_zero(sp.fraction(sp.together(v))[1]) for v in values):
+        return False
+    n = algebra.dimension
+    ad = [sp.Matrix(n, n, lambda c, b, a=a: algebra.bracket_of(a, b).get(c, 0)) for a in range(n)]
+    form = sp.Matrix(n, n, lambda a, b: sp.expand((ad[a] * ad[b]).trace()))
+    return never_zero(sp.factor(form.det(method="berkowitz")))
+
+
+def _at_values(question: Question, region: Region, algebra: LieAlgebra, equals: str | None) -> Outcome:
+    """A refutation at values of the parameters; else undecided, with what it is at those that were tried."""
+    named = None if equals is None else read_name(equals)
+    seen: dict[str, str] = {}
+    for values in _tables(algebra.parameters):
+        there = at(algebra, values)
+        scaled = None if there is None else rescaled(there)
+        if scaled is None:
+            continue
+        found = identify(scaled.algebra)
+        place = ", ".join(f"{symbol} = {value}" for symbol, value in sorted(values.items(), key=str))
+        seen[place] = found.identity.name
+        if named is not None and isomorphic(found.identity, named) is False and _is_inside(question, region, values):
+            detail = described(found) | {"fails": f"isomorphism with {equals} at {place}"}
+            return exact("refuted", INVARIANTS, **detail)
+    note = "; ".join(f"{name} at {place}" for place, name in seen.items())
+    if named is None and seen:
+        return exact("proved", "structure constants", algebra=f"depends on the parameters: {note}")
+    return Outcome("undecided", note=f"not identified for all values of the parameters: {note}")
+
+
+def _is_inside(question: Question, region: Region, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    """Whether the claim's domain has a point at these values of the parameters."""
+    from canon.claims.fixed_parameters import fixed_region
+
+    tape = question.tape
+    moved = fixed_region(tape, region, {tape.symbol(s): tape.load(v) for s, v in values.items()})
+    if moved is None:
+        return False
+    try:
+        outcome = question.refuted_exactly(moved, INVARIANTS)
+    except InputError:
+        return False
+    return outcome.status == "refuted"

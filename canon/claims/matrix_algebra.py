@@ -1,0 +1,235 @@
+"""`matrix_algebra`: matrices under the commutator, their structure constants and the Lie algebra that they span.
+
+Every matrix is a real scale times a matrix of Gaussian rationals, or (with parameters inside) the coefficients are
+found from some entries and decided for all of them. Where the real span doesn't close under [A, B], −i[A, B] is the
+bracket: the generators are physicists' ones, and the answer says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from canon.claims.algebra_identity import identity_outcome
+from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.claims.scale import never_zero
+from canon.errors import InputError
+from canon.expression import Formula
+from canon.mechanics.algebra.from_matrices import Dependent, Entry, MatrixAlgebra, NotClosed, algebra_of_matrices
+from canon.mechanics.algebra.lie_algebra import LieAlgebra, Number
+from canon.mechanics.algebra.lie_algebra import exact as exact_number
+from canon.mechanics.algebra.lie_algebra import times as product
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+    from canon.decide.region import Region
+
+Brackets = Mapping[str, Mapping[str, Formula]]
+COMMUTATOR = "[A, B] = AB − BA"
+PHYSICISTS = "−i[A, B]: the real span doesn't close under [A, B] itself (physicists' generators)"
+
+
+def matrix_algebra(question: Question) -> Outcome:
+    """The matrices close under their bracket with that algebra, and are independent over the reals."""
+    basis: Mapping[str, Any] = question.key("basis")
+    brackets: Brackets | None = question.key("brackets")
+    equals = question.key("equals")
+    if brackets is None and equals is None:
+        raise InputError("a claim of kind 'matrix_algebra' needs 'equals', the name of an algebra, or 'structure'")
+    entries = [entry for rows in basis.values() for row in rows for entry in row]
+    coefficients = [] if brackets is None else [v for row in brackets.values() for v in row.values()]
+    region = question.region(*entries, *coefficients)
+    matrices = {name: [[entry.expr for entry in row] for row in rows] for name, rows in basis.items()}
+    scaled = _scaled(matrices)
+    if scaled is None:
+        return _with_parameters(question, region, matrices, brackets, equals)
+    scales, plain = scaled
+    try:
+        found = algebra_of_matrices(plain)
+    except (Dependent, NotClosed) as error:
+        return question.refuted_exactly(region, error.message, **_failure(error))
+    algebra = _unscaled(found.algebra, scales)
+    outcome = identity_outcome(question, region, algebra, equals).with_detail(bracket=_bracket_words(found))
+    if brackets is None:
+        return outcome
+    return combined([compared(question, region, algebra, brackets), outcome])
+
+
+def _failure(error: Dependent | NotClosed) -> dict[str, Any]:
+    if isinstance(error, Dependent):
+        return {"fails": "independence over the reals", "relation": f"{error.relation} = 0"}
+    return {"fails": f"[{', '.join(error.pair)}] in the real span", "value": error.value}
+
+
+def _bracket_words(found: MatrixAlgebra) -> str:
+    return PHYSICISTS if found.physicists else COMMUTATOR
+
+
+def compared(question: Question, region: Region, algebra: LieAlgebra, brackets: Brackets) -> Outcome:
+    """Are these the structure constants? The first bracket that differs is named, with its true value."""
+    residuals = list(_differences(question, algebra, brackets))
+    if not residuals:
+        return exact("proved", "the structure constants are those that are stated")
+    first, value = residuals[0]
+    if question.tape.value(first.node) is not None:  # a number, and not 0
+        return question.refuted_exactly(region, "linear algebra", fails=first.label, value=value)
+    outcome = question.decide((r for r, _ in residuals), region)
+    if outcome.failed is not None:
+        pair = outcome.failed.residual.label
+        value = next(value for r, value in residuals if r.label == pair)
+        return outcome.with_detail(fails=pair, value=value)
+    return outcome
+
+
+def _differences(question: Question, algebra: LieAlgebra, brackets: Brackets) -> Iterator[tuple[Residual, str]]:
+    """The constants that aren't obviously those stated, each as a residual, with the bracket's true value."""
+    tape, names = question.tape, algebra.names
+    for a, b in combinations(range(algebra.dimension), 2):
+        true = algebra.bracket_of(a, b)
+        for c in range(algebra.dimension):
+            difference = tape.minus(
+                question.load(_sympy(true.get(c, Fraction(0)))),
+                stated(question, brackets, names[a], names[b]).get(names[c], tape.zero),
+            )
+            if difference != tape.zero:
+                yield Residual(f"[{names[a]}, {names[b]}]", difference), algebra.show(true)
+
+
+def stated(question: Question, brackets: Brackets, a: str, b: str) -> dict[str, int]:
+    """The nodes of the coefficients that are claimed of a bracket: none where the pair isn't listed."""
+    if f"{a},{b}" in brackets:
+        return {name: question.load(value) for name, value in brackets[f"{a},{b}"].items()}
+    if f"{b},{a}" in brackets:
+        return {name: question.tape.negative(question.load(v)) for name, v in brackets[f"{b},{a}"].items()}
+    return {}
+
+
+def _sympy(value: Number) -> sp.Expr:
+    return sp.Rational(value.numerator, value.denominator) if isinstance(value, Fraction) else value
+
+
+# -- a real scale times Gaussian rationals ---------------------------------------------------------------------
+
+
+def _scaled(matrices: Mapping[str, list[list[Any]]]) -> tuple[dict[str, sp.Expr], dict[str, list[list[Entry]]]] | None:
+    """Each matrix as a scale that is real and never 0 times one of Gaussian rationals; None where one isn't."""
+    scales: dict[str, sp.Expr] = {}
+    plain: dict[str, list[list[Entry]]] = {}
+    for name, rows in matrices.items():
+        scale = sp.S.One
+        table = _gaussian(rows)
+        if table is None:
+            scale = _real_factor(next(e for row in rows for e in row if e != 0 and _entry(e) is None))
+            if not scale.is_real or not never_zero(scale):
+                return None
+            table = _gaussian([[sp.radsimp(sp.cancel(e / scale)) for e in row] for row in rows])
+        if table is None:
+            return None
+        scales[name], plain[name] = scale, table
+    return scales, plain
+
+
+def _real_factor(entry: Any) -> Any:
+    """The entry without its rational number and without i."""
+    factors = [f for f in sp.Mul.make_args(sp.factor_terms(entry)) if not f.is_Rational and f is not sp.I]
+    return sp.Mul(*factors)
+
+
+def _gaussian(rows: Sequence[Sequence[Any]]) -> list[list[Entry]] | None:
+    table: list[list[Entry]] = []
+    for row in rows:
+        values = [_entry(e) for e in row]
+        if None in values:
+            return None
+        table.append([v for v in values if v is not None])
+    return table
+
+
+def _entry(value: Any) -> Entry | None:
+    """A Gaussian rational, or None."""
+    if value.is_Rational:
+        return Fraction(int(value.p), int(value.q))
+    expanded = sp.expand(value)
+    imaginary = expanded.coeff(sp.I)
+    real = expanded - imaginary * sp.I
+    if real.is_Rational and imaginary.is_Rational:
+        return Fraction(int(real.p), int(real.q)), Fraction(int(imaginary.p), int(imaginary.q))
+    return None
+
+
+def _unscaled(algebra: LieAlgebra, scales: Mapping[str, sp.Expr]) -> LieAlgebra:
+    """The constants of the given matrices s_a X_a, from those of the X_a."""
+    if all(scale == 1 for scale in scales.values()):
+        return algebra
+    s = [scales[name] for name in algebra.names]
+    constants = {
+        (a, b): {c: product(value, exact_number(sp.radsimp(s[a] * s[b] / s[c]))) for c, value in row.items()}
+        for (a, b), row in algebra.constants.items()
+    }
+    return LieAlgebra(algebra.names, constants)
+
+
+# -- parameters inside -------------------------------------------------------------------------------------------
+
+
+def _with_parameters(
+    question: Question, region: Region, matrices: Mapping[str, Any], brackets: Brackets | None, equals: str | None
+) -> Outcome:
+    """Coefficients from entries that are independent for all values of the parameters, decided for all entries."""
+    names = tuple(matrices)
+    basis = [sp.Matrix(rows) for rows in matrices.values()]
+    entries = [[entry for row in rows for entry in row] for rows in matrices.values()]
+    columns = _independent_entries(entries)
+    if columns is None:
+        return Outcome("undecided", note="no entries were found by which the matrices are independent throughout")
+    inverse = sp.Matrix([[row[k] for k in columns] for row in entries]).inv()
+    pairs = list(combinations(range(len(names)), 2))
+    outcomes = []
+    for factor, words in ((sp.S.One, COMMUTATOR), (-sp.I, PHYSICISTS)):
+        residuals, constants = [], dict[tuple[int, int], dict[int, Any]]()
+        for a, b in pairs:
+            bracket = ((basis[a] * basis[b] - basis[b] * basis[a]) * factor).applyfunc(sp.expand)
+            row = (sp.Matrix([[bracket[k] for k in columns]]) * inverse).applyfunc(sp.cancel)
+            constants[a, b] = {c: value for c, value in enumerate(row) if value != 0}
+            rest = bracket - sum((v * basis[c] for c, v in constants[a, b].items()), start=sp.zeros(*bracket.shape))
+            label = f"[{names[a]}, {names[b]}] in the span"
+            residuals += [Residual(label, question.load(e)) for e in rest if sp.expand(e) != 0]
+            residuals += [
+                Residual(f"{label}, a real coefficient", question.load(sp.im(v)))
+                for v in constants[a, b].values() if not v.is_real
+            ]  # fmt: skip
+        closed = question.decide(residuals, region) if residuals else exact("proved", "linear algebra")
+        outcomes.append(closed)
+        if closed.status == "proved":
+            algebra = LieAlgebra(names, constants)
+            outcome = identity_outcome(question, region, algebra, equals).with_detail(bracket=words)
+            parts = [closed, outcome] if brackets is None else [
+                closed, compared(question, region, algebra, brackets), outcome
+            ]  # fmt: skip
+            return combined(parts)
+    if all(outcome.status == "refuted" for outcome in outcomes):
+        return outcomes[0]
+    return Outcome("undecided", note="whether the real span closes wasn't decided")
+
+
+def _independent_entries(entries: list[list[Any]]) -> list[int] | None:
+    """Positions at which the matrices' entries have a determinant that is never 0; None where none were found."""
+    size, width = len(entries), len(entries[0])
+    filled = [k for k in range(width) if any(row[k] != 0 for row in entries)]
+    for columns in _some(combinations(filled, size)):
+        determinant = sp.Matrix([[row[k] for k in columns] for row in entries]).det(method="berkowitz")
+        if determinant != 0 and never_zero(sp.factor(determinant)):
+            return list(columns)
+    return None
+
+
+def _some(choices: Iterator[tuple[int, ...]], most: int = 200) -> Iterator[tuple[int, ...]]:
+    for _, choice in zip(range(most), choices, strict=False):
+        yield choice
+
+
+KINDS = {"matrix_algebra": matrix_algebra}

@@ -1,0 +1,99 @@
+"""Which real Lie algebra it is, proved by invariants that determine it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from flint import fmpq_mat
+
+from canon.mechanics.algebra import linear
+from canon.mechanics.algebra.families import recognised
+from canon.mechanics.algebra.ideals import centraliser, centre, derived
+from canon.mechanics.algebra.identity import Identity, RealSimple
+from canon.mechanics.algebra.levi import levi_decomposition
+from canon.mechanics.algebra.lie_algebra import LieAlgebra
+from canon.mechanics.algebra.semisimple import SimpleIdeal, simple_ideals
+
+
+@dataclass(frozen=True, slots=True)
+class Identification:
+    """What was found: the isomorphism class, and the decomposition that shows it.
+
+    **Arguments:** `identity`; `algebra`, rational; `levi` and `radical`, rows; `ideals`, the simple ideals of the Levi
+    subalgebra in its own basis; `killing_signature`, the numbers of positive, negative and zero squares.
+    """
+
+    identity: Identity
+    algebra: LieAlgebra
+    levi: fmpq_mat
+    radical: fmpq_mat
+    ideals: tuple[SimpleIdeal, ...]
+    killing_signature: tuple[int, int, int]
+
+    def ideal_bases(self) -> tuple[tuple[str, ...], ...]:
+        """For each simple ideal that is one over the rationals, its basis as formulas in the basis' names."""
+        levi = linear.rows(self.levi)
+        found = []
+        for ideal in self.ideals:
+            if ideal.basis is None:
+                continue
+            words = []
+            for row in ideal.basis:
+                vector = [sum((linear.rational(u) * s[c] for u, s in zip(row, levi, strict=True)), start=levi[0][0] * 0)
+                          for c in range(self.algebra.dimension)]  # fmt: skip
+                words.append(self.algebra.show({c: linear.fraction(v) for c, v in enumerate(vector) if v != 0}))
+            found.append(tuple(words))
+        return tuple(found)
+
+
+def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
+    """The isomorphism class over the reals of an algebra with rational structure constants.
+
+    Direct factors are split off (simple ideals that commute with the radical, central elements outside of [g, g]);
+    simple ones are named by complex type, real form or complex structure; of the rest the families of
+    `canon.mechanics.algebra.families` are recognised, and others described.
+
+    **Raises:** `InputError` for structure constants that aren't rational, `ArithmeticError` where a type can't be told.
+    """
+    n = algebra.dimension
+    S, R = levi_decomposition(algebra)
+    inner = algebra if S.nrows() == n else algebra.in_basis(S)
+    ideals = simple_ideals(inner, seed)
+    signature = linear.signature(algebra.killing_form())
+    levi = tuple(sorted(_real(ideal) for ideal in ideals))
+    if not R.nrows():
+        return Identification(Identity(levi, 0, None, "", levi, n), algebra, S, R, ideals, signature)
+    idle = linear.intersection(centraliser(algebra, R), S)  # an ideal that commutes with R
+    busy = linear.intersection(centraliser(algebra, idle), S) if idle.nrows() else S
+    free = _real_ideals(algebra, idle, seed)
+    products, Z = derived(algebra), centre(algebra)
+    abelian = linear.complement(linear.intersection(Z, products), Z)
+    inside = linear.intersection(products, R)
+    beside = linear.complement(linear.span([*linear.rows(inside), *linear.rows(abelian)], n), R)
+    core_radical = linear.matrix([*linear.rows(inside), *linear.rows(beside)], n)
+    core, other = None, ""
+    if core_radical.nrows():
+        basis = linear.matrix([*linear.rows(busy), *linear.rows(core_radical)], n)
+        size, levi_size = basis.nrows(), busy.nrows()
+        unit = [[linear.rational(int(i == j)) for j in range(size)] for i in range(size)]
+        parts = linear.matrix(unit[:levi_size], size), linear.matrix(unit[levi_size:], size)
+        core = recognised(algebra.in_basis(basis), *parts)
+        if core is None:
+            other = _described(_real_ideals(algebra, busy, seed), core_radical.nrows())
+    identity = Identity(free, abelian.nrows(), core, other, levi, n)
+    return Identification(identity, algebra, S, R, ideals, signature)
+
+
+def _real(ideal: SimpleIdeal) -> RealSimple:
+    return RealSimple(ideal.type, ideal.is_complex, ideal.compact_dimension)
+
+
+def _real_ideals(algebra: LieAlgebra, space: fmpq_mat, seed: int) -> tuple[RealSimple, ...]:
+    if not space.nrows():
+        return ()
+    return tuple(sorted(_real(ideal) for ideal in simple_ideals(algebra.in_basis(space), seed)))
+
+
+def _described(levi: tuple[RealSimple, ...], radical: int) -> str:
+    solvable = f"a solvable algebra of dimension {radical}"
+    return f"({' + '.join(s.names[0] for s in levi)}) ⋉ {solvable}" if levi else solvable

@@ -36,12 +36,30 @@ def scene_record(result: Result) -> Record:
         "error_estimate": _finite(planned.error),
         "accuracy": {"asked": scene.settings.accuracy, "reached": planned.reached},
         "monitors": {reading.name: monitor_record(reading) for reading in result.monitors},
+        **({"scattering": scattering_record(result)} if result.scattering else {}),
         "messages": list(result.messages),
         "coordinates": {"q": [str(x) for x in scene.model.q], "p": [str(x) for x in scene.model.p]},
         "times": result.times.tolist(),
         "q": result.q.tolist(),
         "p": result.p.tolist(),
         **{word: {name: rows.tolist() for name, rows in table.items()} for word, table in named_states(result).items()},
+    }
+
+
+def scattering_record(result: Result) -> Record:
+    """What the scatterer did, by the bodies' names."""
+    return {
+        name: {
+            "energy": seen.energy,
+            "impact_parameter": seen.impact_parameter,
+            "nearest": seen.deflection and seen.deflection.nearest,
+            "deflection": seen.deflection and seen.deflection.angle,
+            "from_backward": seen.deflection and seen.deflection.backward,
+            "angle": seen.angle,
+            "turned": seen.turned,
+            "cross_section": seen.cross_section,
+        }
+        for name, seen in result.scattering.items()
     }
 
 

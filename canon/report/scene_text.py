@@ -12,6 +12,7 @@ from canon.scenes.values import text_of
 
 PRICED: Final = (1e-3, 1e-6, 1e-9, 1e-12)
 _SHOWN: Final = 6
+_SCATTERED: Final = 12
 
 
 def run_lines(result: Result) -> list[str]:
@@ -24,7 +25,8 @@ def run_lines(result: Result) -> list[str]:
     error = result.planned.error
     lines.append(f"  error       {'unknown' if error is None else f'{error:.1e}, estimated'}")
     lines.append(f"  time        {duration(result.seconds[0])} to compile, {duration(result.seconds[1])} to run")
-    lines.append(f"  states      {len(result.times)}, from t = 0 to {result.times[-1]:.6g}")
+    times, t = result.times, result.scene.model.t
+    lines.append(f"  states      {len(times)}, from {t} = {times[0]:.6g} to {times[-1]:.6g}")
     lines.append(f"  final       {', '.join(_state(result))}")
     width = max((len(reading.name) for reading in result.monitors), default=0)
     for reading in result.monitors:
@@ -33,8 +35,25 @@ def run_lines(result: Result) -> list[str]:
         predicted = ", as predicted" if "predicted" in reading.extra and not reading.alarm else ""
         note = f": {reading.extra['note']}" if "note" in reading.extra else ""
         lines.append(f"  {mark} {reading.name:<{width}}  {reading.expected}{predicted}{drift}{note}")
+    lines += scattering_lines(result)
     lines += [f"  ! {message}" for message in result.messages]
     return lines
+
+
+def scattering_lines(result: Result) -> Iterator[str]:
+    """What the scatterer did, one line a body."""
+    for name, seen in list(result.scattering.items())[:_SCATTERED]:
+        found, far = seen.deflection, ""
+        if seen.impact_parameter is not None:
+            far = f", impact parameter {seen.impact_parameter:.10g}"
+        if found is None:
+            yield f"  scattering  {visible(name)}{far}: turned by {seen.turned:.10g} in this run"
+            continue
+        chi = f"{found.angle:.10g}" if found.backward > 0.1 or found.angle < 0 else f"π − {found.backward:.10g}"
+        sigma = "" if seen.cross_section is None else f", dσ/dΩ = {seen.cross_section:.10g}"
+        yield f"  scattering  {visible(name)}{far}: deflected by {chi} ({seen.turned:.6g} in this run){sigma}"
+    if len(result.scattering) > _SCATTERED:
+        yield f"  scattering  … ({len(result.scattering)} bodies: --json has them all)"
 
 
 def _state(result: Result) -> Iterator[str]:

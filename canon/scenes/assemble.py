@@ -41,9 +41,9 @@ def model_of_bodies(surroundings: Surroundings, effects: Sequence[Named]) -> Mod
     if held:
         _check_constrained(effects, surroundings)
     mass = tuple(body.mass for body in bodies for _ in body.x)
-    return Model(
-        q, p, surroundings.t, tuple(terms), frictions, total, angular_momenta(places, momenta), lrl, held, mass
-    )
+    scatters = {name: V for _, part in effects for name, V in part.scatters.items()}
+    turning = angular_momenta(places, momenta)
+    return Model(q, p, surroundings.t, tuple(terms), frictions, total, turning, lrl, held, mass, scatters)
 
 
 def _check_constrained(effects: Sequence[Named], surroundings: Surroundings) -> None:

@@ -28,8 +28,8 @@ class Start:
     momentum: tuple[Formula, ...] | None
 
 
-def read_bodies(value: Any) -> tuple[Start, ...]:
-    """The bodies of a scene. **Raises:** `InputError` with the place."""
+def read_bodies(value: Any, rays: bool = False) -> tuple[Start, ...]:
+    """The bodies of a scene, which need no mass where they are `rays`. **Raises:** `InputError` with the place."""
     if isinstance(value, dict):
         raise InputError("bodies are a list: write [[body]], in double brackets", "body")
     tables = document.listing(value, "body")
@@ -38,7 +38,7 @@ def read_bodies(value: Any) -> tuple[Start, ...]:
     starts = list[Start]()
     for index, item in enumerate(tables):
         where = f"body {index + 1}"
-        start = _body(document.table(item, where), where, index, len(tables))
+        start = _body(document.table(item, where), where, index, len(tables), rays)
         first = starts[0] if starts else start
         if len(start.position) != len(first.position):
             raise InputError(
@@ -51,7 +51,7 @@ def read_bodies(value: Any) -> tuple[Start, ...]:
     return tuple(starts)
 
 
-def _body(table: Table, where: str, index: int, count: int) -> Start:
+def _body(table: Table, where: str, index: int, count: int, ray: bool) -> Start:
     document.only(table, KEYS, where)
     name = document.text(table.get("name", f"body{index + 1}"), key("name", where))
     if not name or len(name) > 80:
@@ -69,6 +69,7 @@ def _body(table: Table, where: str, index: int, count: int) -> Start:
     x, p = (
         tuple(sp.Symbol(f"{word}{axis}{suffix}", real=True) for axis in AXES[: len(position)]) for word in ("", "p")
     )
-    mass = number(needed(table, "mass", where), key("mass", where), positive=True)
+    given_mass = table.get("mass", 1) if ray else needed(table, "mass", where)
+    mass = number(given_mass, key("mass", where), positive=True)
     charge = number(table["charge"], key("charge", where)) if "charge" in table else None
     return Start(Particle(name, x, p, mass, charge), position, given["velocity"], given["momentum"])

@@ -41,7 +41,8 @@ class Model:
 
     **Arguments:** `q` and `p` (n,) symbols, `t` the time; `terms`, whose sum is the Hamiltonian; `momenta`,
     `angular_momenta` and `lrl`, those that the monitors of these names follow, each with its name; empty where there
-    are none; `constraints` g(q, t) = 0, each with its effect, and the `mass` of every coordinate, for bodies.
+    are none; `constraints` g(q, t) = 0, each with its effect, and the `mass` of every coordinate, for bodies;
+    `scatters`, for the name of a body that is deflected the potential V(r), in one symbol.
     """
 
     q: tuple[sp.Symbol, ...]
@@ -54,6 +55,7 @@ class Model:
     lrl: Mapping[str, Formula] = field(default_factory=dict)
     constraints: tuple[tuple[str, Formula], ...] = ()
     mass: tuple[Formula, ...] = ()
+    scatters: Mapping[str, Formula] = field(default_factory=dict)
 
     @property
     def H(self) -> Formula:

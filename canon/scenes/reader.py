@@ -19,6 +19,7 @@ from canon.scenes.effects.effect import Contribution, Given, Particle, Surroundi
 from canon.scenes.identity import digest_of
 from canon.scenes.monitors import check_monitors
 from canon.scenes.own_hamiltonian import read_own_hamiltonian
+from canon.scenes.rays import are_rays, names_rays, rays_of
 from canon.scenes.scene import Body, Scene
 from canon.scenes.settings import read_settings
 from canon.scenes.systems import Placed, read_named_system
@@ -68,15 +69,20 @@ def scene_of(tables: Table) -> Scene:
         effects = read_effects(tables.get("effect", []), Surroundings((whole,), constants, model.t, is_system=True))
         model, bodies = model_of_system(model, effects), ()
     else:
-        starts = read_bodies(tables["body"])
+        starts = read_bodies(tables["body"], names_rays(tables.get("effect")))
         particles = tuple(start.particle for start in starts)
         surroundings = Surroundings(particles, constants, TIME, relativistic)
         effects = read_effects(tables.get("effect", []), surroundings)
-        model = model_of_bodies(surroundings, effects)
-        start = initial_state(starts, surroundings, effects)
-        q, p = start.q, start.p
+        rays = are_rays(effects)
+        if rays:
+            model, (q, p), begin = rays_of(starts, surroundings, effects)
+            settings = replace(settings, start=begin)
+        else:
+            model = model_of_bodies(surroundings, effects)
+            start = initial_state(starts, surroundings, effects)
+            q, p = start.q, start.p
         bodies = tuple(
-            Body(body.name, body.mass, body.charge, k * body.dimension, body.dimension)
+            Body(body.name, body.mass, body.charge, k * (body.dimension - rays), body.dimension, rays)
             for k, body in enumerate(particles)
         )
     check_monitors(settings.monitors, model, key("monitor", "[run]"))

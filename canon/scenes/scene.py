@@ -38,13 +38,22 @@ class Settings:
 
 @dataclass(frozen=True)
 class Body:
-    """A point particle: its `name`, and where its coordinates stand among all of them."""
+    """A point particle: its `name`, and where its coordinates stand among all of them.
+
+    The last coordinate of a ray is none of them, but the time.
+    """
 
     name: str
     mass: Any
     charge: Any | None
     first: int
     dimension: int
+    ray: bool = False
+
+    @property
+    def columns(self) -> slice:
+        """Its coordinates among all of them."""
+        return slice(self.first, self.first + self.dimension - self.ray)
 
 
 @dataclass(frozen=True)

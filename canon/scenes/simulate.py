@@ -21,6 +21,7 @@ from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.problem import SMALL, Problem, problem_of
 from canon.scenes.saved import Arrays, differing_versions, restored, resumable, saved
+from canon.scenes.scattering import Scattered, scattered
 from canon.scenes.scene import Scene
 
 
@@ -45,6 +46,7 @@ class Result:
     messages: tuple[str, ...]
     ok: bool
     resumable: Arrays = field(default_factory=dict)
+    scattering: dict[str, Scattered] = field(default_factory=dict)
 
 
 def simulate(
@@ -99,7 +101,7 @@ def simulate(
         messages = (*messages, f"begun with {other}: the last bits may differ from those of one run")
     return Result(
         scene, problem, choice, planned, times, q, p, monitors, operations, (compiling, running), messages, ok,
-        resumable(planned.progress, identity),
+        resumable(planned.progress, identity), scattered(scene, p),
     )  # fmt: skip
 
 

@@ -11,7 +11,10 @@ Table = dict[str, np.ndarray]
 
 
 def named_states(result: Result) -> dict[str, Table]:
-    """`position` and `velocity` (samples, dimension) by body, v = ∂H/∂p; nothing where there are no bodies."""
+    """`position` and `velocity` (samples, dimension) by body, v = ∂H/∂p; nothing where there are no bodies.
+
+    A ray's velocity is its slope, the last component 1: its last coordinate is the time.
+    """
     bodies, model = result.scene.bodies, result.scene.model
     if not bodies:
         return {}
@@ -20,7 +23,9 @@ def named_states(result: Result) -> dict[str, Table]:
     ).T
     tables: dict[str, Table] = {"position": {}, "velocity": {}}
     for body in bodies:
-        columns = slice(body.first, body.first + body.dimension)
-        tables["position"][body.name] = result.q[:, columns]
-        tables["velocity"][body.name] = velocity[:, columns]
+        position, rate = result.q[:, body.columns], velocity[:, body.columns]
+        if body.ray:
+            position, rate = np.column_stack([position, result.times]), np.column_stack([rate, np.ones(len(rate))])
+        tables["position"][body.name] = position
+        tables["velocity"][body.name] = rate
     return tables

@@ -16,8 +16,10 @@ from canon.scenes.effects import (
     mutual_gravity,
     potential,
     power_law,
+    refractive_index,
     rod,
     rotating_frame,
+    scatterer,
     spring,
     surface,
     uniform_gravity,
@@ -43,11 +45,13 @@ EFFECTS: Final[dict[str, Effect]] = {
         accelerated_frame,
         rod,
         surface,
+        refractive_index,
+        scatterer,
     )
 }
 """The effects of this version by their kind."""
 
 LATER: Final = (
-    "string", "skate", "torque", "gravity_torque", "refractive_index", "scatterer",
+    "string", "skate", "torque", "gravity_torque",
 )  # fmt: skip
 """The effects of the format that this version has not got."""

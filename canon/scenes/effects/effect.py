@@ -20,6 +20,8 @@ from canon.vocabulary import nearest
 
 Vector = tuple[Formula, ...]
 AXES = "xyz"
+RADIUS = sp.Symbol("r", positive=True)
+"""The distance from the centre, in potentials that are given in r."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,9 @@ class Contribution:
     **Arguments:** `potential` V(x, t), and `generator` G(x, p, t), linear in the momenta: both are terms of H; `shift`,
     for each particle's name the s(x, t) that takes p to p − s in its kinetic energy; `rates`, for each particle's name
     the λ of a force −2 m λ v; `resistance`, the matrix α of a force −α v, over all coordinates; `constraints`, the
-    g(x, t) that it keeps at 0; `lrl`, the Laplace–Runge–Lenz vector of the motion that this effect alone makes.
+    g(x, t) that it keeps at 0; `lrl`, the Laplace–Runge–Lenz vector of the motion that this effect alone makes;
+    `index`, for each ray's name the refractive index n(x), which makes the body one; `scatters`, for each particle's
+    name the potential V(r) that deflects it, in the symbol `RADIUS`.
     """
 
     potential: Formula = sp.S.Zero
@@ -76,6 +80,8 @@ class Contribution:
     resistance: Formula | None = None
     constraints: tuple[Formula, ...] = ()
     lrl: Mapping[str, Formula] = field(default_factory=dict)
+    index: Mapping[str, Formula] = field(default_factory=dict)
+    scatters: Mapping[str, Formula] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from canon.numeric.gradient import gradient
 from canon.numeric.integrators.rattle import Constrained, check_on_surface
 from canon.numeric.lower import lower
 from canon.numeric.precision import double
@@ -16,7 +17,7 @@ def constrained(
     mass: Sequence[float], V: sp.Expr, constraints: Sequence[sp.Expr], q: Sequence[sp.Symbol], t: sp.Symbol
 ) -> Constrained:
     """H = Σ p²/2m + V(q, t) on the surface where all `constraints` g(q, t) vanish; `mass` and `q` have n entries."""
-    forces = lower(tuple(-V.diff(x) for x in q), (*q, t))
+    forces = lower(tuple(-slope for slope in gradient(V, tuple(q))), (*q, t))
     surfaces = lower(tuple(constraints), (*q, t))
 
     def force(x: Any, now: Any) -> Any:

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from canon.numeric.gradient import gradient
 from canon.numeric.integrators.problem import Field, State
 from canon.numeric.lower import lower
 
@@ -16,7 +17,8 @@ def hamilton_equations(
 ) -> Field:
     """q̇ = ∂H/∂p, ṗ = −∂H/∂q + F on slots (q, p), arrays (n, …); `force` is F(q, p, t) (n,), nothing where left out."""
     added = tuple(force) or (sp.S.Zero,) * len(q)
-    rates = (*(H.diff(y) for y in p), *(-H.diff(x) + F for x, F in zip(q, added, strict=True)))
+    velocities, slopes = gradient(H, tuple(p)), gradient(H, tuple(q))
+    rates = (*velocities, *(F - slope for slope, F in zip(slopes, added, strict=True)))
     lowered = lower(rates, (*q, *p, t))
     count = len(q)
 

@@ -9,6 +9,8 @@ from typing import Any, Final
 import sympy as sp
 
 from canon.errors import InputError
+from canon.numeric.pair_kernel import pair_slopes, pair_total
+from canon.numeric.pair_sum import SQUARE, PairSlope, PairSum
 
 Lowered = Callable[..., tuple[Any, ...]]
 
@@ -39,7 +41,7 @@ def lower(expressions: tuple[sp.Expr, ...], arguments: tuple[sp.Symbol, ...]) ->
     """The jax function of `arguments`, in this order, whose values are those of the expressions.
 
     It is elementwise: scalars or arrays of one shape. Subexpressions that occur twice are computed once; rational
-    numbers are rounded to the nearest double. Nothing is compiled here.
+    numbers are rounded to the nearest double. Nothing is compiled here; with `numbers=numpy` it is numpy's.
 
     **Raises:** `InputError` for a name that is no argument, or a function that has no numerical form.
     """
@@ -52,13 +54,20 @@ def lower(expressions: tuple[sp.Expr, ...], arguments: tuple[sp.Symbol, ...]) ->
         for part in sp.preorder_traversal(expression):
             _check(part)
 
-    def function(*values: Any) -> tuple[Any, ...]:
+    def function(*values: Any, numbers: Any = None) -> tuple[Any, ...]:
+        numbers = numbers or _jax()
         place: dict[Any, Any] = dict(zip(arguments, values, strict=True))
         for name, value in shared:
-            place[name] = _value(value, place)
-        return tuple(_value(value, place) for value in reduced)
+            place[name] = _value(value, place, numbers)
+        return tuple(_value(value, place, numbers) for value in reduced)
 
     return function
+
+
+def _jax() -> Any:
+    import jax.numpy
+
+    return jax.numpy
 
 
 def lower_map(
@@ -80,7 +89,11 @@ def lower_map(
 
 def _check(part: Any) -> None:
     """Raise unless the node is one that `_value` knows."""
-    if isinstance(part, (sp.Add, sp.Mul, sp.Pow, sp.Symbol)) or part.func in _NAMES or part.func in _RECIPROCALS:
+    if (
+        isinstance(part, (sp.Add, sp.Mul, sp.Pow, sp.Symbol, PairSum, PairSlope))
+        or part.func in _NAMES
+        or part.func in _RECIPROCALS
+    ):
         return
     if part.is_number and part.is_real and not part.args:
         return
@@ -89,18 +102,42 @@ def _check(part: Any) -> None:
     raise InputError(f"{part.func} has no numerical form here")
 
 
-def _value(expression: Any, place: Mapping[Any, Any]) -> Any:
-    import jax.numpy as jnp
+def pair_values(expression: PairSum | PairSlope, place: Mapping[Any, Any], places: Any, numbers: Any) -> Any:
+    """A sum over pairs (…), or its slopes (B, d, …), of the bodies' places (B, d, …); `place` has the time, `numbers`
+    is the module to compute with.
+    """
+    of, formula = (expression, "squared_law") if isinstance(expression, PairSum) else (expression.of, "slope")
+    law = getattr(of, formula)
+    rest = {symbol: place[symbol] for symbol in law.free_symbols if symbol != SQUARE}
+    sums: Any = pair_total if isinstance(expression, PairSum) else pair_slopes
+    weights = [float(w) for w in of.weights]
+    return sums(lambda square: _value(law, {**rest, SQUARE: square}, numbers), places, weights, numbers)
 
+
+def _of_pairs(expression: PairSum | PairSlope, place: dict[Any, Any], numbers: Any) -> Any:
+    """The same of coordinates one by one; all slopes of a sum are found with the first of them."""
+    of = expression if isinstance(expression, PairSum) else expression.of
+    known = (type(expression), of)
+    if known not in place:
+        columns = [numbers.asarray(place[x], float) for x in of.coordinates]
+        rows = numbers.stack(numbers.broadcast_arrays(*columns))
+        place[known] = pair_values(expression, place, rows.reshape(len(of.places), -1, *rows.shape[1:]), numbers)
+    found = place[known]
+    return found if isinstance(expression, PairSum) else found.reshape(-1, *found.shape[2:])[expression.index]
+
+
+def _value(expression: Any, place: dict[Any, Any], numbers: Any) -> Any:
     if expression in place:
         return place[expression]
+    if isinstance(expression, (PairSum, PairSlope)):
+        return _of_pairs(expression, place, numbers)
     if isinstance(expression, sp.Rational):
         return int(expression.p) / int(expression.q)
     if not expression.args:
         return float(expression)
     if isinstance(expression, sp.Pow):
-        return _power(expression, place)
-    values = [_value(argument, place) for argument in expression.args]
+        return _power(expression, place, numbers)
+    values = [_value(argument, place, numbers) for argument in expression.args]
     if isinstance(expression, sp.Add):
         return sum(values[1:], start=values[0])
     if isinstance(expression, sp.Mul):
@@ -109,19 +146,17 @@ def _value(expression: Any, place: Mapping[Any, Any]) -> Any:
             product = product * value
         return product
     if expression.func in _RECIPROCALS:
-        return 1 / getattr(jnp, _RECIPROCALS[expression.func])(values[0])
-    return getattr(jnp, _NAMES[expression.func])(*values)
+        return 1 / getattr(numbers, _RECIPROCALS[expression.func])(values[0])
+    return getattr(numbers, _NAMES[expression.func])(*values)
 
 
-def _power(expression: Any, place: Mapping[Any, Any]) -> Any:
-    import jax.numpy as jnp
-
-    base, exponent = _value(expression.base, place), expression.exp
+def _power(expression: Any, place: dict[Any, Any], numbers: Any) -> Any:
+    base, exponent = _value(expression.base, place, numbers), expression.exp
     if exponent.is_Integer:
         return base ** int(exponent) if exponent > 0 else 1 / base ** int(-exponent)
     if exponent.is_Rational and exponent.q == 2:
-        root = jnp.sqrt(base)
+        root = numbers.sqrt(base)
         odd = abs(int(exponent.p))
         power = root if odd == 1 else root**odd
         return power if exponent > 0 else 1 / power
-    return jnp.power(base, _value(exponent, place))
+    return numbers.power(base, _value(exponent, place, numbers))

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Final
 
 import numpy as np
 import sympy as sp
 
 from canon.numeric.lower import lower
-from canon.numeric.precision import double
+from canon.numeric.rows import lower_rows
+
+MANY: Final = 24
+"""Variables from which on formulas of one shape are computed together."""
 
 
 def observe(
@@ -20,13 +23,13 @@ def observe(
     p: np.ndarray,
 ) -> np.ndarray:
     """The formulas' values (k, samples) at states q (samples, n) and p (samples, n), `symbols` being (q, p, t)."""
-    import jax.numpy as jnp
-
     coordinates, momenta, t = symbols
     if not formulas:
         return np.zeros((0, len(times)))
-    with double():
-        function = lower(tuple(formulas), (*coordinates, *momenta, t))
-        columns = [jnp.asarray(column, dtype=float) for column in (*np.transpose(q), *np.transpose(p), times)]
-        values: list[Any] = [np.broadcast_to(np.asarray(value), times.shape) for value in function(*columns)]
-    return np.array(values, dtype=float)
+    z = np.concatenate([np.transpose(q), np.transpose(p)]).astype(float)
+    # by numpy: to compile a formula takes longer than to evaluate it at a few thousand states
+    with np.errstate(all="ignore"):
+        if len(z) > MANY:
+            return lower_rows(formulas, (*coordinates, *momenta), (t,))(z, times, numbers=np)
+        found = lower(tuple(formulas), (*coordinates, *momenta, t))(*z, times, numbers=np)
+    return np.array([np.broadcast_to(value, times.shape) for value in found], dtype=float)

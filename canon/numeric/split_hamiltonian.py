@@ -8,16 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 import sympy as sp
 
 from canon.errors import InputError
+from canon.numeric.gradient import gradient, monomial
 from canon.numeric.integrators.parts import commutes, kepler_part, quadratic_part
 from canon.numeric.integrators.problem import ExactPart, Part, Shear, Splitting, clock_part
 from canon.numeric.lower import lower
+from canon.numeric.pair_sum import PairSum
+from canon.numeric.rows import lower_rows
 
+WRITTEN_OUT: Final = 12
+"""Coordinates up to which every formula is written out: one orbit of a small system is fastest so."""
 Parameters = Mapping[sp.Symbol, Any]
 Formula = Any
 """A sympy expression: its operations have no useful types."""
@@ -90,7 +95,7 @@ def _shears(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Sy
         else:
             groups.append(([*sides], [term]))
     parts = [sp.Add(*terms) for _, terms in (groups[0], *groups[2:], groups[1]) if terms]
-    nystrom = len(parts) == 2 and not mixed and _quadratic_in(parts[0], p, t)
+    nystrom = len(parts) == 2 and not mixed and quadratic_in(parts[0], p, t)
     names = [_name(part, q, p) for part in parts]
     timed = [t is not None and t in part.free_symbols for part in parts]
 
@@ -113,13 +118,16 @@ def shear(
     """The part with Hamiltonian H, which has q or p, not both, of every degree of freedom, on slots (q, p)."""
     if _sides(H, q, p) is None:
         raise InputError(f"{H} has a coordinate together with its own momentum: no shear solves it")
-    rates = [[H.diff(y) for y in p], [-H.diff(x) for x in q]]
+    rates = [gradient(H, tuple(p)), tuple(-slope for slope in gradient(H, tuple(q)))]
     slots = tuple(k for k in (0, 1) if any(rate != 0 for rate in rates[k]))
     values = {symbol: float(value) for symbol, value in parameters.items()}
     place = (*q, *p, *(() if t is None else (t,)), *values)
-    lowered = lower(tuple(rate for k in slots for rate in rates[k]), place)
+    wanted = tuple(rate for k in slots for rate in rates[k])
     count = len(q)
     moment = () if t is None else (0.0,)
+    if wanted and (count > WRITTEN_OUT or H.atoms(PairSum)):
+        return Shear(slots, _rows(H, wanted, q, p, t, values), name)
+    lowered = lower(wanted, place)
 
     def rate(state: Any, t_now: Any) -> tuple[Any, ...]:
         import jax.numpy as jnp
@@ -141,6 +149,27 @@ def shear(
     return Shear(slots, rate, name)
 
 
+def _rows(H: Formula, wanted: Any, q: Any, p: Any, t: sp.Symbol | None, values: Mapping[Any, float]) -> Any:
+    """The rates of a part with many coordinates: one small program, for slots that are arrays or tuples of them."""
+    free = H.free_symbols
+    read = [k for k, symbols in enumerate((q, p)) if free & {*symbols}]
+    symbols = tuple(symbol for k in read for symbol in (q, p)[k])
+    program = lower_rows(wanted, symbols, (*(() if t is None else (t,)), *values))
+    count = len(q)
+
+    def rate(state: Any, now: Any) -> tuple[Any, ...]:
+        import jax.numpy as jnp
+
+        slots = [jnp.stack(slot) if isinstance(slot, tuple) else slot for slot in (state[k] for k in read)]
+        z = slots[0] if len(slots) == 1 else jnp.concatenate(slots)
+        times = () if t is None else (0.0 if now is None else now,)
+        found = program(z, *times, *values.values())
+        chunks = [found[k : k + count] for k in range(0, len(wanted), count)]
+        return tuple(tuple(x) if isinstance(state[read[0]], tuple) else x for x in chunks)
+
+    return rate
+
+
 def with_clock(parts: Sequence[Part], timed: Sequence[bool], nystrom: bool) -> Splitting:
     """A splitting whose clock is a part that does not depend on time, or one of its own."""
     if not any(timed):
@@ -156,8 +185,18 @@ def _name(H: sp.Expr, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol]) -> str:
     return "T" if momenta and not coordinates else "V" if coordinates and not momenta else "T and V"
 
 
-def _quadratic_in(H: Formula, p: Sequence[sp.Symbol], t: sp.Symbol | None) -> bool:
-    return H.is_polynomial(*p) and sp.Poly(H, *p).total_degree() <= 2 and (t is None or t not in H.free_symbols)
+def quadratic_in(H: Formula, p: Sequence[sp.Symbol], t: sp.Symbol | None) -> bool:
+    """Whether H is a polynomial of degree 2 at most in the momenta, without time: looked at term by term."""
+    return (t is None or t not in H.free_symbols) and all(_degree_2(x, {*p}) for x in sp.Add.make_args(H))
+
+
+def _degree_2(term: Formula, p: set[Any]) -> bool:
+    found = monomial(term)
+    if found is not None:
+        degrees = [exponent for symbol, exponent in found[1].items() if symbol in p]
+        return all(e > 0 for e in degrees) and sum(degrees) <= 2
+    own = term.free_symbols & p
+    return not own or (term.is_polynomial(*own) and sp.Poly(term, *own).total_degree() <= 2)
 
 
 def _kinetic_masses(H: Formula, p: Sequence[sp.Symbol]) -> list[Formula] | None:
@@ -179,7 +218,9 @@ def _kepler(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Sy
         return None
     squared = _sum(x**2 for x in q)
     attraction = [
-        term for term in sp.Add.make_args(H) if term.has(*q) and not (term * sp.sqrt(squared)).free_symbols & free
+        term
+        for term in sp.Add.make_args(H)
+        if term.free_symbols & {*q} and not (term * sp.sqrt(squared)).free_symbols & free
     ]
     if len(attraction) != 1:
         return None
@@ -212,7 +253,7 @@ def _quadratic(
         return None
     W = [[H.coeff(y, 1).coeff(x, 1) for y in p] for x in q]
     origin = dict.fromkeys(q, 0)
-    polynomial = [term for term in sp.Add.make_args(H) if not term.has(*p) and term.is_polynomial(*q)]
+    polynomial = [term for term in sp.Add.make_args(H) if not term.free_symbols & {*p} and term.is_polynomial(*q)]
     well = _sum(term for term in polynomial if sp.Poly(term, *q).total_degree() == 2)
     K = [[well.diff(x, y).xreplace(origin) for y in q] for x in q]
     if any(entry.free_symbols & free for row in (*W, *K) for entry in row):

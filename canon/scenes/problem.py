@@ -12,7 +12,8 @@ from canon.numeric.friction import friction_part
 from canon.numeric.hamilton_equations import hamilton_equations
 from canon.numeric.integrators.problem import Field, Part, Splitting
 from canon.numeric.integrators.rattle import Constrained
-from canon.numeric.split_hamiltonian import SplitHamiltonian, shear, split_hamiltonian, with_clock
+from canon.numeric.pair_sum import PairSum
+from canon.numeric.split_hamiltonian import SplitHamiltonian, quadratic_in, shear, split_hamiltonian, with_clock
 from canon.scenes.model import Model
 
 SMALL: Final = 12
@@ -42,7 +43,8 @@ def problem_of(model: Model) -> Problem:
     if model.constraints:
         return constrained_problem(model)
     linear = all(friction.matrix is not None for friction in model.frictions)
-    if linear and model.n > SMALL and (split := _large(model)) is not None:
+    many = model.n > SMALL or any(isinstance(term.expr, PairSum) for term in model.terms)
+    if linear and many and (split := _large(model)) is not None:
         return split
     found = split_hamiltonian(model.H, model.q, model.p, model.t) if linear else ()
     chosen = _best(found)
@@ -68,7 +70,7 @@ def _large(model: Model) -> Problem | None:
         (kinetic if free & {*model.p} else rest).append(term.expr)
     T, V = sp.Add(*kinetic), sp.Add(*rest)
     parts = [shear(T, model.q, model.p, model.t, {}, "T"), shear(V, model.q, model.p, model.t, {}, "V")]
-    quadratic = all(part.is_polynomial(*model.p) for part in kinetic)
+    quadratic = quadratic_in(T, model.p, model.t)
     splitting = with_clock(parts, [False, model.t in V.free_symbols], quadratic)
     shown = (("T", _text(T)), ("V", _text(V)))
     if not model.frictions:

@@ -10,6 +10,7 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.numeric.constrained_formula import faults_at
+from canon.numeric.gradient import gradient
 from canon.numeric.integrators.rattle import Constrained
 from canon.numeric.observe import observe
 from canon.numeric.operations import operations_per_step
@@ -19,7 +20,7 @@ from canon.scenes.identity import identity_of
 from canon.scenes.methods import Choice, choose
 from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
-from canon.scenes.problem import SMALL, Problem, problem_of
+from canon.scenes.problem import Problem, problem_of
 from canon.scenes.saved import Arrays, differing_versions, restored, resumable, saved
 from canon.scenes.scattering import Scattered, scattered
 from canon.scenes.scene import Scene
@@ -108,7 +109,7 @@ def simulate(
 def _check_start(scene: Scene) -> None:
     """Refuse an initial state at which the equations of motion are not finite."""
     model = scene.model
-    rates = [model.H.diff(x) for x in (*model.q, *model.p)] if model.n <= SMALL else []
+    rates = gradient(model.H, (*model.q, *model.p))
     values = observe(
         (model.H, *rates),
         (model.q, model.p, model.t),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from canon.numeric.gradient import gradient
 from canon.numeric.observe import observe
 from canon.scenes.simulate import Result
 
@@ -18,9 +19,7 @@ def named_states(result: Result) -> dict[str, Table]:
     bodies, model = result.scene.bodies, result.scene.model
     if not bodies:
         return {}
-    velocity = observe(
-        [model.H.diff(y) for y in model.p], (model.q, model.p, model.t), result.times, result.q, result.p
-    ).T
+    velocity = observe(gradient(model.H, model.p), (model.q, model.p, model.t), result.times, result.q, result.p).T
     tables: dict[str, Table] = {"position": {}, "velocity": {}}
     for body in bodies:
         position, rate = result.q[:, body.columns], velocity[:, body.columns]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from itertools import combinations
 from typing import Final
 
 import sympy as sp
 
-from canon.scenes.effects.effect import Contribution, Effect, Given, length
+from canon.numeric.pair_sum import RADIUS
+from canon.scenes.effects.effect import Contribution, Effect, Given
+from canon.scenes.effects.pairs import sum_over_pairs
 from canon.scenes.values import exactly_one, expression
 
 
@@ -16,11 +17,8 @@ def _add(given: Given) -> Contribution:
         return Contribution(potential=sp.Add(*(given.formula("V", particle) for particle in given.particles)))
     if given.surroundings.is_system or len(given.particles) < 2:
         raise given.fail("a potential of pairs acts on two bodies or more", "pair")
-    terms = []
-    for one, other in combinations(given.particles, 2):
-        r = length(tuple(x - y for x, y in zip(one.x, other.x, strict=True)))
-        terms.append(expression(given.table["pair"], {**given.names(None), "r": r}, given.place("pair")))
-    return Contribution(potential=sp.Add(*terms))
+    law = expression(given.table["pair"], {**given.names(None), "r": RADIUS}, given.place("pair"))
+    return Contribution(potential=sum_over_pairs(law, given.particles))
 
 
 EFFECT: Final = Effect(

@@ -12,6 +12,7 @@ from typing import Final
 import numpy as np
 import sympy as sp
 
+from canon.numeric.gradient import gradient, poisson_terms
 from canon.numeric.observe import observe
 from canon.scenes.model import Formula, Model
 from canon.scenes.monitors.flow import Flow
@@ -49,7 +50,7 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
         energy = quantity == model.H
         for effect in model.effects:
             own = sp.Add(*(term.expr for term in model.terms if term.effect == effect))
-            terms = [own.diff(model.t)] if energy else _bracket_terms(quantity, own, model)
+            terms = [own.diff(model.t)] if energy else poisson_terms(quantity, own, model.q, model.p)
             if not energy and quantity.has(model.t) and effect == model.effects[0]:
                 terms.append(quantity.diff(model.t))
             for friction in model.frictions:
@@ -66,7 +67,7 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
     total = sp.Add(*(term.expr for term in model.terms))
     if broken and not model.frictions and not model.constraints and all(q_ != model.H for q_ in quantities):
         # terms may break it one by one and keep it together, as kinetic energy and a frame's rotation do
-        whole = [[*_bracket_terms(x, total, model), x.diff(model.t)] for x in quantities]
+        whole = [[*poisson_terms(x, total, model.q, model.p), x.diff(model.t)] for x in quantities]
         if all(_vanishes(terms, model, q, p) for terms in whole):
             return ()
     return broken if all(x == model.H for x in quantities) else _without_pair(broken, quantities, model, q, p)
@@ -79,18 +80,9 @@ def _without_pair(
     for other in broken[1:]:
         both = sp.Add(*(term.expr for term in model.terms if term.effect in (broken[0], other)))
         frictionless = all(friction.effect != other for friction in model.frictions)
-        if frictionless and all(_vanishes(_bracket_terms(x, both, model), model, q, p) for x in quantities):
+        if frictionless and all(_vanishes(poisson_terms(x, both, model.q, model.p), model, q, p) for x in quantities):
             return tuple(effect for effect in broken if effect not in (broken[0], other))
     return broken
-
-
-def _bracket_terms(f: Formula, H: Formula, model: Model) -> list[Formula]:
-    return [
-        term
-        for x, y in zip(model.q, model.p, strict=True)
-        for term in (f.diff(x) * H.diff(y), -f.diff(y) * H.diff(x))
-        if term != 0
-    ]
 
 
 def _vanishes(terms: Sequence[Formula], model: Model, q: np.ndarray, p: np.ndarray) -> bool:
@@ -122,7 +114,7 @@ def drift_bound(
     off = [flow.error * max(float(np.abs(x).max()), 0.0) for x in (q, p)]
     total = 0.0
     for quantity in quantities:
-        slopes = observe([quantity.diff(x) for x in (*model.q, *model.p)], (model.q, model.p, model.t), times, q, p)
+        slopes = observe(gradient(quantity, (*model.q, *model.p)), (model.q, model.p, model.t), times, q, p)
         n = model.n
         moved = np.abs(slopes[:n]).sum(axis=0) * off[0] + np.abs(slopes[n:]).sum(axis=0) * off[1]
         parts = observe(sp.Add.make_args(sp.expand(quantity)), (model.q, model.p, model.t), times, q, p)

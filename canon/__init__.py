@@ -74,6 +74,9 @@ if TYPE_CHECKING:
     )
     from canon.mechanics.subject import Subject
     from canon.mechanics.transformation import Transformation
+    from canon.numeric.actions.bounded import Bounded
+    from canon.numeric.actions.motion import Motion, motion
+    from canon.numeric.actions.orbit import Orbit
     from canon.verdict import Verdict
 
 __version__ = "0.1.0"
@@ -92,6 +95,9 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claims.certify": ("DefectBound", "certify"),
     "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
     "canon.claims.verify": ("verify",),
+    "canon.numeric.actions.bounded": ("Bounded",),
+    "canon.numeric.actions.motion": ("Motion", "motion"),
+    "canon.numeric.actions.orbit": ("Orbit",),
     "canon.mechanics.phase_space": ("PhaseSpace",),
     "canon.mechanics.subject": ("Subject",),
     "canon.mechanics.transformation": ("Transformation",),
@@ -136,6 +142,7 @@ __all__ = [
     "SICM",
     "AuditFailed",
     "AuditReport",
+    "Bounded",
     "CanonError",
     "Claim",
     "ClaimFailed",
@@ -155,8 +162,10 @@ __all__ = [
     "Lagrangian",
     "MapRepair",
     "MatrixRepair",
+    "Motion",
     "NormalForm",
     "NotInvariant",
+    "Orbit",
     "PhaseSpace",
     "PointTransformation",
     "Subject",
@@ -187,6 +196,7 @@ __all__ = [
     "legendre",
     "lie_series",
     "loop_invariant",
+    "motion",
     "normal_form",
     "poisson_bracket",
     "recovered",

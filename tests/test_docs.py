@@ -190,13 +190,14 @@ def test_every_built_in_function_is_in_the_reference() -> None:
 
 
 def test_every_option_is_in_the_reference() -> None:
-    from canon.cli import simulate
+    from canon.cli import actions, simulate
     from canon.cli import verify as command
 
     parser = Parser(prog="canon verify")
     command.declare(parser)
     text = reference("command-line.md")
-    simulate.declare(parser := Parser(prog="canon simulate", parents=[parser], conflict_handler="resolve"))
+    for module in (simulate, actions):
+        module.declare(parser := Parser(prog="canon", parents=[parser], conflict_handler="resolve"))
     options = [option for action in parser._actions for option in action.option_strings]
     assert not [option for option in options if f"`{option}" not in text]
 

@@ -13,10 +13,10 @@ from collections.abc import Sequence
 from typing import Final
 
 import canon
-from canon.cli import scenes, simulate, verify
+from canon.cli import actions, scenes, simulate, verify
 from canon.cli.parser import Parser
 
-COMMANDS: Final = {"verify": verify, "simulate": simulate, "scenes": scenes}
+COMMANDS: Final = {"verify": verify, "simulate": simulate, "actions": actions, "scenes": scenes}
 EPILOG: Final = """\
 examples:
   canon verify                      check the built-in catalogue
@@ -24,6 +24,7 @@ examples:
   canon verify claims/ --json       check every *.toml below a folder, print one JSON object
   canon scenes pendulum             print a scene file of a system; without a name, list them all
   canon simulate pendulum.toml      run a scene; --plot, --out, --explain, --json
+  canon actions pendulum.toml       actions, frequencies and angles of its orbit, with their bounds
 
 exit status of verify:
   0  every claim is as expected (proved or supported, unless the claim says otherwise)

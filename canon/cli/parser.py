@@ -15,6 +15,8 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, **settings: object) -> None:
         super().__init__(**{"allow_abbrev": False, **settings})  # type: ignore[arg-type]
+        # a value that begins as a negative number does is no option: -1/4, as -0.25
+        self._negative_number_matcher = re.compile(r"-[\d.]")
 
     def error(self, message: str) -> NoReturn:
         """Print the usage, the error and the nearest thing that exists, and exit with status 3."""

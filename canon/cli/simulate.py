@@ -34,7 +34,7 @@ def declare(parser: argparse.ArgumentParser) -> None:
         "scene", metavar="SCENE.toml", help="a scene file, or the name of a system (see `canon scenes`)"
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
-    parser.add_argument("--plot", metavar="FILE", type=_picture, help="draw the orbit into a .png, .svg or .pdf file")
+    parser.add_argument("--plot", metavar="FILE", type=picture, help="draw the orbit into a .png, .svg or .pdf file")
     parser.add_argument(
         "--out", metavar="FILE.npz", help="write the stored states into a file, now and then and at last"
     )
@@ -55,7 +55,8 @@ def declare(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _picture(text: str) -> str:
+def picture(text: str) -> str:
+    """The name of a figure's file, by its ending."""
     if text.rpartition(".")[2].lower() not in _PICTURES:
         raise argparse.ArgumentTypeError(f"{text!r} is no figure's name: it ends with .png, .svg or .pdf")
     return text
@@ -76,7 +77,7 @@ def execute(arguments: argparse.Namespace) -> int:
     if arguments.out is None:
         arguments.out = arguments.resume
     try:
-        scene = _with_options(_read(arguments.scene), arguments)
+        scene = _with_options(read_scene_or_system(arguments.scene), arguments)
         _check_folders(arguments)
         if scene.settings.budget is not None:
             left = max(scene.settings.budget - (time.monotonic() - begun), 0.0)
@@ -125,7 +126,8 @@ def _terminated_as_interrupted() -> Iterator[None]:
         signal.signal(signal.SIGTERM, before)
 
 
-def _read(name: str) -> Scene:
+def read_scene_or_system(name: str) -> Scene:
+    """The scene of a file, or the example of a system of this name. **Raises:** `InputError`."""
     from canon.scenes.reader import read_scene, read_scene_text
 
     if not os.path.lexists(name) and not name.endswith(".toml"):
@@ -152,16 +154,21 @@ def _with_options(scene: Scene, arguments: argparse.Namespace) -> Scene:
 
 def _check_folders(arguments: argparse.Namespace) -> None:
     """Refuse files that can't be written before anything is computed."""
+    check_folder("--plot", arguments.plot)
+    check_folder("--out", arguments.out)
+
+
+def check_folder(option: str, path: str | None) -> None:
+    """**Raises:** `InputError` where a file can't be written."""
     from canon.errors import InputError
 
-    for option, path in (("--plot", arguments.plot), ("--out", arguments.out)):
-        if path is None:
-            continue
-        folder = os.path.dirname(path) or os.curdir
-        if not os.path.isdir(folder):
-            raise InputError(f"there is no folder {folder!r} to write to", option)
-        if not os.access(folder, os.W_OK) or os.path.isdir(path):
-            raise InputError(f"{path!r} can't be written", option)
+    if path is None:
+        return
+    folder = os.path.dirname(path) or os.curdir
+    if not os.path.isdir(folder):
+        raise InputError(f"there is no folder {folder!r} to write to", option)
+    if not os.access(folder, os.W_OK) or os.path.isdir(path):
+        raise InputError(f"{path!r} can't be written", option)
 
 
 class _watched:  # noqa: N801 - a context manager that reads as a word

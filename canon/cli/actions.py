@@ -1,0 +1,139 @@
+"""`canon actions`: actions, frequencies and angles of a scene or of a claim file's Hamiltonian, with their bounds."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from typing import TYPE_CHECKING, Any, Final
+
+from canon.cli.parser import BAD_INPUT
+from canon.cli.simulate import picture
+
+if TYPE_CHECKING:
+    from canon.scenes.actions import Actions
+
+HELP: Final = "actions, frequencies and angles of a scene, or of a claim file's Hamiltonian"
+DESCRIPTION: Final = (
+    "Prints J = ∮ p dq, the frequency dE/dJ and the angle w (which grows by 1 in a period) of every degree of freedom, "
+    "each with a bound of its error: for one degree of freedom, for sums of such, for one coordinate that moves while "
+    "the others are cyclic, and for central problems in Cartesian coordinates. The orbit is that of the scene's "
+    "initial state, or one that is named by its energy, or by its distance from the minimum or separatrix of a well."
+)
+_NAMES: Final = ("energy", "above_minimum", "above_separatrix", "below_separatrix", "well", "branch")
+
+
+def declare(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments of the command."""
+    parser.add_argument(
+        "file", metavar="SCENE|CLAIM", help="a scene file, a claim file, or the name of a system (see `canon scenes`)"
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+    parser.add_argument(
+        "--plot", metavar="FILE", type=picture, help="draw the phase portrait, in equal steps of action"
+    )
+    which = parser.add_mutually_exclusive_group()
+    for name, words in (
+        ("energy", "the orbit at this energy"),
+        ("above-minimum", "the orbit this much above the minimum of its well"),
+        ("above-separatrix", "the orbit this much above the lower barrier of its well"),
+        ("below-separatrix", "the orbit this much below the lower barrier of its well, as 1e-12"),
+    ):
+        which.add_argument(f"--{name}", metavar="E", help=words)
+    parser.add_argument("--well", metavar="Q", help="a point in the well that is meant")
+    parser.add_argument("--branch", choices=("libration", "rotation"), help="the kind of motion that is meant")
+    parser.add_argument("--q", metavar="Q", help="a claim file's coordinate, with --p: the orbit through this point")
+    parser.add_argument("--p", metavar="P", help="the momentum there")
+    parser.add_argument(
+        "--parameter", metavar="NAME=VALUE", action="append", default=[], help="a value of a claim file's parameter"
+    )
+
+
+def execute(arguments: argparse.Namespace) -> int:
+    """Print and draw what is asked for, and return the exit status."""
+    from canon.cli.simulate import check_folder
+    from canon.errors import InputError
+
+    try:
+        check_folder("--plot", arguments.plot)
+        found = _found(arguments)
+        if arguments.plot is not None:
+            from canon.report.portrait import plot_portrait
+
+            plot_portrait(found, arguments.plot)
+    except InputError as error:
+        return _refuse(arguments, error)
+    from canon.report.action_record import action_lines, action_record
+
+    if arguments.json:
+        print(json.dumps(action_record(found), ensure_ascii=False, allow_nan=False))
+        return 0
+    print("\n".join(action_lines(found)))
+    if arguments.plot is not None:
+        print(f"  figure       {arguments.plot}")
+    return 0
+
+
+def _found(arguments: argparse.Namespace) -> Actions:
+    from canon.claims import document
+    from canon.cli.simulate import read_scene_or_system
+    from canon.errors import InputError
+    from canon.scenes.actions import actions_of_scene
+
+    named = {name: getattr(arguments, name) for name in _NAMES if getattr(arguments, name) is not None}
+    name = arguments.file
+    is_file = os.path.lexists(name) or name.endswith(".toml")
+    tables = document.load(name) if is_file else {}
+    if is_file and {"phase_space", "hamiltonian", "claim"} & {*tables}:
+        return _of_claims(arguments, named)
+    for option in ("q", "p", "parameter"):
+        if getattr(arguments, option):
+            raise InputError("a scene has its initial state and its parameters itself", f"--{option}")
+    _check_named(named)
+    return actions_of_scene(read_scene_or_system(name), named)
+
+
+def _check_named(named: dict[str, Any]) -> None:
+    from canon.errors import InputError
+
+    for name in ("well", "branch"):
+        if name in named and not {*_NAMES[:4]} & {*named}:
+            raise InputError("goes with --energy or with a distance from a minimum or separatrix", f"--{name}")
+
+
+def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
+    from canon.claims.numbers import hamiltonian_with
+    from canon.errors import InputError
+    from canon.scenes.actions import actions_of
+    from canon.scenes.values import number
+
+    values = {}
+    for text in arguments.parameter:
+        name, equals, value = text.partition("=")
+        if not equals:
+            raise InputError(f"{text!r} sets nothing: write a name and its value, as k=1", "--parameter")
+        values[name.strip()] = number(value.strip(), f"--parameter {name.strip()}")
+    title, space, H = hamiltonian_with(arguments.file, values)
+    if space.n != 1:
+        raise InputError(
+            f"actions of a claim file are of one degree of freedom, not of {space.n}: state a scene", "[phase_space]"
+        )
+    point = [getattr(arguments, word) for word in ("q", "p")]
+    if named and point != [None, None]:
+        raise InputError("either a point is given, or an energy", "--q")
+    if not named and None in point:
+        raise InputError("no orbit is named: give --energy, a distance from a minimum or separatrix, or --q and --p")
+    _check_named(named)
+    at = () if named else tuple(float(number(text, f"--{word}")) for word, text in zip("qp", point, strict=True))
+    return actions_of(title, H, space.q, space.p, at[:1], at[1:], named)
+
+
+def _refuse(arguments: argparse.Namespace, error: Any) -> int:
+    if arguments.json:
+        record = {"format": 1, "errors": [{"file": arguments.file, "where": error.where, "message": error.message}]}
+        print(json.dumps(record, ensure_ascii=False, indent=1))
+    else:
+        place = ", ".join(part for part in (arguments.file, error.where) if part)
+        print(f"canon actions: {place}: {error.message}", file=sys.stderr)
+    return BAD_INPUT

@@ -1,0 +1,36 @@
+"""A number with a bound of its error."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from flint import arb
+
+from canon.numeric.actions.balls import Ball
+
+
+@dataclass(frozen=True, slots=True)
+class Bounded:
+    """A `value` in double precision, and a `bound` of how far it is from what it stands for, rounding included."""
+
+    value: float
+    bound: float
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __str__(self) -> str:
+        if self.bound == 0:
+            return f"{self.value!r} exactly"
+        return f"{self.value!r} ± {self.bound:.1e}"
+
+
+def bounded(ball: Ball) -> Bounded:
+    """The double next to the middle of a ball, with a bound of its distance from anything in it."""
+    value = float(ball.mid())
+    if not math.isfinite(value):
+        return Bounded(value, 0.0)
+    far = (ball - arb(value)).abs_upper()
+    bound = float(far)
+    return Bounded(value, math.nextafter(bound, math.inf) if bound or not far.is_zero() else 0.0)

@@ -1,0 +1,170 @@
+"""From an action and an angle to the phase point: E by J(E) = J, whose derivative is the period, then q by its time.
+
+Both are increasing functions with known derivatives, solved by Newton's method within brackets that only shrink.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Final
+
+from flint import arb
+
+from canon.errors import InputError
+from canon.numeric.actions.angle import whole_time
+from canon.numeric.actions.balls import Ball, precision
+from canon.numeric.actions.bounded import Bounded, bounded
+from canon.numeric.actions.branches import LIBRATION, ROTATION, Branch, branches_at
+from canon.numeric.actions.course import Course, course_of, time_from_low, time_to_high, whole
+from canon.numeric.actions.landscape import Critical
+from canon.numeric.actions.levels import barrier_of, well_of
+from canon.numeric.actions.wells import holds
+
+if TYPE_CHECKING:
+    from canon.numeric.actions.motion import Motion
+
+DIGITS: Final = 768
+BITS: Final = 58
+_ROUNDS: Final = 200
+
+
+def point_of(motion: Motion, J: Ball, w: Ball, well: float | None, kind: str | None) -> tuple[Bounded, Bounded]:
+    """(q, p) at J and w. **Raises:** `InputError` where the branch has no such action."""
+    if J < 0:
+        raise InputError(f"an action is 0 or more, unlike {float(J):.6g}", "action")
+    with precision(DIGITS):
+        kind = kind or _kind(motion)
+        w = w - w.mid().floor()
+        if kind == LIBRATION:
+            lowest = well_of(motion.nodes, well)
+            if J.is_zero():
+                return bounded(lowest.place()), bounded(motion.profile.middle_momentum(lowest.place()))
+        course = _course(motion, J, kind, well)
+        return _place(course, w)
+
+
+def energy_of(motion: Motion, J: Ball, well: float | None, kind: str | None) -> Bounded:
+    """H(J). **Raises:** `InputError` where the branch has no such action."""
+    with precision(DIGITS):
+        course = _course(motion, J, kind or _kind(motion), well)
+        period = whole(course, bits=BITS, times=True).values[1]
+        return bounded(course.E + arb(0, (abs(J) / 2 ** (BITS - 2) / period).abs_upper()))
+
+
+def _kind(motion: Motion) -> str:
+    minima = any(node.kind > 0 for node in motion.nodes)
+    return LIBRATION if minima or motion.domain.period is None else ROTATION
+
+
+def _course(motion: Motion, J: Ball, kind: str, well: float | None) -> Course:
+    """The course of the branch whose action is J."""
+    low, high, lowest = _energies(motion, J, kind, well)
+
+    def at(E: Ball) -> tuple[Course, Ball, Ball]:
+        branch = _branch(motion, E, kind, lowest)
+        course = course_of(motion.profile, branch, motion.domain, E)
+        found = whole(course, bits=BITS, times=True)
+        if not found.resolved:
+            raise InputError(f"the action near E = {float(E):.17g} does not settle", "action")
+        return course, found.values[0], found.values[1]
+
+    if high is None:
+        step = arb(1)
+        while at(low + step)[1] < J:
+            step = 2 * step
+        high = low + step
+    last: list[Course] = []
+
+    def defect(E: Ball) -> tuple[Ball, Ball]:
+        course, action, period = at(E)
+        last[:] = [course]
+        return action - J, period
+
+    _increasing(defect, low, high, J)
+    return last[0]
+
+
+def _energies(motion: Motion, J: Ball, kind: str, well: float | None) -> tuple[Ball, Ball | None, Critical | None]:
+    """The energies between which the branch exists; None for no upper one. **Raises:** `InputError`."""
+    tops = [node for node in motion.nodes if node.kind < 0]
+    if kind == ROTATION:
+        if motion.domain.period is None:
+            raise InputError(f"there are no rotations: {motion.profile.q} is no angle", "branch")
+        if not tops:
+            return motion.profile.potential(arb(0)), None, None
+        top = max(tops, key=lambda node: float(node.value()))
+        least = motion.orbit(above_separatrix=0, well=float(_any_minimum(motion))).action.value / 2
+        if least > J:
+            raise InputError(f"rotations have actions above {least:.10g}, librations up to twice that", "action")
+        return top.value(), None, None
+    lowest = well_of(motion.nodes, well)
+    try:
+        top = barrier_of(motion.nodes, lowest)
+    except InputError:
+        return lowest.value(), None, lowest
+    if top.kind < 0:
+        most = motion.orbit(below_separatrix=0, well=float(lowest)).action.value
+        if not most > J:
+            raise InputError(
+                f"librations about {motion.profile.q} = {float(lowest):.6g} have actions below {most:.10g}, unlike "
+                f"{float(J):.10g}: choose another branch or well",
+                "action",
+            )
+    return lowest.value(), top.value(), lowest
+
+
+def _any_minimum(motion: Motion) -> Critical:
+    return min((node for node in motion.nodes if node.kind > 0), key=lambda node: float(node.value()))
+
+
+def _branch(motion: Motion, E: Ball, kind: str, lowest: Critical | None) -> Branch:
+    for branch in branches_at(motion.nodes, motion.domain, E, last=True):
+        if branch.kind == kind and (lowest is None or holds(branch, lowest.place(), motion.domain)):
+            return branch
+    raise InputError(f"there is no {kind} at E = {float(E):.17g}: {motion.ranges()}", "action")
+
+
+def _increasing(function: Callable[[Ball], tuple[Ball, Ball]], low: Ball, high: Ball, scale: Ball) -> Ball:
+    """The zero of an increasing function given with its derivative."""
+    x = ((low + high) / 2).mid()
+    close = abs(scale) / 2**BITS
+    for _ in range(_ROUNDS):
+        value, slope = function(x)
+        if abs(value.mid()) <= close:
+            return x
+        low, high = (x, high) if value < 0 else (low, x)
+        target = x - value / slope
+        new = target.mid() if target > low and target < high else ((low + high) / 2).mid()
+        if new == x:
+            return x
+        x = new
+    return x
+
+
+def _place(course: Course, w: Ball) -> tuple[Bounded, Bounded]:
+    """(q, p) at the angle w: q = mid − half cos θ makes the time a smooth function of θ at both ends."""
+    profile = course.profile
+    up = whole_time(course, 1, BITS) if not course.rotates else whole(course, bits=BITS, times=True).values[1]
+    down = arb(0) if course.rotates else up if profile.mirrored else whole_time(course, -1, BITS)
+    t = w * (up + down)
+    side = 1 if course.rotates or t < up else -1
+    since = t if side > 0 else up + down - t
+    span = up if side > 0 else down
+    centre, half = (course.low + course.high) / 2, (course.high - course.low) / 2
+    if not since > 0:
+        return bounded(course.low), bounded(profile.middle_momentum(course.low))
+
+    def defect(theta: Ball) -> tuple[Ball, Ball]:
+        sine, cosine = theta.sin_cos()
+        q = centre - half * cosine
+        if cosine > 0:
+            passed = time_from_low(course, q, side, BITS)
+        else:
+            passed = span - time_to_high(course, q, side, BITS)
+        return passed - since, half * sine * profile.outward(q, course.E, side)[1]
+
+    theta: Any = _increasing(defect, arb(0), arb.pi(), span)
+    q = (centre - half * theta.cos()).mid()
+    off = (span / 2 ** (BITS - 2)) / profile.outward(q, course.E, side)[1]
+    q = q + arb(0, off.abs_upper())
+    return bounded(q), bounded(profile.outward(q, course.E, side)[0])

@@ -1,0 +1,216 @@
+"""Actions, periods and angles of one degree of freedom against closed forms of 50 digits, and what is refused.
+
+Ledger: sec-14.5-a (J = ∮ p dq, ν = dE/dJ), sec-14.5-c (ν T = 1; the separatrix), sec-14.5-d, sec-14.5-f.
+"""
+
+import math
+from typing import Any
+
+import mpmath as mp
+import pytest
+
+from canon.errors import InputError
+from canon.numeric.actions.bounded import Bounded
+from canon.numeric.actions.motion import Motion, motion
+
+INF = math.inf
+
+
+def holds(number: Bounded | None, exact: Any, ulps: float = 1.0) -> bool:
+    """The bound holds, and it is no larger than so many units in the last place."""
+    assert number is not None
+    with mp.workdps(60):
+        return abs(mp.mpf(number.value) - exact) <= number.bound <= ulps * math.ulp(number.value)
+
+
+def pendulum_reference(m1: mp.mpf) -> tuple[mp.mpf, mp.mpf]:
+    """(J, T) of p²/2 − cos q at E = 1 − 2 m1, m = 1 − m1: J = 16 (E(m) − m1 K(m)), T = 4 K(m); rotations for m1 < 0.
+
+    Lawden (1989), Elliptic Functions and Applications, 5.1.
+    """
+    m = 1 - m1
+    if m1 > 0:
+        return 16 * (mp.ellipe(m) - m1 * mp.ellipk(m)), 4 * mp.ellipk(m)
+    return 8 * mp.sqrt(m) * mp.ellipe(1 / m), 2 * mp.ellipk(1 / m) / mp.sqrt(m)
+
+
+with mp.workdps(60):
+    third = mp.mpf(1) / 3
+    CASES = {
+        "oscillator": ("p**2/2 + q**2/2", {}, 2, 4 * mp.pi, 2 * mp.pi),
+        "quartic": (
+            "p**2/2 + q**4", {}, 1, mp.sqrt(2) * mp.beta(mp.mpf(1) / 4, mp.mpf(3) / 2),
+            mp.beta(mp.mpf(1) / 4, mp.mpf(1) / 2) / mp.sqrt(2),
+        ),
+        "a kink": ("p**2/2 + abs(q)", {}, 1, 8 * mp.sqrt(2) / 3, 4 * mp.sqrt(2)),
+        "Morse": (
+            "p**2/2 + (1 - exp(-q))**2", {}, "1/2", 2 * mp.pi * mp.sqrt(2) * (1 - mp.sqrt(0.5)), 2 * mp.pi,
+        ),
+        "Poeschl-Teller": (
+            "p**2/2 - 1/cosh(q)**2", {}, "-1/4", 2 * mp.pi * (mp.sqrt(2) - mp.sqrt(0.5)), mp.pi * 2 * mp.sqrt(2),
+        ),
+        "Kepler, radial": (
+            "p**2/2 - 1/q + 1/(2*q**2)", {"domain": (0, INF)}, "-1/3", 2 * mp.pi * (mp.sqrt(1.5) - 1),
+            2 * mp.pi * mp.mpf(1.5) ** 1.5,
+        ),
+        "a box with a slope": (
+            "p**2/2 + q/10", {"domain": (0, 1), "walls": True}, 1,
+            2 * mp.sqrt(2) * 20 * third * (1 - mp.mpf("0.9") ** 1.5),
+            2 * mp.sqrt(2) * 10 * (1 - mp.sqrt(mp.mpf("0.9"))),
+        ),
+        "a bead with inertia": ("p**2/(2*(1 + q**2)) + q**2/2", {}, "1/2", None, None),
+        "pendulum, libration": ("p**2/2 - cos(q)", {}, "1/2", *pendulum_reference(mp.mpf("0.25"))),
+        "pendulum, rotation": ("p**2/2 - cos(q)", {}, 3, *pendulum_reference(mp.mpf(-1))),
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_closed_forms(name: str) -> None:
+    H, where, energy, action, period = CASES[name]
+    orbit = motion(H, **where).orbit(energy)
+    if action is None:  # the area within x²(1 + x²) = y²: by 50 digits of quadrature
+        with mp.workdps(50):
+            action = 4 * mp.quad(lambda x: mp.sqrt((1 + x * x) * (1 - x * x)), [0, 1])
+            period = 4 * mp.quad(lambda x: mp.sqrt((1 + x * x) / (1 - x * x)), [0, 0.5, 1])
+    assert holds(orbit.action, action)
+    assert holds(orbit.period, period)
+    assert holds(orbit.frequency, 1 / period)
+
+
+def test_the_rule_is_chosen_by_the_ends() -> None:
+    pendulum = motion("p**2/2 - cos(q)")
+    assert pendulum.orbit(0).rule == "Gauss-Chebyshev"
+    assert pendulum.orbit(0).nodes < 100
+    assert pendulum.orbit(3).rule == "periodic trapezoid"
+    assert pendulum.orbit("0.99999").rule == "tanh-sinh"
+    assert motion("p**2/2 + abs(q)").orbit(1).rule == "tanh-sinh"
+
+
+@pytest.fixture(scope="module")
+def pendulum() -> Motion:
+    return motion("p**2/2 - cos(q)")
+
+
+@pytest.mark.parametrize("distance", ["1e-1", "1e-12", "1e-40"])
+@pytest.mark.parametrize("side", [1, -1])
+def test_near_the_separatrix(pendulum: Motion, distance: str, side: int) -> None:
+    orbit = pendulum.orbit(below_separatrix=distance) if side > 0 else pendulum.orbit(above_separatrix=distance)
+    with mp.workdps(120):
+        action, period = pendulum_reference(side * mp.mpf(distance) / 2)
+    assert holds(orbit.action, action)
+    assert holds(orbit.period, period)
+
+
+def test_a_small_distance_from_the_minimum(pendulum: Motion) -> None:
+    orbit = pendulum.orbit(above_minimum="1e-100")
+    with mp.workdps(250):
+        action, period = pendulum_reference(1 - mp.mpf("1e-100") / 2)
+    assert holds(orbit.action, action)
+    assert holds(orbit.period, period)
+
+
+def test_the_separatrix_has_an_action_and_no_period(pendulum: Motion) -> None:
+    orbit = pendulum.orbit(1)
+    assert orbit.action.value == 16.0
+    assert orbit.period is None
+    assert orbit.frequency is None
+    assert "half" in orbit.note
+    assert abs(pendulum.orbit(above_separatrix="1e-40").action.value - 8.0) < 1e-14
+    with pytest.raises(InputError, match=r"exactly that of the separatrix.*from -1 to 1; rotations above 1"):
+        pendulum.at("pi", 0)
+
+
+def test_two_wells() -> None:
+    double = motion("p**2/2 + q**4/4 - q**2/2")
+    left, right = double.orbits("-1/10")
+    assert left.action == right.action
+    assert left.ends[0].value == -right.ends[1].value
+    assert double.orbit("-1/10", well=-0.9) == left
+    # over the barrier the two wells are one; on it, each is half of what is next to it
+    assert double.orbit(0, well=1).action.value == pytest.approx(4 / 3, rel=1e-15)
+    assert double.orbit("1e-30").action.value == pytest.approx(8 / 3, rel=1e-14)
+    with pytest.raises(InputError, match="2 wells have orbits at E = -1/10: choose one with well = -1, 1"):
+        double.orbit("-1/10")
+
+
+@pytest.mark.parametrize(
+    ("H", "q", "p"),
+    [
+        ("p**2/2 + q**2/2", 0.6, 0.8),
+        ("p**2/2 - cos(q)", 1.0, -0.5),
+        ("p**2/2 - cos(q)", 1.0, 2.5),
+        ("sqrt(1 + p**2) + q**2/2", 0.3, 0.5),
+        ("(p - q**2)**2/2 + q**2/2", 0.3, 0.5),
+        ("(p - q)**2/2 + (p - q)**4 + q**2/2", 0.3, 0.1),
+    ],
+)
+def test_there_and_back(H: str, q: float, p: float) -> None:
+    moved = motion(H)
+    orbit = moved.at(q, p)
+    assert orbit.angle is not None
+    back = moved.point(orbit.action.value, orbit.angle.value, branch=orbit.kind)
+    assert back[0].value == pytest.approx(q, abs=4e-15)
+    assert back[1].value == pytest.approx(p, abs=4e-15)
+    assert moved.energy(orbit.action.value, branch=orbit.kind).value == pytest.approx(orbit.energy.value, rel=1e-15)
+
+
+def test_angles(pendulum: Motion) -> None:
+    """w = F(φ | m)/4K + 1/4 with sin(q/2) = √m sin φ, at E = 0; the oscillator's is that of a circle."""
+    orbit = pendulum.at("1/2", "0.1")
+    with mp.workdps(50):
+        E = mp.mpf("0.1") ** 2 / 2 - mp.cos(mp.mpf("0.5"))
+        m = (1 + E) / 2
+        phi = mp.asin(mp.sin(mp.mpf("0.25")) / mp.sqrt(m))
+        assert holds(orbit.angle, mp.mpf(1) / 4 + mp.ellipf(phi, m) / (4 * mp.ellipk(m)))
+        circle = motion("p**2/2 + q**2/2").at("-3/10", "-2/5").angle
+        assert holds(circle, mp.mpf(3) / 4 + mp.atan(mp.mpf(3) / 4) / (2 * mp.pi))
+    # a rotation the other way runs the other way, from the other end
+    there, back = (pendulum.at(1, p).angle for p in (2.5, -2.5))
+    assert there is not None
+    assert back is not None
+    assert there.value + back.value == pytest.approx(1.0, abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("H", "where", "orbit", "message"),
+    [
+        ("p**2/2 - cos(q)", {}, {"energy": -2}, "there is no motion at E = -2; the energies are: librations about q"),
+        ("p**2/2 - cos(q)", {}, {"energy": -1}, "nothing moves: J = 0, and there is no angle, at the minimum"),
+        ("p**2/2 - cos(q)", {}, {"energy": 0, "branch": "rotation"}, "no rotation at E = 0.*rotations above 1"),
+        ("p**2/2 - cos(q)", {}, {"energy": 2, "branch": "libration"}, "no libration at E = 2.*from -1 to 1"),
+        ("p**2/2 - cos(q)", {}, {}, "one of energy, above_minimum, above_separatrix or below_separatrix"),
+        ("p**2/2 - cos(q)", {}, {"above_minimum": -1}, "a distance is 0 or more"),
+        ("p**2/2 - cos(q)", {}, {"energy": "1/0"}, "undefined|divi"),
+        ("p**2/2 - 1/q + 1/q**2", {"domain": (0, INF)}, {"energy": 1}, r"is not bounded.*from -0.25 to 0"),
+        ("p**2/2 + q**3/3 - q", {}, {"energy": 1}, "is not bounded: the energies are: librations about q = 1"),
+        ("p**2/2 - q", {}, {"energy": 1}, "the potential has no minimum, so that nothing is bound at any energy"),
+        ("p**2/2 + q**2", {}, {"below_separatrix": 1}, "has no barrier: it has no separatrix"),
+    ],
+)  # fmt: skip
+def test_what_is_refused(H: str, where: dict[str, Any], orbit: dict[str, Any], message: str) -> None:
+    moved = motion(H, **where)
+    with pytest.raises(InputError, match=message):
+        moved.orbit(**orbit)
+
+
+@pytest.mark.parametrize(
+    ("H", "message"),
+    [
+        ("p*q", "linear in p"),
+        ("q**2", "does not depend on p"),
+        ("-p**2/2 + q**2", "the kinetic energy in .* is negative"),
+        ("p**2/2 + k*q**2", "unknown name 'k'"),
+        ("p**2/2 + 1/q + q**2/2", r"jumps from one infinity to the other near q = 0: .*domain = \(0, inf\)"),
+        ("p**3 + p**4 + p**2*q + q**2", "neither quadratic nor even in p"),
+    ],
+)
+def test_hamiltonians_that_are_none(H: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        motion(H)
+
+
+def test_actions_beyond_the_branch(pendulum: Motion) -> None:
+    with pytest.raises(InputError, match="librations about q = 0 have actions below 16"):
+        pendulum.point(17, 0.1)
+    with pytest.raises(InputError, match="rotations have actions above 8"):
+        pendulum.point(7, 0.1, branch="rotation")

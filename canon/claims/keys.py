@@ -122,11 +122,22 @@ KEYS: Final[Mapping[str, KeySpec]] = {
         {"solution": Key("functions", "both"), "equations": Key("expressions", "both")},
     ),
     "normal_form": KeySpec({"order": Key("number"), "N": Key("degrees")}, ("hamiltonian",)),
+    "algebra": KeySpec(
+        {"basis": Key("basis"), **_EQUALS, "tensor": TENSOR["tensor"], "coordinates": TENSOR["coordinates"]}
+    ),
     "matrix_algebra": KeySpec({"basis": Key("matrices", "parameters"), **_EQUALS}),
+    "group": KeySpec(
+        {
+            "composition": Key("expressions", "group"),
+            "first": Key("constants"),
+            "second": Key("constants"),
+            **_EQUALS,
+        }
+    ),
     "casimir": KeySpec({"f": _OLD, **TENSOR}),
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
 }
 """The kinds that this version checks."""
 
-LATER: Final = ("action", "frequency", "action_angle", "algebra", "group")
+LATER: Final = ("action", "frequency", "action_angle")
 """The kinds of the format that this version doesn't check yet."""

@@ -7,10 +7,12 @@ from difflib import get_close_matches
 from types import MappingProxyType
 
 from canon.claims import (
+    algebra,
     bracket,
     casimir,
     dynamics,
     generating_function,
+    group,
     hamilton_jacobi,
     independence,
     invariant,
@@ -42,7 +44,9 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **lie_series.KINDS,
         **hamilton_jacobi.KINDS,
         **normal_form.KINDS,
+        **algebra.KINDS,
         **matrix_algebra.KINDS,
+        **group.KINDS,
         **casimir.KINDS,
     }
 )

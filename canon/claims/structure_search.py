@@ -1,0 +1,185 @@
+"""Structure constants sought at sample points: nothing rests on them but what a ball at a certified point shows.
+
+Functions f_1 … f_n and the brackets h of their pairs are evaluated at points of the domain, with the parameters fixed.
+Linear equations at n points give the only constants that are possible; a further point at which they fail shows
+rigorously that a bracket is no combination of the basis.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import sympy as sp
+from flint import acb, arb, arb_mat
+
+from canon.claims.dependence import in_place_of_functions
+from canon.claims.fixed_parameters import moved_region
+from canon.decide.derivative import substitute
+from canon.decide.enclosure import OutOfDomain, excludes_zero, precision
+from canon.decide.region import Region
+from canon.decide.search import Sample, evaluate_again, samples
+from canon.decide.tape import Node, Unsupported
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+
+BITS = 256
+FURTHER_POINTS = 3
+SINGULAR = 1e-12
+LARGEST_DENOMINATOR = 3000
+CHOSEN = "the sum of its arguments"
+
+Values = Mapping[Node, Fraction]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Functions and brackets at sample points.
+
+    **Arguments:** `basis` and `products`, a row of balls for each point (two for complex values); `points`, the sample
+    of each row; `chosen`, whether arbitrary functions were replaced by particular ones.
+    """
+
+    basis: list[list[Any]]
+    products: list[list[Any]]
+    points: list[Sample]
+    chosen: bool
+
+
+@dataclass(frozen=True)
+class Solution:
+    """What the equations at sample points say.
+
+    **Arguments:** `constants[k]`, balls of the coefficients of bracket k; `outside`, the number of the first bracket
+    that is certainly no combination, with the sample that shows it; `dependent`, coefficients of a relation that the
+    basis seems to satisfy; `independent`, whether a determinant certainly isn't 0.
+    """
+
+    constants: list[list[Any]]
+    outside: tuple[int, Sample] | None = None
+    dependent: tuple[float, ...] | None = None
+    independent: bool = False
+
+
+def parameters_of(question: Question, variables: Sequence[Node], nodes: Sequence[Node]) -> list[Node]:
+    """The parameters that occur in the nodes."""
+    tape = question.tape
+    known = {tape.symbol(s) for s in question.space.parameters} - set(variables) - {question.chart.time}
+    return sorted({x for node in nodes for x in tape.support(node)} & known)
+
+
+def first_values(question: Question, region: Region, nodes: Sequence[Node], parameters: Sequence[Node]) -> Values:
+    """The parameters' values at a point of the region."""
+    if not parameters:
+        return {}
+    rng = random.Random(question.seed)
+    found = samples(question.tape, nodes, region, rng, count=1, budget=question.budget, nice=True)
+    for place in found:
+        values = {x: place.point.get(x) for x in parameters}
+        return {x: v if isinstance(v, Fraction) else Fraction(1) for x, v in values.items()}
+    return {}
+
+
+def frame(
+    question: Question, region: Region, basis: Sequence[Node], products: Sequence[Node], values: Values
+) -> Frame | None:
+    """The functions at more sample points than there are of them; None where too few points were found."""
+    tape = question.tape
+    images = {x: tape.number(value) for x, value in values.items()}
+    names = sorted(tape.functions_of([*basis, *products, *region.nodes()]))
+
+    def move(node: Node) -> Node:
+        chosen = in_place_of_functions(tape, node, dict.fromkeys(names, CHOSEN)) if names else node
+        return substitute(tape, chosen, images) if images else chosen
+
+    moved = moved_region(tape, region, move)
+    if moved is None:
+        return None
+    fixed = Region(moved.requirements, moved.surface, tuple(x for x in moved.symbols if x not in images))
+    nodes = [move(node) for node in (*basis, *products)]
+    rng = random.Random(question.seed + 1)
+    found = Frame([], [], [], bool(names))
+    wanted = len(basis) + FURTHER_POINTS
+    for place in samples(tape, nodes, fixed, rng, count=wanted, budget=question.budget):
+        try:
+            balls = evaluate_again(tape, nodes, place, BITS)
+        except (OutOfDomain, Unsupported, ZeroDivisionError):
+            continue
+        entries = [balls[node] for node in nodes]
+        for row in _real_rows(entries):
+            found.basis.append(row[: len(basis)])
+            found.products.append(row[len(basis) :])
+            found.points.append(place)
+    return found if len(found.basis) >= len(basis) else None
+
+
+def _real_rows(entries: Sequence[Any]) -> list[list[Any]]:
+    if not any(isinstance(entry, acb) for entry in entries):
+        return [list(entries)]
+    values = [entry if isinstance(entry, acb) else acb(entry) for entry in entries]
+    return [[value.real for value in values], [value.imag for value in values]]
+
+
+def solve(found: Frame) -> Solution:
+    """The coefficients that the points allow."""
+    size = len(found.basis[0])
+    middle = np.array([[float(ball.mid()) for ball in row] for row in found.basis])
+    scale = np.max(np.abs(middle), axis=0)
+    chosen = _independent_rows(middle / np.where(scale > 0, scale, 1.0), size)
+    if len(chosen) < size:
+        _, _, vectors = np.linalg.svd(middle / np.where(scale > 0, scale, 1.0))
+        relation = vectors[-1] / np.where(scale > 0, scale, 1.0)
+        relation = relation / relation[np.argmax(np.abs(relation))]
+        return Solution([], dependent=tuple(float(v) for v in relation))
+    with precision(BITS):
+        matrix = arb_mat([found.basis[k] for k in chosen])
+        independent = bool(excludes_zero(matrix.det()))
+        if not found.products[0]:
+            return Solution([], independent=independent)
+        try:
+            solved = matrix.solve(arb_mat([found.products[k] for k in chosen]))
+        except ZeroDivisionError:
+            return Solution([], independent=False)
+        constants = [[solved[c, k] for c in range(size)] for k in range(len(found.products[0]))]
+        rest = [k for k in range(len(found.basis)) if k not in set(chosen)]
+        for number, row in enumerate(constants):
+            for k in rest:
+                value = sum((c * f for c, f in zip(row, found.basis[k], strict=True)), start=arb(0))
+                if excludes_zero(found.products[k][number] - value):
+                    return Solution(constants, (number, found.points[k]), independent=independent)
+    return Solution(constants, independent=independent)
+
+
+def _independent_rows(values: Any, size: int) -> list[int]:
+    """Rows that are independent, the best first, by elimination with pivots."""
+    rest = values.copy()
+    norms = np.linalg.norm(rest, axis=1)
+    rest = rest / np.where(norms > 0, norms, 1.0)[:, None]
+    chosen: list[int] = []
+    for _ in range(size):
+        sizes = np.linalg.norm(rest, axis=1)
+        k = int(np.argmax(sizes))
+        if sizes[k] < SINGULAR:
+            break
+        chosen.append(k)
+        direction = rest[k] / sizes[k]
+        rest = rest - np.outer(rest @ direction, direction)
+    return chosen
+
+
+def recognised(value: float, radius: float = 0.0) -> sp.Expr | None:
+    """A rational number of small denominator that a value may be, or the root of one; None: neither."""
+    tolerance = 10 * radius + 1e-12 * max(1.0, abs(value))
+    near = Fraction(value).limit_denominator(LARGEST_DENOMINATOR)
+    if abs(near - Fraction(value)) <= tolerance:
+        return sp.Rational(near.numerator, near.denominator)
+    square = Fraction(value * value).limit_denominator(LARGEST_DENOMINATOR)
+    if abs(float(square) - value * value) <= 4 * tolerance * max(1.0, abs(value)):
+        root = sp.sqrt(sp.Rational(square.numerator, square.denominator))
+        return root if value > 0 else -root
+    return None

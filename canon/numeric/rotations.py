@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Final
+
+_NEAR: Final = 0.01
+"""Squares of half angles below which a few terms of a series are exact."""
 
 
 def multiply(a: Any, b: Any) -> Any:
@@ -66,10 +69,13 @@ def about_vector(vector: Any) -> Any:
     """The rotation by |v| about v; the identity for v = 0."""
     import jax.numpy as jnp
 
-    from canon.numeric.exact.stumpff import stumpff
-
-    square = vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2
-    cosine, sinc, _, _ = stumpff(square / 4)
+    square = (vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2) / 4
+    near = square < _NEAR
+    half = jnp.sqrt(jnp.where(near, 1.0, square))
+    # both are even: near 0 the root, which has no derivative there, is left out
+    sinc = 1 - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72)))
+    cosine = 1 - square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)))
+    sinc, cosine = jnp.where(near, sinc, jnp.sin(half) / half), jnp.where(near, cosine, jnp.cos(half))
     return jnp.concatenate([cosine[None], sinc * vector / 2])
 
 

@@ -21,9 +21,11 @@ def agreement(run: Run, other: Run) -> int:
     for slot, against in zip(run.states, other.states, strict=True):
         pairs = list(zip(jax.tree.leaves(slot), jax.tree.leaves(against), strict=True))
         sizes = np.maximum.accumulate(
-            np.max([np.abs(b[:count]).reshape(count, -1).max(axis=1) for _, b in pairs], axis=0)
+            np.max([np.abs(b[:count]).reshape(count, -1).max(axis=1, initial=0.0) for _, b in pairs], axis=0)
         )
-        off = np.max([np.abs(a[:count] - b[:count]).reshape(count, -1).max(axis=1) for a, b in pairs], axis=0)
+        off = np.max(
+            [np.abs(a[:count] - b[:count]).reshape(count, -1).max(axis=1, initial=0.0) for a, b in pairs], axis=0
+        )
         good &= off <= AGREED * sizes
     return count if good.all() else int(np.argmin(good))
 

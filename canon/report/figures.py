@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from canon.scenes.simulate import Result
+from canon.scenes.states import named_states
 
 FORMATS: Final = ("png", "svg", "pdf")
 
@@ -28,6 +29,9 @@ def plot(result: Result, path: str | Path) -> None:
 def _orbit(axes: Any, result: Result) -> None:
     """The path in the first two coordinates; the phase portrait where there is only one."""
     model, bodies = result.scene.model, list(result.scene.bodies)
+    if model.rigid:
+        _tops(axes, result)
+        return
     if bodies:
         for body in bodies:
             _path(axes, result, body.first, body.dimension, body.name)
@@ -42,6 +46,21 @@ def _orbit(axes: Any, result: Result) -> None:
         axes.set_aspect("equal", adjustable="datalim")
 
 
+def _tops(axes: Any, result: Result) -> None:
+    """Where the third axes of rigid bodies point, seen from above; M in the body where there is no attitude."""
+    rotations = named_states(result).get("rotation", {})
+    for name, rows in rotations.items():
+        (line,) = axes.plot(rows[:, 0, 2], rows[:, 1, 2], lw=1, label=name)
+        axes.plot(rows[-1:, 0, 2], rows[-1:, 1, 2], "o", ms=4, color=line.get_color())
+    if rotations:
+        axes.set(xlabel="x of the third axis", ylabel="y of the third axis")
+        axes.legend()
+    else:
+        axes.plot(result.p[:, 0], result.p[:, 1], lw=1)
+        axes.set(xlabel="M_1", ylabel="M_2")
+    axes.set_aspect("equal", adjustable="datalim")
+
+
 def _path(axes: Any, result: Result, first: int, dimension: int, label: str) -> None:
     across = result.q[:, first + 1] if dimension > 1 else result.p[:, first]
     (line,) = axes.plot(result.q[:, first], across, lw=1, label=label)
@@ -49,7 +68,9 @@ def _path(axes: Any, result: Result, first: int, dimension: int, label: str) -> 
 
 
 def _against_time(axes: Any, result: Result) -> None:
-    for k, symbol in enumerate(result.scene.model.q[:6]):
-        axes.plot(result.times, result.q[:, k], lw=1, label=str(symbol))
+    model = result.scene.model
+    symbols, rows = (model.p, result.p) if model.rigid else (model.q, result.q)
+    for k, symbol in enumerate(symbols[:6]):
+        axes.plot(result.times, rows[:, k], lw=1, label=str(symbol))
     axes.set(xlabel="t")
     axes.legend()

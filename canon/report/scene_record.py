@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from canon.scenes.monitors import Reading
 from canon.scenes.simulate import Result
-from canon.scenes.states import named_states
+from canon.scenes.states import named_states, own_states
 from canon.scenes.values import text_of
 
 FORMAT: Final = 1
@@ -42,6 +42,7 @@ def scene_record(result: Result) -> Record:
         "times": result.times.tolist(),
         "q": result.q.tolist(),
         "p": result.p.tolist(),
+        **{name: rows.tolist() for name, rows in own_states(result).items()},
         **{word: {name: rows.tolist() for name, rows in table.items()} for word, table in named_states(result).items()},
     }
 

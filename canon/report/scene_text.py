@@ -78,7 +78,8 @@ def explanation_lines(result: Result) -> list[str]:
     lines += [f"  {effect:<18} no part of it: {text_of(g)} = 0" for effect, g in model.constraints]
     lines += ["", f"Splitting: {problem.kind}"]
     lines += [f"  {name or 'part':<18} {formula}" for name, formula in problem.parts]
-    lines += ["", f"Method: {integrator_name(result)}", f"  {choice.why}", f"  {choice.method.source}"]
+    source = problem.source if problem.exact else choice.method.source
+    lines += ["", f"Method: {integrator_name(result)}", f"  {choice.why}", *([f"  {source}"] if source else [])]
     lines.append(f"  {result.operations} arithmetic operations a step")
     prices = list(price_lines(result))
     if prices:

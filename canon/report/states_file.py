@@ -14,12 +14,12 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.scenes.simulate import Result
-from canon.scenes.states import named_states
+from canon.scenes.states import named_states, own_states
 
 
 def write_states(result: Result, path: str | os.PathLike[str]) -> None:
-    """Write times, q and p (samples, n), the bodies' positions and velocities, and what the run can be gone on with."""
-    arrays: dict[str, Any] = {"times": result.times, "q": result.q, "p": result.p}
+    """Write times, q and p (samples, n), what bodies do by name, and what the run can be gone on with."""
+    arrays: dict[str, Any] = {"times": result.times, "q": result.q, "p": result.p, **own_states(result)}
     for word, table in named_states(result).items():
         arrays |= {f"{word}_{name}": rows for name, rows in table.items()}
     write_arrays({**arrays, **result.resumable}, path)

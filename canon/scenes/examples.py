@@ -28,8 +28,9 @@ def _lines(system: System) -> Iterator[str]:
         yield f"parameters = {{ {', '.join(f'{name} = {_value(value)}' for name, value in parameters.items())} }}"
     for name, (of, _) in system.functions.items():
         yield f"# {name} is any expression in {', '.join(of)}"
-    yield f"q = {_value(system.example['q'])}  # {', '.join(system.q)}"
-    yield f"p = {_value(system.example['p'])}  # {', '.join(system.p)}"
+    for word in system.own or ("q", "p"):
+        names = "" if system.own else f"  # {', '.join(getattr(system, word))}"
+        yield f"{word} = {_value(system.example[word])}{names}"
     yield ""
     yield "[run]"
     yield f"duration = {_value(system.example['duration'])}"

@@ -49,5 +49,6 @@ def choose(problem: Problem, accuracy: float | None, name: str | None, where: st
         chosen = known["kahan_li8"]
     else:
         chosen = known["nystrom6a"] if nystrom else known["blanes_moan6"]
-    what = "T(p) + V(q, t) with a quadratic T" if chosen.needs == "nystrom" else "parts that are solved exactly"
+    plain = chosen.needs == "nystrom" and problem.kind == "T(p) + V(q)"
+    what = "T(p) + V(q, t) with a quadratic T" if plain else "parts that are solved exactly"
     return Choice(chosen, f"order {chosen.traits.order} for the accuracy, {chosen.stages} stages, for {what}")

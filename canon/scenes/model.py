@@ -4,12 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+if TYPE_CHECKING:
+    from canon.scenes.rigid import RigidBody
+
 Formula = Any
 """A sympy expression: its operations have no useful types."""
+
+
+Bracket = tuple[sp.Symbol, sp.Symbol, Formula]
+"""Two coordinates u, v and {u, v}."""
 
 
 @dataclass(frozen=True)
@@ -43,6 +50,9 @@ class Model:
     `angular_momenta` and `lrl`, those that the monitors of these names follow, each with its name; empty where there
     are none; `constraints` g(q, t) = 0, each with its effect, and the `mass` of every coordinate, for bodies;
     `scatters`, for the name of a body that is deflected the potential V(r), in one symbol.
+
+    Of `rigid` bodies q are the attitudes and p the angular momenta in the bodies' frames: they have other brackets, and
+    `casimirs`, which commute with all momenta. A friction is a torque there.
     """
 
     q: tuple[sp.Symbol, ...]
@@ -56,6 +66,15 @@ class Model:
     constraints: tuple[tuple[str, Formula], ...] = ()
     mass: tuple[Formula, ...] = ()
     scatters: Mapping[str, Formula] = field(default_factory=dict)
+    rigid: tuple[RigidBody, ...] = ()
+    casimirs: Mapping[str, Formula] = field(default_factory=dict)
+
+    @property
+    def brackets(self) -> tuple[Bracket, ...]:
+        """The brackets of the coordinates of rigid bodies that are not 0."""
+        state = {*self.q, *self.p}
+        found = (bracket for body in self.rigid for bracket in body.brackets)
+        return tuple(bracket for bracket in found if state.issuperset(bracket[:2]))
 
     @property
     def H(self) -> Formula:

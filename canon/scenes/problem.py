@@ -15,7 +15,9 @@ from canon.numeric.integrators.rattle import Constrained
 from canon.numeric.pair_sum import PairSum
 from canon.numeric.split_hamiltonian import SplitHamiltonian, quadratic_in, shear, split_hamiltonian, with_clock
 from canon.scenes.model import Model
+from canon.scenes.rigid_model import rigid_splitting
 
+TOPS: Final = "Landau and Lifshitz (1976), Mechanics, § 37; van Zon and Schofield (2007), J. Comput. Phys. 225, 145"
 SMALL: Final = 12
 """Coordinates up to which all splittings are looked for: that takes algebra, which many bodies are too many for."""
 
@@ -24,13 +26,14 @@ SMALL: Final = 12
 class Problem:
     """What is integrated: `value`, on slots (q, p); `parts` names each part with its formula.
 
-    `exact`: it is one part, whose closed flow is the motion. `kind` says how it was split.
+    `exact`: it is one part, whose closed flow is the motion, by `source`. `kind` says how it was split.
     """
 
     value: Splitting | Field | Constrained
     kind: str
     parts: tuple[tuple[str, str], ...] = ()
     exact: bool = False
+    source: str = ""
 
     @property
     def splits(self) -> bool:
@@ -40,6 +43,8 @@ class Problem:
 
 def problem_of(model: Model) -> Problem:
     """The problem of a model."""
+    if model.rigid:
+        return rigid_problem(model)
     if model.constraints:
         return constrained_problem(model)
     linear = all(friction.matrix is not None for friction in model.frictions)
@@ -87,6 +92,20 @@ def constrained_problem(model: Model) -> Problem:
     value = constrained([float(m) for m in model.mass], potential, surfaces, model.q, model.t)
     shown = (*((effect, f"{_text(g)} = 0") for effect, g in model.constraints), ("potential", _text(potential)))
     return Problem(value, "holonomic constraints, by their multipliers", shown)
+
+
+def rigid_problem(model: Model) -> Problem:
+    """The problem of rigid bodies: free tops in closed form, or rotations and a kick."""
+    splitting = rigid_splitting(model)
+    exact = len(splitting.parts) == 1
+    free = _text(model.terms[0].expr)
+    rest = [f"{term.effect}: {_text(term.expr)}" for term in model.terms[1:]]
+    rest += [f"{torque.effect}: K = ({', '.join(map(_text, torque.force))})" for torque in model.frictions]
+    shown = [(part.name, free if exact else "" if part.name == "torque" else "exact") for part in splitting.parts]
+    if not exact:
+        shown[-1] = ("torque", "; ".join(rest))
+    kind = "free rigid bodies, in closed form" if exact else "free motion and torques (Lie–Poisson)"
+    return Problem(splitting, kind, tuple(shown), exact, TOPS if exact else "")
 
 
 def _text(term: Any) -> str:

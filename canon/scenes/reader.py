@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import sympy as sp
 
@@ -17,18 +17,22 @@ from canon.scenes.bodies import read_bodies
 from canon.scenes.effects import EFFECTS, LATER
 from canon.scenes.effects.effect import Contribution, Given, Particle, Surroundings
 from canon.scenes.identity import digest_of
+from canon.scenes.model import Model
 from canon.scenes.monitors import check_monitors
 from canon.scenes.own_hamiltonian import read_own_hamiltonian
 from canon.scenes.rays import are_rays, names_rays, rays_of
-from canon.scenes.scene import Body, Scene
+from canon.scenes.rigid_bodies import read_rigid_bodies, read_top
+from canon.scenes.rigid_model import model_of_rigid_bodies, without_attitude
+from canon.scenes.scene import Body, Scene, Settings
 from canon.scenes.settings import read_settings
-from canon.scenes.systems import Placed, read_named_system
+from canon.scenes.systems import Placed, named_system, read_named_system
 from canon.scenes.values import number
 from canon.vocabulary import nearest
 
 SECTIONS: Final = ("title", "dynamics", "units", "constants", "body", "rigid_body", "effect", "system", "run")
 DYNAMICS: Final = ("newtonian", "relativistic")
 TIME: Final = sp.Symbol("t", real=True)
+Constants = Mapping[str, Any]
 
 
 def read_scene(path: str | os.PathLike[str]) -> Scene:
@@ -48,46 +52,97 @@ def scene_of(tables: Table) -> Scene:
     if "run" not in tables:
         raise InputError("the section [run] is missing: it says for how long, as in duration = 10.0")
     settings = read_settings(tables["run"])
-    if "rigid_body" in tables:
-        raise InputError("rigid bodies are not available in this version", "rigid_body")
-    if "system" in tables and "body" in tables:
-        raise InputError("both [system] and [[body]] are given: a scene has one of them")
-    if "system" not in tables and "body" not in tables:
-        raise InputError("nothing moves here: add [[body]] with a mass and a position, or [system]")
+    moving = [word for word in ("system", "body", "rigid_body") if word in tables]
+    if not moving:
+        raise InputError(
+            "nothing moves here: add [[body]] with a mass and a position, [[rigid_body]] with moments, or [system]"
+        )
+    if len(moving) > 1:
+        raise InputError(f"both {_heading(moving[0])} and {_heading(moving[1])} are given: a scene has one of them")
     relativistic = _relativistic(tables)
     constants = {
         document.name(name, key(name, "[constants]")): number(value, key(name, "[constants]"))
         for name, value in document.table(tables.get("constants", {}), "[constants]").items()
     }
-    if "system" in tables:
-        if relativistic:
-            raise InputError("relativistic dynamics are those of bodies: a system states its own H", key("dynamics"))
-        placed = _placed(document.table(tables["system"], "[system]"))
-        model, q, p = placed.model, placed.q, placed.p
-        settings = replace(settings, start=placed.start)
-        whole = Particle("system", model.q, model.p, None)
-        effects = read_effects(tables.get("effect", []), Surroundings((whole,), constants, model.t, is_system=True))
-        model, bodies = model_of_system(model, effects), ()
-    else:
-        starts = read_bodies(tables["body"], names_rays(tables.get("effect")))
-        particles = tuple(start.particle for start in starts)
-        surroundings = Surroundings(particles, constants, TIME, relativistic)
-        effects = read_effects(tables.get("effect", []), surroundings)
-        rays = are_rays(effects)
-        if rays:
-            model, (q, p), begin = rays_of(starts, surroundings, effects)
-            settings = replace(settings, start=begin)
-        else:
-            model = model_of_bodies(surroundings, effects)
-            start = initial_state(starts, surroundings, effects)
-            q, p = start.q, start.p
-        bodies = tuple(
-            Body(body.name, body.mass, body.charge, k * (body.dimension - rays), body.dimension, rays)
-            for k, body in enumerate(particles)
-        )
-    check_monitors(settings.monitors, model, key("monitor", "[run]"))
-    absent = tuple(kind for kind in EFFECTS if kind not in {name for name, _ in effects})
-    return Scene(title, model, q, p, settings, bodies, units, absent, digest=digest_of(tables))
+    read = {"system": _system, "body": _bodies, "rigid_body": _rigid}[moving[0]]
+    found = read(tables, constants, relativistic, settings)
+    check_monitors(settings.monitors, found.model, key("monitor", "[run]"))
+    absent = tuple(kind for kind in EFFECTS if kind not in found.active)
+    settings = replace(settings, start=found.start)
+    digest = digest_of(tables)
+    return Scene(title, found.model, found.q, found.p, settings, found.bodies, units, absent, {}, digest, found.own)
+
+
+class _Found(NamedTuple):
+    """A model with its initial state, the effects that were named, the bodies, and own names of the state."""
+
+    model: Model
+    q: tuple[float, ...]
+    p: tuple[float, ...]
+    active: frozenset[str]
+    bodies: tuple[Body, ...] = ()
+    start: float = 0.0
+    own: Mapping[str, tuple[Any, ...]] = {}
+
+
+def _system(tables: Table, constants: Constants, relativistic: bool, settings: Settings) -> _Found:
+    """A system in its own coordinates."""
+    if relativistic:
+        raise InputError("relativistic dynamics are those of bodies: a system states its own H", key("dynamics"))
+    table = document.table(tables["system"], "[system]")
+    if "name" in table and named_system(table).own:
+        return _top(table, tables, constants, settings)
+    placed = _placed(table)
+    model = placed.model
+    whole = Particle("system", model.q, model.p, None)
+    effects = read_effects(tables.get("effect", []), Surroundings((whole,), constants, model.t, is_system=True))
+    return _Found(model_of_system(model, effects), placed.q, placed.p, _kinds(effects), start=placed.start)
+
+
+def _bodies(tables: Table, constants: Constants, relativistic: bool, settings: Settings) -> _Found:
+    """Point bodies."""
+    starts = read_bodies(tables["body"], names_rays(tables.get("effect")))
+    particles = tuple(start.particle for start in starts)
+    surroundings = Surroundings(particles, constants, TIME, relativistic)
+    effects = read_effects(tables.get("effect", []), surroundings)
+    rays = are_rays(effects)
+    bodies = tuple(
+        Body(body.name, body.mass, body.charge, k * (body.dimension - rays), body.dimension, rays)
+        for k, body in enumerate(particles)
+    )
+    if rays:
+        model, (q, p), begin = rays_of(starts, surroundings, effects)
+        return _Found(model, q, p, _kinds(effects), bodies, begin)
+    start = initial_state(starts, surroundings, effects)
+    return _Found(model_of_bodies(surroundings, effects), start.q, start.p, _kinds(effects), bodies)
+
+
+def _rigid(tables: Table, constants: Constants, relativistic: bool, settings: Settings) -> _Found:
+    """Rigid bodies."""
+    if relativistic:
+        raise InputError("relativistic dynamics are those of point bodies", key("dynamics"))
+    spins = read_rigid_bodies(tables["rigid_body"])
+    rigid = tuple(spin.body for spin in spins)
+    effects = read_effects(tables.get("effect", []), Surroundings((), constants, TIME, rigid=rigid))
+    q, p = (tuple(x for spin in spins for x in getattr(spin, word)) for word in ("attitude", "M"))
+    return _Found(model_of_rigid_bodies(rigid, effects, TIME), q, p, _kinds(effects))
+
+
+def _top(table: Table, tables: Table, constants: Constants, settings: Settings) -> _Found:
+    """Euler's equations, with the attitude where something depends on it."""
+    spin = read_top(table)
+    effects = read_effects(tables.get("effect", []), Surroundings((), constants, TIME, rigid=(spin.body,)))
+    model = without_attitude(model_of_rigid_bodies((spin.body,), effects, TIME), settings.monitors)
+    own = {"M": spin.body.M, **({"attitude": spin.body.attitude} if model.q else {})}
+    return _Found(model, spin.attitude if model.q else (), spin.M, _kinds(effects), own=own)
+
+
+def _kinds(effects: Sequence[Named]) -> frozenset[str]:
+    return frozenset(kind for kind, _ in effects)
+
+
+def _heading(word: str) -> str:
+    return "[system]" if word == "system" else f"[[{word}]]"
 
 
 def _placed(table: Table) -> Placed:
@@ -135,4 +190,9 @@ def _contribution(kind: str, table: Table, surroundings: Surroundings, where: st
     document.only(table, ("kind", *effect.parameters, *(() if surroundings.is_system else ("bodies",))), place)
     if surroundings.is_system and not effect.on_systems:
         raise InputError(f"the effect {kind!r} acts on bodies, not on a system in its own coordinates", place)
+    if effect.on_rigid and not surroundings.rigid:
+        raise InputError(f"the effect {kind!r} acts on a rigid body: add [[rigid_body]] with its moments", place)
+    if surroundings.rigid and not effect.on_rigid:
+        acting = ", ".join(name for name, other in EFFECTS.items() if other.on_rigid)
+        raise InputError(f"the effect {kind!r} acts on a [[body]]; on a rigid body there are {acting}", place)
     return effect.add(Given(table, surroundings, place))

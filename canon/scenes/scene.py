@@ -60,7 +60,8 @@ class Body:
 class Scene:
     """A model, its initial state (`q`, `p` as floats), and the settings; `bodies` are empty for a system.
 
-    `digest` tells what moves, and how, from what moves in other scenes, whatever the settings.
+    `digest` tells what moves, and how, from what moves in other scenes, whatever the settings. `own` are a system's own
+    names for its state, with their formulas.
     """
 
     title: str
@@ -73,3 +74,4 @@ class Scene:
     absent: tuple[str, ...] = ()
     notes: Mapping[str, str] = field(default_factory=dict)
     digest: str = ""
+    own: Mapping[str, tuple[Any, ...]] = field(default_factory=dict)

@@ -93,7 +93,8 @@ def simulate(
     operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)
     q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
     times = run.times[: planned.good]
-    flow = Flow(scene.model, problem.value, choice.method, run, planned.good, planned.error)
+    closed = problem.exact and bool(scene.model.rigid)
+    flow = Flow(scene.model, problem.value, choice.method, run, planned.good, planned.error, closed)
     monitors = read_monitors(settings.monitors, flow, times, q, p)
     compiling = planned.compile_seconds
     running = max(time.process_time() - begun - compiling, 0.0)

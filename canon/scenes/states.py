@@ -12,11 +12,13 @@ Table = dict[str, np.ndarray]
 
 
 def named_states(result: Result) -> dict[str, Table]:
-    """`position` and `velocity` (samples, dimension) by body, v = ∂H/∂p; nothing where there are no bodies.
+    """What bodies and rigid bodies do by their names: `position` and `velocity` (samples, dimension), v = ∂H/∂p.
 
     A ray's velocity is its slope, the last component 1: its last coordinate is the time.
     """
     bodies, model = result.scene.bodies, result.scene.model
+    if model.rigid and model.q:
+        return _turning(result)
     if not bodies:
         return {}
     velocity = observe(gradient(model.H, model.p), (model.q, model.p, model.t), result.times, result.q, result.p).T
@@ -27,4 +29,31 @@ def named_states(result: Result) -> dict[str, Table]:
             position, rate = np.column_stack([position, result.times]), np.column_stack([rate, np.ones(len(rate))])
         tables["position"][body.name] = position
         tables["velocity"][body.name] = rate
+    return tables
+
+
+def own_states(result: Result) -> Table:
+    """A system's own names for its state, each with its rows (samples, components)."""
+    model = result.scene.model
+    symbols = (model.q, model.p, model.t)
+    return {
+        name: observe(formulas, symbols, result.times, result.q, result.p).T
+        for name, formulas in result.scene.own.items()
+    }
+
+
+def _turning(result: Result) -> dict[str, Table]:
+    """`rotation` (samples, 3, 3) body to space, `angular_velocity` in the body and `angular_momentum` in space."""
+    model = result.scene.model
+    tables: dict[str, Table] = {"rotation": {}, "angular_velocity": {}, "angular_momentum": {}}
+    for body in model.rigid:
+        entries = [entry for row in body.rotation for entry in row]
+        symbols = (model.q, model.p, model.t)
+        values = observe([*entries, *body.M_in_space], symbols, result.times, result.q, result.p).T
+        first = model.p.index(body.M[0])
+        tables["rotation"][body.name] = values[:, :9].reshape(-1, 3, 3)
+        tables["angular_velocity"][body.name] = result.p[:, first : first + 3] / np.array(
+            [float(moment) for moment in body.moments]
+        )
+        tables["angular_momentum"][body.name] = values[:, 9:]
     return tables

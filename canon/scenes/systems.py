@@ -24,7 +24,8 @@ WHERE: Final = "[system]"
 class System:
     """A system of the catalogue: its variables and `time`, which begins at `start`; `parameters` with the values that
     they have where nothing is said, those in `real` of any sign; `functions` with their variables and default; `terms`
-    of the Hamiltonian by effect; what its `monitors` follow; and an `example`: q, p, duration, monitor.
+    of the Hamiltonian by effect; what its `monitors` follow; and an `example`: q, p, duration, monitor. A system whose
+    state is not (q, p) has its `own` keys, with the number of components of each.
     """
 
     name: str
@@ -41,6 +42,7 @@ class System:
     monitors: Mapping[str, tuple[str, ...]]
     example: Mapping[str, Any]
     note: str
+    own: Mapping[str, int]
 
 
 def system_names() -> tuple[str, ...]:
@@ -70,6 +72,7 @@ def load_system(name: str, where: str = "") -> System:
         {name: tuple(listed) for name, listed in table.get("monitors", {}).items()},
         table["example"],
         table.get("note", ""),
+        table.get("own", {}),
     )
 
 
@@ -86,7 +89,20 @@ class Placed:
 def read_named_system(table: Table) -> Placed:
     """The system that [system] names, with its parameters and initial state. **Raises:** `InputError`."""
     document.only(table, KEYS, WHERE)
-    system = load_system(document.text(needed(table, "name", WHERE), key("name", WHERE)), key("name", WHERE))
+    system = named_system(table)
+    values, given, place = read_parameters(system, table)
+    q, p = (numbers(needed(table, word, WHERE), key(word, WHERE), [len(getattr(system, word))]) for word in ("q", "p"))
+    model = model_of(system, values, {name: given[name] for name in system.functions if name in given}, place)
+    return Placed(model, tuple(map(float, q)), tuple(map(float, p)), float(system.start))
+
+
+def named_system(table: Table) -> System:
+    """The system that [system] names. **Raises:** `InputError`."""
+    return load_system(document.text(needed(table, "name", WHERE), key("name", WHERE)), key("name", WHERE))
+
+
+def read_parameters(system: System, table: Table) -> tuple[dict[str, Formula], Table, str]:
+    """The values of the system's parameters, the table that gives them, and its place. **Raises:** `InputError`."""
     given = document.table(table.get("parameters", {}), key("parameters", WHERE))
     place = f"{WHERE}, parameters"
     document.only(given, (*system.parameters, *system.functions), place)
@@ -94,9 +110,7 @@ def read_named_system(table: Table) -> Placed:
         name: number(given.get(name, default), key(name, place), positive=name not in system.real)
         for name, default in system.parameters.items()
     }
-    q, p = (numbers(needed(table, word, WHERE), key(word, WHERE), [len(system.q)]) for word in ("q", "p"))
-    model = model_of(system, values, {name: given[name] for name in system.functions if name in given}, place)
-    return Placed(model, tuple(map(float, q)), tuple(map(float, p)), float(system.start))
+    return values, given, place
 
 
 def model_of(system: System, values: Mapping[str, Formula], functions: Mapping[str, Any], where: str = "") -> Model:

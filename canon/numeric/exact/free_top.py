@@ -14,7 +14,7 @@ import numpy as np
 
 from canon.numeric.exact.carlson import carlson_rf, carlson_rj
 from canon.numeric.exact.euler_rotor import rotor
-from canon.numeric.rotations import about_axis, about_vector, conjugate, multiply, normalised, rotate
+from canon.numeric.rotations import about_axis, about_vector, conjugate, multiply, normalised
 
 
 def free_top(attitude: Any, M: Any, moments: tuple[float, float, float], t: Any) -> tuple[Any, Any]:
@@ -33,42 +33,39 @@ def symmetric_top(attitude: Any, M: Any, across: float, along: float, axis: int,
     import jax.numpy as jnp
 
     M = jnp.asarray(M)
-    spin = M[axis] * (across - along) / (across * along) * t
-    turn = about_axis(axis, spin)
-    whole = about_vector(rotate(attitude, M) * (t / across))
-    after = multiply(multiply(whole, attitude), turn)
-    return normalised(after), rotate(conjugate(turn), M)
+    precession = about_vector(M * (t / across))
+    turn = about_axis(axis, M[axis] * (across - along) / (across * along) * t)
+    return normalised(multiply(attitude, multiply(precession, turn))), _turned(M, across, along, axis, t)
+
+
+def _turned(M: Any, across: float, along: float, axis: int, t: Any) -> Any:
+    """The angular momentum of a symmetric top, which turns about the axis as seen from the body."""
+    import jax.numpy as jnp
+
+    angle = M[axis] * (across - along) / (across * along) * t
+    j, k = (axis + 1) % 3, (axis + 2) % 3
+    c, s = jnp.cos(angle), jnp.sin(angle)
+    turned = [M[axis]] * 3
+    turned[j], turned[k] = c * M[j] + s * M[k], c * M[k] - s * M[j]
+    return jnp.stack(turned)
 
 
 def asymmetric_top(attitude: Any, M: Any, moments: tuple[float, float, float], t: Any) -> tuple[Any, Any]:
     """A body with three different moments, also at and near the middle axis."""
     import jax.numpy as jnp
 
+    order, (small, _, large), (a, b, c), rate = _top_of(moments)
     M = jnp.asarray(M)
-    order = np.argsort(moments)
-    small, middle, large = (float(moments[k]) for k in order)
-    x, y, z = (M[int(k)] for k in order)
-    # ẋ = −a yz, ẏ = b zx, ż = −c xy
-    a = (large - middle) / (middle * large)
-    b = (large - small) / (small * large)
-    c = (middle - small) / (small * middle)
-    rate = (a * b * c) ** 0.5
-    sign = 1.0 if _cyclic(order) else -1.0
-    X, Y, Z = x / a**0.5, y / b**0.5, z / c**0.5
-    X1, Y1, Z1 = rotor(X, Y, Z, sign * rate * t)
-    x1, y1, z1 = X1 * a**0.5, Y1 * b**0.5, Z1 * c**0.5
-    after = [x1] * 3
-    for value, place in zip((x1, y1, z1), order, strict=True):
-        after[int(place)] = value
-    new = jnp.stack(after)
-    new = new * jnp.sqrt(jnp.sum(M * M, axis=0) / jnp.maximum(jnp.sum(new * new, axis=0), 1e-300))
+    new = free_momentum(M, moments, t)
+    X, Y, Z = _scaled(M, order, (a, b, c))
+    X1, Y1, Z1 = _scaled(new, order, (a, b, c))
     # seen from the axis whose component passes through 0, M never points along it
     from_small = jnp.abs(X) <= jnp.abs(Z)
     norm = jnp.sqrt(jnp.sum(M * M, axis=0))
     mean = _mean_of(
         (jnp.where(from_small, X, Z), Y, jnp.where(from_small, Z, X)),
         (jnp.where(from_small, X1, Z1), Y1, jnp.where(from_small, Z1, X1)),
-        sign * rate * t,
+        rate * t,
         jnp.where(from_small, a / c, c / a),
     )
     angle = norm * t * jnp.where(from_small, 1 / small - b * mean, 1 / large + b * mean)
@@ -77,8 +74,39 @@ def asymmetric_top(attitude: Any, M: Any, moments: tuple[float, float, float], t
     return jnp.where(from_small, first, last), new
 
 
-def _cyclic(order: np.ndarray) -> bool:
-    return tuple(int(k) for k in order) in ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+def free_momentum(M: Any, moments: tuple[float, float, float], t: Any) -> Any:
+    """Euler's equations alone: the angular momentum in the body's frame (3, …) after a time t."""
+    import jax.numpy as jnp
+
+    M = jnp.asarray(M)
+    equal = [k for k in range(3) if moments[(k + 1) % 3] == moments[(k + 2) % 3]]
+    if equal:
+        return _turned(M, moments[(equal[0] + 1) % 3], moments[equal[0]], equal[0], t)
+    order, _, scales, rate = _top_of(moments)
+    found = rotor(*_scaled(M, order, scales), rate * t)
+    after = [found[0]] * 3
+    for value, scale, place in zip(found, scales, order, strict=True):
+        after[place] = value * scale**0.5
+    new = jnp.stack(after)
+    return new * jnp.sqrt(jnp.sum(M * M, axis=0) / jnp.maximum(jnp.sum(new * new, axis=0), 1e-300))
+
+
+def _top_of(moments: tuple[float, float, float]) -> tuple[tuple[int, ...], tuple[float, ...], tuple[float, ...], float]:
+    """The axes from the smallest moment to the largest, these moments, (a, b, c) of ẋ = −a yz, ẏ = b zx, ż = −c xy
+    along them, and the rate of the rotor's time.
+    """
+    order = tuple(int(k) for k in np.argsort(moments))
+    small, middle, large = (float(moments[k]) for k in order)
+    a = (large - middle) / (middle * large)
+    b = (large - small) / (small * large)
+    c = (middle - small) / (small * middle)
+    sign = 1.0 if order in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1.0
+    return order, (small, middle, large), (a, b, c), sign * (a * b * c) ** 0.5
+
+
+def _scaled(M: Any, order: tuple[int, ...], scales: tuple[float, ...]) -> tuple[Any, Any, Any]:
+    X, Y, Z = (M[place] / scale**0.5 for place, scale in zip(order, scales, strict=True))
+    return X, Y, Z
 
 
 def _mean_of(before: tuple[Any, Any, Any], after: tuple[Any, Any, Any], time: Any, strength: Any) -> Any:
@@ -115,16 +143,27 @@ def _mean_of(before: tuple[Any, Any, Any], after: tuple[Any, Any, Any], time: An
 
 
 def _attitude(attitude: Any, M: Any, new: Any, axis: int, angle: Any) -> Any:
-    """The attitude after a precession by the angle, from the directions of M in the body before and after."""
-    there = multiply(multiply(attitude, conjugate(_tilt(M, axis))), about_axis(axis, angle))
-    return normalised(multiply(there, _tilt(new, axis)))
+    """The attitude after a precession by the angle, from the directions of M in the body before and after.
+
+    M turns about the axis by less than half a turn, so that the quaternion's sign is that of the motion.
+    """
+    import jax.numpy as jnp
+
+    before, after = _directions(M, axis), _directions(new, axis)
+    turned = after[0] - before[0]
+    azimuth = before[0] + turned - 2 * jnp.pi * jnp.round(turned / (2 * jnp.pi))
+    there = multiply(multiply(attitude, conjugate(_tilt(*before, axis))), about_axis(axis, angle))
+    return normalised(multiply(there, _tilt(azimuth, after[1], axis)))
 
 
-def _tilt(M: Any, axis: int) -> Any:
-    """The rotation of M onto a coordinate axis that keeps no turn about that axis."""
+def _directions(M: Any, axis: int) -> tuple[Any, Any]:
+    """The azimuth of M about a coordinate axis, and its angle from it."""
     import jax.numpy as jnp
 
     j, k = (axis + 1) % 3, (axis + 2) % 3
-    azimuth = jnp.arctan2(M[k], M[j])
-    polar = jnp.arctan2(jnp.hypot(M[j], M[k]), M[axis])
-    return multiply(about_axis(k, -polar), about_axis(axis, -azimuth))
+    return jnp.arctan2(M[k], M[j]), jnp.arctan2(jnp.hypot(M[j], M[k]), M[axis])
+
+
+def _tilt(azimuth: Any, polar: Any, axis: int) -> Any:
+    """The rotation of that direction onto the axis that keeps no turn about the axis."""
+    return multiply(about_axis((axis + 2) % 3, -polar), about_axis(axis, -azimuth))

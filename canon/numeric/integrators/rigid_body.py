@@ -40,6 +40,78 @@ def rigid_body(
     return Splitting(parts, 0 if time_dependent else None)
 
 
+def rigid_bodies(
+    moments: Sequence[Sequence[float]],
+    torque: Callable[[Any, Any], Any] | None = None,
+    *,
+    time_dependent: bool = False,
+    attitude: bool = True,
+) -> Splitting:
+    """Several bodies, in slots (attitudes (4k, …), momenta (3k, …)); without `attitude` the first slot is left alone.
+
+    **Arguments:** `moments` of each; `torque(state, t)` returns (3k, …), in the bodies' frames. Without a torque the
+    free motion is one part, in closed form. With one, bodies with two equal moments move in closed form between kicks,
+    and others by three rotations, which cost less than elliptic functions.
+
+    **Raises:** `InputError` as `rigid_body` does.
+    """
+    checked = [check_moments(I) for I in moments]
+    slow = [len({*I}) == 3 for I in checked]
+    if torque is None or not any(slow):
+        free = [_all_of([_free(I, attitude) for I in checked], attitude, "free tops")]
+    else:
+        firsts = [_turning(0, I[0], attitude) if s else _free(I, attitude) for I, s in zip(checked, slow, strict=True)]
+        free = [_all_of(firsts, attitude, "M_1^2/2I_1" if all(slow) else "M_1^2/2I_1 and free tops")]
+        for axis in (1, 2):
+            turning = [_turning(axis, I[axis], attitude) if s else _still for I, s in zip(checked, slow, strict=True)]
+            free.append(_all_of(turning, attitude, f"M_{axis + 1}^2/2I_{axis + 1}"))
+    if torque is None:
+        return Splitting(tuple(free))
+    kick = Shear((1,), lambda state, t: (torque(state, t),), "torque")
+    # the kick moves momenta alone and the free motion is quadratic in them, as for T(p) + V(q)
+    return Splitting((*free, kick), 0 if time_dependent else None, nystrom=len(free) == 1)
+
+
+_Motion = Callable[[Any, Any, Any], tuple[Any, Any]]
+
+
+def _still(attitude: Any, M: Any, h: Any) -> tuple[Any, Any]:
+    return attitude, M
+
+
+def _free(I: tuple[float, float, float], turning: bool) -> _Motion:
+    from canon.numeric.exact.free_top import free_momentum, free_top
+
+    if turning:
+        return lambda attitude, M, h: free_top(attitude, M, I, h)
+    return lambda attitude, M, h: (attitude, free_momentum(M, I, h))
+
+
+def _turning(axis: int, moment: float, turning: bool) -> _Motion:
+    """About one axis, by the angle M_i h/I_i."""
+    part = rotation_part(axis, moment, attitude=turning)
+    return lambda attitude, M, h: part.flow((attitude, M), h, None)[:2]
+
+
+def _all_of(motions: Sequence[_Motion], turning: bool, name: str) -> ExactPart:
+    """The bodies' motions side by side."""
+
+    def flow(state: State, h: Any, t: Any) -> State:
+        import jax.numpy as jnp
+
+        attitudes, momenta, *others = state
+        if len(motions) == 1:
+            return (*motions[0](attitudes, momenta, h), *others)
+        moved = [
+            motion(attitudes[4 * k : 4 * k + 4] if turning else attitudes, momenta[3 * k : 3 * k + 3], h)
+            for k, motion in enumerate(motions)
+        ]
+        after = jnp.concatenate([each for each, _ in moved]) if turning else attitudes
+        return (after, jnp.concatenate([each for _, each in moved]), *others)
+
+    return ExactPart(flow, name=name)
+
+
 def check_moments(moments: Sequence[float]) -> tuple[float, float, float]:
     """The principal moments of inertia of a body that can be."""
     I = tuple(float(moment) for moment in moments)
@@ -50,19 +122,20 @@ def check_moments(moments: Sequence[float]) -> tuple[float, float, float]:
     return I  # pyright: ignore[reportReturnType]
 
 
-def rotation_part(axis: int, moment: float) -> ExactPart:
-    """The flow of M_i²/2I_i: both M and the attitude turn about the body's axis i by an angle M_i h/I_i."""
+def rotation_part(axis: int, moment: float, *, attitude: bool = True) -> ExactPart:
+    """The flow of M_i²/2I_i: M and, unless it is left alone, the attitude turn about the body's axis i by M_i h/I_i."""
     j, k = (axis + 1) % 3, (axis + 2) % 3
 
     def flow(state: State, h: Any, t: Any) -> State:
         import jax.numpy as jnp
 
-        attitude, M, *others = state
+        placed, M, *others = state
         angle = h * M[axis] / moment
         c, s = jnp.cos(angle), jnp.sin(angle)
         turned = [M[axis]] * 3
         turned[j], turned[k] = c * M[j] + s * M[k], c * M[k] - s * M[j]
-        return (normalised(multiply(attitude, about_axis(axis, angle))), jnp.stack(turned), *others)
+        turn = normalised(multiply(placed, about_axis(axis, angle))) if attitude else placed
+        return (turn, jnp.stack(turned), *others)
 
     return ExactPart(flow, name=f"M_{axis + 1}^2/2I_{axis + 1}")
 

@@ -10,6 +10,7 @@ from canon.scenes.effects import (
     damping,
     driving,
     electric_field,
+    gravity_torque,
     inverse_distance,
     inverse_square,
     magnetic_field,
@@ -22,6 +23,7 @@ from canon.scenes.effects import (
     scatterer,
     spring,
     surface,
+    torque,
     uniform_gravity,
 )
 from canon.scenes.effects.effect import Effect
@@ -47,11 +49,13 @@ EFFECTS: Final[dict[str, Effect]] = {
         surface,
         refractive_index,
         scatterer,
+        torque,
+        gravity_torque,
     )
 }
 """The effects of this version by their kind."""
 
 LATER: Final = (
-    "string", "skate", "torque", "gravity_torque",
+    "string", "skate",
 )  # fmt: skip
 """The effects of the format that this version has not got."""

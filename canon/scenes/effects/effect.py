@@ -15,6 +15,7 @@ from canon.claims import document
 from canon.claims.document import Table, key
 from canon.errors import InputError
 from canon.scenes.model import Formula
+from canon.scenes.rigid import RigidBody
 from canon.scenes.values import expression, needed
 from canon.vocabulary import nearest
 
@@ -59,6 +60,7 @@ class Surroundings:
     t: sp.Symbol
     relativistic: bool = False
     is_system: bool = False
+    rigid: tuple[RigidBody, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -70,7 +72,8 @@ class Contribution:
     the λ of a force −2 m λ v; `resistance`, the matrix α of a force −α v, over all coordinates; `constraints`, the
     g(x, t) that it keeps at 0; `lrl`, the Laplace–Runge–Lenz vector of the motion that this effect alone makes;
     `index`, for each ray's name the refractive index n(x), which makes the body one; `scatters`, for each particle's
-    name the potential V(r) that deflects it, in the symbol `RADIUS`.
+    name the potential V(r) that deflects it, in the symbol `RADIUS`; `torques`, for each rigid body's name the one
+    on it that has no potential, in the body's frame.
     """
 
     potential: Formula = sp.S.Zero
@@ -82,13 +85,14 @@ class Contribution:
     lrl: Mapping[str, Formula] = field(default_factory=dict)
     index: Mapping[str, Formula] = field(default_factory=dict)
     scatters: Mapping[str, Formula] = field(default_factory=dict)
+    torques: Mapping[str, Vector] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class Effect:
     """An effect of the catalogue: `parameters` (those in `optional` can be left out), `breaks`, the monitors that it
     breaks in general, and `add`, from what a scene gives it to its contribution. `on_systems`: it also acts on a system
-    in its own coordinates.
+    in its own coordinates. `on_rigid`: it acts on rigid bodies, and on nothing else.
     """
 
     kind: str
@@ -99,6 +103,7 @@ class Effect:
     optional: tuple[str, ...] = ()
     hamiltonian: bool = True
     on_systems: bool = False
+    on_rigid: bool = False
 
 
 class Given:
@@ -124,9 +129,17 @@ class Given:
     @property
     def particles(self) -> tuple[Particle, ...]:
         """The bodies that it acts on: those of `bodies`, or all. **Raises:** `InputError` for one that there isn't."""
-        known = {particle.name: particle for particle in self.surroundings.particles}
+        return self._named(self.surroundings.particles)
+
+    @property
+    def rigid(self) -> tuple[RigidBody, ...]:
+        """The rigid bodies that it acts on: those of `bodies`, or all. **Raises:** `InputError`."""
+        return self._named(self.surroundings.rigid)
+
+    def _named(self, everything: tuple[Any, ...]) -> tuple[Any, ...]:
+        known = {particle.name: particle for particle in everything}
         if "bodies" not in self.table:
-            return tuple(known.values())
+            return everything
         names = document.listing(self.table["bodies"], self.place("bodies"))
         for name in names:
             if name not in known:

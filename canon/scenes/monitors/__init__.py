@@ -30,6 +30,7 @@ AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
     "momentum": _of("momentum", lambda model: model.momenta),
     "angular_momentum": _of("angular_momentum", lambda model: model.angular_momenta),
     "lrl": _of("lrl", lambda model: model.lrl),
+    "casimir": _of("casimir", lambda model: model.casimirs),
     "symplecticity": read_symplecticity,
     "volume": read_volume,
     "loop": read_loop,
@@ -39,25 +40,28 @@ AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
 }
 """The monitors of this version: (flow, times, q, p) to a reading."""
 
-_ABSENT: Final = {"casimir": "rigid bodies"}
 _FREE_ONLY: Final = ("symplecticity", "volume", "loop", "cartan")
 _NEEDS: Final = {
     "momentum": "a scene of bodies, or a system that names its momenta",
     "angular_momentum": "positions in a plane or in space",
     "lrl": "one body that is attracted by inverse_distance, or two by mutual_gravity",
+    "casimir": "a rigid body",
 }
 
 
 def check_monitors(names: Sequence[str], model: Any, where: str) -> None:
     """Refuse monitors that this scene, or this version, has not got. **Raises:** `InputError`."""
     for name in names:
-        if name not in AVAILABLE:
-            raise InputError(f"the monitor {name!r} is one of {_ABSENT[name]}, which this version has not got", where)
         if model.constraints and name in _FREE_ONLY:
             raise InputError(f"the monitor {name!r} on a constraint surface is not available in this version", where)
         if name == "constraint" and not model.constraints:
             raise InputError("the monitor 'constraint' needs a constraint: a rod or a surface", where)
-        quantities = {"momentum": model.momenta, "angular_momentum": model.angular_momenta, "lrl": model.lrl}
+        quantities = {
+            "momentum": model.momenta,
+            "angular_momentum": model.angular_momenta,
+            "lrl": model.lrl,
+            "casimir": model.casimirs,
+        }
         if name in quantities and not quantities[name]:
             raise InputError(f"the monitor {name!r} needs {_NEEDS[name]}", where)
 

@@ -50,7 +50,7 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
         energy = quantity == model.H
         for effect in model.effects:
             own = sp.Add(*(term.expr for term in model.terms if term.effect == effect))
-            terms = [own.diff(model.t)] if energy else poisson_terms(quantity, own, model.q, model.p)
+            terms = [own.diff(model.t)] if energy else _bracket_terms(quantity, own, model)
             if not energy and quantity.has(model.t) and effect == model.effects[0]:
                 terms.append(quantity.diff(model.t))
             for friction in model.frictions:
@@ -67,7 +67,7 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
     total = sp.Add(*(term.expr for term in model.terms))
     if broken and not model.frictions and not model.constraints and all(q_ != model.H for q_ in quantities):
         # terms may break it one by one and keep it together, as kinetic energy and a frame's rotation do
-        whole = [[*poisson_terms(x, total, model.q, model.p), x.diff(model.t)] for x in quantities]
+        whole = [[*_bracket_terms(x, total, model), x.diff(model.t)] for x in quantities]
         if all(_vanishes(terms, model, q, p) for terms in whole):
             return ()
     return broken if all(x == model.H for x in quantities) else _without_pair(broken, quantities, model, q, p)
@@ -80,9 +80,21 @@ def _without_pair(
     for other in broken[1:]:
         both = sp.Add(*(term.expr for term in model.terms if term.effect in (broken[0], other)))
         frictionless = all(friction.effect != other for friction in model.frictions)
-        if frictionless and all(_vanishes(poisson_terms(x, both, model.q, model.p), model, q, p) for x in quantities):
+        if frictionless and all(_vanishes(_bracket_terms(x, both, model), model, q, p) for x in quantities):
             return tuple(effect for effect in broken if effect not in (broken[0], other))
     return broken
+
+
+def _bracket_terms(f: Formula, H: Formula, model: Model) -> list[Formula]:
+    """The terms of {f, H}."""
+    if not model.rigid:
+        return poisson_terms(f, H, model.q, model.p)
+    return [
+        term
+        for u, v, bracket in model.brackets
+        for term in (f.diff(u) * bracket * H.diff(v), -f.diff(v) * bracket * H.diff(u))
+        if term != 0
+    ]
 
 
 def _vanishes(terms: Sequence[Formula], model: Model, q: np.ndarray, p: np.ndarray) -> bool:
@@ -93,7 +105,7 @@ def _vanishes(terms: Sequence[Formula], model: Model, q: np.ndarray, p: np.ndarr
     random = np.random.default_rng(0)
     rows = random.integers(0, len(q), LOOKS)
     shake = [1 + 0.1 * random.standard_normal(x.shape) for x in (q[rows], p[rows])]
-    sizes = [max(float(np.abs(x).max()), 1e-300) for x in (q, p)]
+    sizes = [max(float(np.abs(x).max(initial=0.0)), 1e-300) for x in (q, p)]
     near = [
         x[rows] * s + 0.1 * size * random.standard_normal(s.shape)
         for x, s, size in zip((q, p), shake, sizes, strict=True)
@@ -111,7 +123,7 @@ def drift_bound(
     if flow.error is None:
         return None
     model = flow.model
-    off = [flow.error * max(float(np.abs(x).max()), 0.0) for x in (q, p)]
+    off = [flow.error * float(np.abs(x).max(initial=0.0)) for x in (q, p)]
     total = 0.0
     for quantity in quantities:
         slopes = observe(gradient(quantity, (*model.q, *model.p)), (model.q, model.p, model.t), times, q, p)

@@ -13,6 +13,7 @@ from canon.numeric.loops import LoopIntegral, loop_integral
 from canon.numeric.observe import observe
 from canon.numeric.transport import shifted, transported
 from canon.scenes.monitors.flow import Flow
+from canon.scenes.monitors.geometry import canonical, onto_attitudes
 from canon.scenes.monitors.predicted import conformal_rate, friction_names
 from canon.scenes.monitors.reading import Reading, judged
 
@@ -30,9 +31,9 @@ def read_loop(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Re
     first = last = None
     after = np.zeros((0, 0))
     for radius, nodes in product(RADII, NODES):
-        before = small_loop(q, p, nodes, radius)
-        after = _carried(flow, before)
-        first, last = _integral(before, flow), _integral(after, flow)
+        before = _small_loop(flow, q, p, nodes, radius)
+        after = canonical(flow.model, _carried(flow, before))
+        first, last = _integral(canonical(flow.model, before), flow), _integral(after, flow)
         if last is not None and last.resolved:
             break
     if first is None or last is None or not last.resolved:
@@ -46,17 +47,18 @@ def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
     first = last = None
     extended = np.zeros((0, 0))
     for radius, nodes in product(RADII, NODES):
-        before = small_loop(q, p, nodes, radius)
+        before = _small_loop(flow, q, p, nodes, radius)
         steps = min(max(int(SHIFT * flow.steps), 1), SHIFT_STEPS)
         late = steps * run.step * np.sin(2 * np.pi * np.arange(nodes) / nodes)
         carried = _carried(flow, before)
         if not np.isfinite(carried).all():
             continue
-        after = shifted(flow.problem, flow.method, carried, late, steps=steps, t0=float(times[-1]))
         n, moments = model.n, times[-1] + late
+        after = shifted(flow.problem, flow.method, carried, late, steps=steps, t0=float(times[-1]), first=n)
         energy = observe([model.H], (model.q, model.p, model.t), moments, after[:, :n], after[:, n:])[0]
+        after = canonical(model, after)
         extended = np.column_stack([after[:, :n], late, after[:, n:], -energy])
-        first, last = _integral(before, flow), _integral(extended, flow)
+        first, last = _integral(canonical(model, before), flow), _integral(extended, flow)
         if last is not None and last.resolved:
             break
     if first is None or last is None or not last.resolved:
@@ -64,19 +66,31 @@ def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
     return _reading("cartan", flow, times, first, last, _slack(flow, extended))
 
 
+def _small_loop(flow: Flow, q: np.ndarray, p: np.ndarray, nodes: int, radius: float) -> np.ndarray:
+    """A loop of states that are possible: unit quaternions for the attitudes of rigid bodies."""
+    return onto_attitudes(flow.model, small_loop(q, p, nodes, radius))
+
+
 def small_loop(q: np.ndarray, p: np.ndarray, nodes: int, radius: float) -> np.ndarray:
-    """A loop (nodes, 2n) about the first state: an ellipse in every plane (q_i, p_i), each with another phase."""
-    n = q.shape[1]
+    """A loop (nodes, N) about the first state: an ellipse in every plane (q_i, p_i), each with another phase."""
     sizes = [np.abs(x).max(axis=0) for x in (q, p)]
     sizes = [radius * np.where(s > 0.05 * s.max(), s, s.max() if s.max() > 0 else 1.0) for s in sizes]
-    angle = 2 * np.pi * np.arange(nodes)[:, None] / nodes + np.arange(n)
-    return np.hstack([q[0] + sizes[0] * np.cos(angle), p[0] + sizes[1] * np.sin(angle)])
+    angles = [2 * np.pi * np.arange(nodes)[:, None] / nodes + np.arange(x.shape[1]) for x in (q, p)]
+    return np.hstack([q[0] + sizes[0] * np.cos(angles[0]), p[0] + sizes[1] * np.sin(angles[1])])
 
 
 def _carried(flow: Flow, points: np.ndarray) -> np.ndarray:
     run = flow.run
     steps = max(flow.steps, 1)
-    return transported(flow.problem, flow.method, points, steps=steps, duration=steps * run.step, t0=run.t0)
+    return transported(
+        flow.problem,
+        flow.method,
+        points,
+        steps=steps,
+        duration=steps * run.step,
+        t0=run.t0,
+        first=flow.model.n,
+    )
 
 
 def _integral(points: np.ndarray, flow: Flow) -> LoopIntegral | None:

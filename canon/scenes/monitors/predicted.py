@@ -23,6 +23,17 @@ def volume_exponent(model: Model, times: np.ndarray, q: np.ndarray, p: np.ndarra
     return fine + (fine - coarse) / 3, abs(fine - coarse)
 
 
+def contracting(model: Model) -> tuple[str, ...]:
+    """The effects whose forces have a divergence: a torque that does not depend on momenta has none."""
+    return tuple(
+        dict.fromkeys(
+            friction.effect
+            for friction in model.frictions
+            if sp.expand(sp.Add(*(F.diff(y) for F, y in zip(friction.force, model.p, strict=True)))) != 0
+        )
+    )
+
+
 def _trapezoid(values: np.ndarray, times: np.ndarray) -> float:
     return float(((values[1:] + values[:-1]) / 2 * np.diff(times)).sum())
 

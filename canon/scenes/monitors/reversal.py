@@ -19,9 +19,13 @@ def read_reversibility(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarr
     steps = max(flow.steps, 1)
     last = np.concatenate([q[-1], p[-1]])[None]
     end = flow.run.t0 + steps * flow.run.step
-    back = transported(flow.problem, flow.method, last, steps=steps, duration=-steps * flow.run.step, t0=end)[0]
     n = q.shape[1]
-    sizes = [max(float(np.abs(x).max()), 1e-300) for x in (q, p)]
-    drift = max(float(np.abs(back[:n] - q[0]).max()) / sizes[0], float(np.abs(back[n:] - p[0]).max()) / sizes[1])
+    span = -steps * flow.run.step
+    back = transported(flow.problem, flow.method, last, steps=steps, duration=span, t0=end, first=n)[0]
+    drifts = []
+    for found, x in ((back[:n], q), (back[n:], p)):
+        size = max(float(np.abs(x).max(initial=0.0)), 1e-300)
+        drifts.append(float(np.abs(found - x[0]).max(initial=0.0)) / size)
+    drift = max(drifts)
     bound = None if flow.error is None else SAFETY * (2 * flow.error + FLOOR * np.sqrt(steps))
     return judged("reversibility", "conserved", 0.0, drift, drift, bound)

@@ -1,6 +1,7 @@
 """Symplecticity ‖M J Mᵀ − J‖ and volume det M − 1 of the flow's Jacobian M, from the beginning to the end of the run.
 
-With one friction rate λ for all, M J Mᵀ = exp(−2λt) J; det M = exp ∫ tr ∂F/∂p dt always.
+With one friction rate λ for all, M J Mᵀ = exp(−2λt) J; det M = exp ∫ tr ∂F/∂p dt always. Of rigid bodies M is the
+derivative in turns of the body and changes of its angular momentum, and J their Lie–Poisson bracket.
 """
 
 from __future__ import annotations
@@ -9,9 +10,10 @@ from typing import Any, Final
 
 import numpy as np
 
-from canon.numeric.transport import flow_jacobian
+from canon.numeric.transport import flow_differences
 from canon.scenes.monitors.flow import Flow
-from canon.scenes.monitors.predicted import conformal_rate, friction_names, volume_exponent
+from canon.scenes.monitors.geometry import Frame, frame_at, onto_attitudes
+from canon.scenes.monitors.predicted import conformal_rate, contracting, friction_names, volume_exponent
 from canon.scenes.monitors.reading import Reading, judged
 
 SAFETY: Final = 64.0
@@ -22,11 +24,10 @@ COARSEST: Final = 1e-2
 
 def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
     """How far M J Mᵀ is from J, or from exp(−2λt) J."""
-    M, rounding, error = _tangent(flow, q, p)
-    n = len(M) // 2
-    J = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
-    pulled = M @ J @ M.T
-    value = float(np.abs(pulled - J).max())
+    before, after = _frames(flow, q, p)
+    M, rounding, error = _tangent(flow, q, p, before, after)
+    kept, J = before.kept(M), after.bracket
+    value = float(np.abs(kept - J).max())
     if not flow.model.frictions:
         return _judged("symplecticity", "conserved", value, value, rounding, error)
     expected = f"broken by {friction_names(flow.model)}"
@@ -34,25 +35,25 @@ def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarr
     if rate is None:
         return Reading("symplecticity", expected, 0.0, value, value)
     factor = float(np.exp(-2 * rate * (times[-1] - times[0])))
-    drift = float(np.abs(pulled - factor * J).max())
+    drift = float(np.abs(kept - factor * J).max())
     return _judged("symplecticity", expected, value, drift, rounding, error, predicted=1 - factor)
 
 
 def read_volume(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
     """det M − 1, and what friction makes of it."""
-    M, rounding, error = _tangent(flow, q, p)
+    M, rounding, error = _tangent(flow, q, p, *_frames(flow, q, p))
     sign, log = np.linalg.slogdet(M)
     value = float(sign * np.exp(log) - 1)
     # a determinant's relative error grows with the condition of M; the steps' errors are in the other bound
     rounding = len(M) * SAFETY * ROUNDING * float(np.linalg.cond(M)) * np.sqrt(max(flow.steps, 1))
     error *= len(M)
-    if not flow.model.frictions:
+    if not contracting(flow.model):
         return _judged("volume", "conserved", value, abs(value), rounding, error)
     exponent, off = volume_exponent(flow.model, times, q, p)
     predicted = float(np.expm1(exponent))
     drift = abs(float(sign * np.exp(log - exponent)) - 1)
     error += 4 * off
-    expected = f"broken by {friction_names(flow.model)}"
+    expected = f"broken by {', '.join(contracting(flow.model))}"
     return _judged("volume", expected, value, drift, rounding, error, predicted=predicted)
 
 
@@ -66,13 +67,48 @@ def _judged(
     return judged(name, expected, 0.0, value, drift, bound if np.isfinite(bound) else None, **extra)
 
 
-def _tangent(flow: Flow, q: np.ndarray, p: np.ndarray) -> tuple[np.ndarray, float, float]:
+def _frames(flow: Flow, q: np.ndarray, p: np.ndarray) -> tuple[Frame, Frame]:
+    """At the first state and at the last one."""
+    first, last = (frame_at(flow.model, np.concatenate([q[k], p[k]])) for k in (0, -1))
+    return first, last
+
+
+def _tangent(flow: Flow, q: np.ndarray, p: np.ndarray, before: Frame, after: Frame) -> tuple[np.ndarray, float, float]:
     """M, and how far M J Mᵀ may be off: by rounding, and by the steps' errors where the method isn't symplectic."""
-    run = flow.run
-    M = flow_jacobian(flow.problem, flow.method, q[0], p[0], steps=max(flow.steps, 1), h=run.step, t0=run.t0)
+    if flow.closed:
+        return _by_differences(flow, q, p, before, after)
+    M = after.dual @ flow.jacobian @ before.basis
     size = float(np.linalg.norm(M, 2)) ** 2
     rounding = SAFETY * ROUNDING * size * float(np.sqrt(max(flow.steps, 1)))
     # friction that is linear is a part of its own, whose flow contracts areas exactly
     if flow.method.traits.symplectic is True and all(friction.matrix is not None for friction in flow.model.frictions):
         return M, rounding, 0.0
     return M, rounding, SAFETY * (flow.error if flow.error is not None else np.inf) * size
+
+
+def _by_differences(
+    flow: Flow, q: np.ndarray, p: np.ndarray, before: Frame, after: Frame
+) -> tuple[np.ndarray, float, float]:
+    """The same of a flow in closed form; what differences leave out counts as an error."""
+    run, steps, start = flow.run, max(flow.steps, 1), np.concatenate([q[0], p[0]])
+    size = float(np.abs(p[0]).max()) or 1.0
+    scale = np.where(np.arange(len(start)) < q.shape[1], 1.0, size)
+    directions = scale * before.basis.T
+
+    def curves(s: np.ndarray) -> np.ndarray:
+        return onto_attitudes(flow.model, start + s[:, None, None] * directions)
+
+    slopes, off = flow_differences(
+        flow.problem,
+        flow.method,
+        curves,
+        first=q.shape[1],
+        steps=steps,
+        duration=steps * run.step,
+        t0=run.t0,
+    )
+    lengths = np.linalg.norm(before.basis.T * scale, axis=1) / np.linalg.norm(before.basis.T, axis=1)
+    M = after.dual @ slopes / lengths
+    whole = float(np.linalg.norm(M, 2))
+    rounding = SAFETY * ROUNDING * whole**2 * float(np.sqrt(steps))
+    return M, rounding, SAFETY * (off + ROUNDING / 1e-3) * whole * max(1.0, 1 / size)

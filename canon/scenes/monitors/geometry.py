@@ -1,0 +1,94 @@
+"""What a flow's derivative is measured in: tangent vectors at a state, and the structure that the flow keeps there.
+
+In canonical variables it is the bracket J; of rigid bodies the Lie–Poisson bracket, in turns of the body and changes of
+M.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from canon.scenes.model import Model
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Tangent vectors, the columns of `basis` (N, d); their `dual` (d, N); the brackets (d, d) of these coordinates.
+
+    Phase volume is that of the coordinates.
+    """
+
+    basis: np.ndarray
+    dual: np.ndarray
+    bracket: np.ndarray
+
+    def kept(self, T: np.ndarray) -> np.ndarray:
+        """T B Tᵀ: what a map with the derivative T (d, d) makes of the brackets."""
+        return T @ self.bracket @ T.T
+
+
+def frame_at(model: Model, state: np.ndarray) -> Frame:
+    """The frame at a state (N,), q before p."""
+    if not model.rigid:
+        n = model.n
+        J = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
+        return Frame(np.eye(2 * n), np.eye(2 * n), J)
+    first = len(model.q)
+    count = len(model.rigid)
+    turning = first > 0
+    size = 3 * count * (2 if turning else 1)
+    basis, dual = np.zeros((len(state), size)), np.zeros((size, len(state)))
+    bracket = np.zeros((size, size))
+    for k in range(count):
+        M = slice(first + 3 * k, first + 3 * k + 3)
+        own = slice(size - 3 * count + 3 * k, size - 3 * count + 3 * k + 3)
+        basis[M, own] = dual[own, M] = np.eye(3)
+        bracket[own, own] = -_crossing(state[M])
+        if turning:
+            a, turn = slice(4 * k, 4 * k + 4), slice(3 * k, 3 * k + 3)
+            turns = _turns(state[a])
+            basis[a, turn], dual[turn, a] = turns / 2, 2 * turns.T
+            bracket[turn, own], bracket[own, turn] = np.eye(3), -np.eye(3)
+    return Frame(basis, dual, bracket)
+
+
+def _crossing(v: np.ndarray) -> np.ndarray:
+    """The matrix ε_ijk v_k."""
+    return np.array([[0, v[2], -v[1]], [-v[2], 0, v[0]], [v[1], -v[0], 0]])
+
+
+def _turns(a: np.ndarray) -> np.ndarray:
+    """The quaternions a e_i as columns."""
+    w, x, y, z = a
+    return np.array([[-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w]])
+
+
+def onto_attitudes(model: Model, points: np.ndarray) -> np.ndarray:
+    """Phase points (…, N) with the quaternions of rigid bodies made unit ones."""
+    placed = points.copy()
+    for k in range(len(model.q) // 4 if model.rigid else 0):
+        part = placed[..., 4 * k : 4 * k + 4]
+        part /= np.linalg.norm(part, axis=-1, keepdims=True)
+    return placed
+
+
+def canonical(model: Model, points: np.ndarray) -> np.ndarray:
+    """Phase points (…, N) in variables whose Σ p dq is the invariant form: for a rigid body p = 2 a M, in quaternions,
+    since then p·ȧ = M·ω.
+    """
+    if not model.rigid:
+        return points
+    n = len(model.q)
+    momenta = []
+    for k in range(n // 4):
+        w, x, y, z = np.moveaxis(points[..., 4 * k : 4 * k + 4], -1, 0)
+        one, two, three = np.moveaxis(points[..., n + 3 * k : n + 3 * k + 3], -1, 0)
+        momenta += [
+            -x * one - y * two - z * three,
+            w * one - z * two + y * three,
+            z * one + w * two - x * three,
+            -y * one + x * two + w * three,
+        ]
+    return np.concatenate([points[..., :n], 2 * np.stack(momenta, axis=-1)], axis=-1)

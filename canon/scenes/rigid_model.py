@@ -8,8 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from canon.numeric.integrators.rigid_body import rigid_bodies
-from canon.numeric.lower import lower
+from canon.numeric.rigid_formula import rigid_bodies_under
 from canon.scenes.effects.effect import Contribution
 from canon.scenes.model import Friction, Model, Term
 from canon.scenes.rigid import RigidBody
@@ -62,17 +61,4 @@ def rigid_splitting(model: Model) -> Any:
         own = [bracket * V.diff(a) for a, v, bracket in model.brackets if v == M]
         rates.append(-sp.Add(*own) + sp.Add(*(torque.force[k] for torque in model.frictions)))
     moments = [[float(I) for I in body.moments] for body in model.rigid]
-    turning = bool(model.q)
-    if all(rate == 0 for rate in rates):
-        return rigid_bodies(moments, attitude=turning)
-    lowered = lower(tuple(rates), (*model.q, model.t))
-    timed = any(model.t in rate.free_symbols for rate in rates)
-
-    def torque(state: Any, now: Any) -> Any:
-        import jax.numpy as jnp
-
-        M = state[1]
-        values = lowered(*(state[0] if turning else ()), 0.0 if now is None else now)
-        return jnp.stack([jnp.broadcast_to(jnp.asarray(value, M.dtype), M.shape[1:]) for value in values])
-
-    return rigid_bodies(moments, torque, time_dependent=timed, attitude=turning)
+    return rigid_bodies_under(rates, moments, model.q, model.t)

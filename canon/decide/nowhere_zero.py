@@ -17,8 +17,9 @@ from canon.decide.enclosure import excludes_zero
 from canon.decide.intervals import Interval, intervals_of
 from canon.decide.region import Region
 from canon.decide.search import samples
-from canon.decide.sign_on_box import definite_sign
+from canon.decide.sign_on_box import is_zero_free
 from canon.decide.tape import Node, Tape, Unsupported
+from canon.errors import InputError
 from canon.sign import declared
 
 POINTS = 3
@@ -34,20 +35,23 @@ def has_no_zero(tape: Tape, node: Node, region: Region, budget: Budget) -> bool:
     }
     box = intervals_of(tape, region)
     return tape.value(node) != 0 and all(
-        factor in asked or (not tape.is_complex(factor) and _keeps_its_sign(tape, factor, box, budget))
+        factor in asked or (not tape.is_complex(factor) and _is_zero_free(tape, factor, box, budget))
         for factor in _factors(tape, node)
     )
 
 
-def _keeps_its_sign(tape: Tape, node: Node, box: Mapping[Node, Interval], budget: Budget) -> bool:
-    """Whether the node has a sign on the box, and where symbols that may be 0 are 0: the box is taken for open."""
+def _is_zero_free(tape: Tape, node: Node, box: Mapping[Node, Interval], budget: Budget) -> bool:
+    """Whether the node is 0 nowhere on the box, nor where symbols that may be 0 are 0: the box is taken for open."""
     value = tape.value(node)
     if value is not None:
         return value != 0
-    if definite_sign(tape, node, box, budget) is None:
+    if not is_zero_free(tape, node, box, budget):
         return False
     weak = [x for x in sorted(tape.support(node)) if _may_be_zero_at_the_end(declared(tape.symbol_at(x)))]
-    return all(_keeps_its_sign(tape, substitute(tape, node, {x: tape.zero}), box, budget) for x in weak)
+    try:
+        return all(_is_zero_free(tape, substitute(tape, node, {x: tape.zero}), box, budget) for x in weak)
+    except InputError:  # the node isn't defined there
+        return False
 
 
 def _may_be_zero_at_the_end(facts: Mapping[str, bool]) -> bool:

@@ -19,22 +19,43 @@ def definite_sign(tape: Tape, node: Node, intervals: Mapping[Node, Interval], bu
         constant, slope, symbol = form
         interval = intervals.get(symbol, declared(tape, symbol)).affine(slope, constant)
         return interval.sign()
+    found = _classified(tape, node, intervals, budget)
+    if found is None:
+        return None
+    sign, known, unknown = found
+    if unknown or not all(strict for strict, _ in known):
+        return None
+    return "pos" if sign > 0 else "neg"
+
+
+def is_zero_free(tape: Tape, node: Node, intervals: Mapping[Node, Interval], budget: Budget) -> bool:
+    """Whether the node vanishes nowhere on the box: only factors of known sign are above, whatever is below.
+
+    What is below may have zeros on the box: the node isn't defined there.
+    """
+    if exact_affine(tape, node) is not None:
+        return definite_sign(tape, node, intervals, budget) is not None
+    found = _classified(tape, node, intervals, budget)
+    return found is not None and all(strict or e < 0 for strict, e in found[1]) and all(e < 0 for e in found[2])
+
+
+def _classified(
+    tape: Tape, node: Node, intervals: Mapping[Node, Interval], budget: Budget
+) -> tuple[int, list[tuple[bool, int]], list[int]] | None:
+    """The sign of the known factors; for each, whether it has no zero, and its exponent; the others' exponents."""
     try:
         tower = Tower(tape, [node], intervals=intervals, budget=budget)
         value = tower.values.get(node)
         if value is None:
-            field, kernels = tower.field, tower.values
-            values = dict(kernels)
+            values = dict(tower.values)
             for i in tape.reach([node]):
                 if i not in values:
-                    values[i] = combine(field, tape.ops[i], values)
+                    values[i] = combine(tower.field, tape.ops[i], values)
             value = values[node]
         if tower.is_complex(value) or not value[0]:
             return None
         sign, _, known, unknown = classify(tower, value)
-        strict = all(sign_of(tower, f) in ("pos", "neg") for f, _ in known)
+        strict = [(sign_of(tower, f) in ("pos", "neg"), e) for f, e in known]
     except (Unsupported, TooCostly, ZeroDivisionError):
         return None
-    if unknown or not strict:
-        return None
-    return "pos" if sign > 0 else "neg"
+    return sign, strict, [e for _, e in unknown]

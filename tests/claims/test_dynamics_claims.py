@@ -112,3 +112,12 @@ def test_time_may_be_the_parameter_of_a_flow(ask):
         transformation='Q = ["q + t*p"]\nP = ["p - t*q"]',
     )
     assert (flow.status, early.status, late.status) == ("proved", "proved", "refuted")
+
+
+def test_a_hessian_that_only_poles_could_make_vanish(status):
+    """m c³/(c² − v²)^(3/2): no zero whatever m and c are, though c² − v² has no sign by itself."""
+    claim = 'kind = "legendre"\nL = "-m*c**2*sqrt(1 - v**2/c**2)"\nvelocities = ["v"]'
+    sections = {"symbols": 'm = "positive"\nc = "positive"', "hamiltonian": 'H = "sqrt(p**2*c**2 + m**2*c**4)"'}
+    assert status(claim, space=LINE, **sections) == "proved"
+    weak = {**sections, "symbols": 'm = "nonnegative"\nc = "positive"'}
+    assert status(claim, space=LINE, **weak) != "proved"

@@ -78,7 +78,12 @@ class _Keys:
             return self._formula(value, entry, where)
         if entry.form in ("expressions", "per pair"):
             return self._formulas(word, entry, value)
-        tables = {"tables": self._tables, "functions": self._functions, "degrees": self._degrees}
+        tables = {
+            "tables": self._tables,
+            "functions": self._functions,
+            "calls": self._calls,
+            "degrees": self._degrees,
+        }
         if entry.form in tables:
             return tables[entry.form](entry, value, where)
         simple: Mapping[Form, Callable[[Any, str], Any]] = {
@@ -197,15 +202,26 @@ class _Keys:
             raise InputError("at least one table name = value is expected", where)
         return tuple(found)
 
+    def _call(self, text: Any, entry: Key, where: str) -> sp.Expr:
+        """A function that the file declares, of different names."""
+        call = self._formula(text, entry, where).expr
+        arguments = call.args if isinstance(call, AppliedUndef) else ()
+        if not arguments or len(set(arguments)) < len(arguments) or not all(a.is_Symbol for a in arguments):
+            raise InputError('a declared function of different names is expected, as "x(t)"', where)
+        return call
+
+    def _calls(self, entry: Key, value: Any, where: str) -> tuple[sp.Expr, ...]:
+        found = tuple(self._call(text, entry, where) for text in document.listing(value, where))
+        if not found or len({call.func for call in found}) < len(found):
+            raise InputError('different functions are expected, as in ["u(x, t)"]', where)
+        return found
+
     def _functions(self, entry: Key, value: Any, where: str) -> dict[sp.Expr, Formula]:
         """The table "x(t)" = formula: functions that the file declares, of different names, each with its formula."""
         found: dict[sp.Expr, Formula] = {}
         for text, given in document.table(value, where).items():
             place = f"{where}, {text[:80]!r}"
-            call = self._formula(text, entry, place).expr
-            arguments = call.args if isinstance(call, AppliedUndef) else ()
-            if not arguments or len(set(arguments)) < len(arguments) or not all(a.is_Symbol for a in arguments):
-                raise InputError('a declared function of different names is expected, as in "x(t)" = "A*cos(t)"', place)
+            call = self._call(text, entry, place)
             if any(call.func == other.func for other in found):
                 raise InputError(f"{call.func.__name__!r} is given twice", place)
             found[call] = self._formula(given, entry, place)

@@ -126,9 +126,20 @@ def _integer_power(tape: Tape, base: sp.Expr, exponent: sp.Expr) -> Node:
     return total
 
 
+def _by_argument(tape: Tape, node: Node, call: AppliedUndef, argument: AppliedUndef, count: Any) -> Node:
+    """V'(u(x)), which sympy writes as a derivative of V(u(x)) by u(x): by the one argument that is u(x)."""
+    places = [k for k, given in enumerate(call.args) if given.has(argument)]
+    if len(places) != 1 or call.args[places[0]] != argument or not isinstance(count, sp.Integer):
+        raise Unsupported(f"a derivative with respect to {argument}")
+    _, name, orders, arguments = tape.ops[node]
+    return tape.arbitrary(name, tuple(n + int(count) * (k == places[0]) for k, n in enumerate(orders)), arguments)
+
+
 def _import_derivative(tape: Tape, item: sp.Derivative) -> Node:
     node = load(tape, item.expr)
     counts: Any = item.variable_count
+    if len(counts) == 1 and isinstance(item.expr, AppliedUndef) and isinstance(counts[0][0], AppliedUndef):
+        return _by_argument(tape, node, item.expr, *counts[0])
     for variable, count in counts:
         if not isinstance(variable, sp.Symbol) or not isinstance(count, sp.Integer):
             raise Unsupported(f"a derivative with respect to {variable}, {count} times")

@@ -8,7 +8,7 @@ point of its own.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from canon.budget import Budget
 from canon.decide.cells import cells_of
@@ -34,22 +34,29 @@ def has_no_zero(tape: Tape, node: Node, region: Region, budget: Budget) -> bool:
         for factor in _factors(tape, requirement.nodes[0])
     }
     box = intervals_of(tape, region)
+    first = [r.nodes[0] for r in region.requirements if r.kind == "positive"]
+    positive = [n for n in first if not tape.is_complex(n)]
     return tape.value(node) != 0 and all(
-        factor in asked or (not tape.is_complex(factor) and _is_zero_free(tape, factor, box, budget))
+        factor in asked or (not tape.is_complex(factor) and _is_zero_free(tape, factor, box, positive, budget))
         for factor in _factors(tape, node)
     )
 
 
-def _is_zero_free(tape: Tape, node: Node, box: Mapping[Node, Interval], budget: Budget) -> bool:
-    """Whether the node is 0 nowhere on the box, nor where symbols that may be 0 are 0: the box is taken for open."""
+def _is_zero_free(
+    tape: Tape, node: Node, box: Mapping[Node, Interval], positive: Sequence[Node], budget: Budget
+) -> bool:
+    """Whether the node is 0 nowhere on the box where these are positive.
+
+    Nor where symbols that may be 0 are 0: the box is taken for open.
+    """
     value = tape.value(node)
     if value is not None:
         return value != 0
-    if not is_zero_free(tape, node, box, budget):
+    if not is_zero_free(tape, node, box, budget, positive=positive):
         return False
     weak = [x for x in sorted(tape.support(node)) if _may_be_zero_at_the_end(declared(tape.symbol_at(x)))]
     try:
-        return all(_is_zero_free(tape, substitute(tape, node, {x: tape.zero}), box, budget) for x in weak)
+        return all(_is_zero_free(tape, substitute(tape, node, {x: tape.zero}), box, (), budget) for x in weak)
     except InputError:  # the node isn't defined there
         return False
 

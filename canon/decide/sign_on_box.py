@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from canon.budget import Budget
 from canon.decide.intervals import Interval, declared, exact_affine
@@ -28,23 +28,25 @@ def definite_sign(tape: Tape, node: Node, intervals: Mapping[Node, Interval], bu
     return "pos" if sign > 0 else "neg"
 
 
-def is_zero_free(tape: Tape, node: Node, intervals: Mapping[Node, Interval], budget: Budget) -> bool:
-    """Whether the node vanishes nowhere on the box: only factors of known sign are above, whatever is below.
+def is_zero_free(
+    tape: Tape, node: Node, intervals: Mapping[Node, Interval], budget: Budget, *, positive: Sequence[Node] = ()
+) -> bool:
+    """Whether the node vanishes nowhere on the box where these are positive: only factors of known sign are above.
 
     What is below may have zeros on the box: the node isn't defined there.
     """
     if exact_affine(tape, node) is not None:
         return definite_sign(tape, node, intervals, budget) is not None
-    found = _classified(tape, node, intervals, budget)
+    found = _classified(tape, node, intervals, budget, positive)
     return found is not None and all(strict or e < 0 for strict, e in found[1]) and all(e < 0 for e in found[2])
 
 
 def _classified(
-    tape: Tape, node: Node, intervals: Mapping[Node, Interval], budget: Budget
+    tape: Tape, node: Node, intervals: Mapping[Node, Interval], budget: Budget, positive: Sequence[Node] = ()
 ) -> tuple[int, list[tuple[bool, int]], list[int]] | None:
     """The sign of the known factors; for each, whether it has no zero, and its exponent; the others' exponents."""
     try:
-        tower = Tower(tape, [node], intervals=intervals, budget=budget)
+        tower = Tower(tape, [node], positive=positive, intervals=intervals, budget=budget)
         value = tower.values.get(node)
         if value is None:
             values = dict(tower.values)

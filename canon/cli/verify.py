@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from canon.cli.files import ClaimFile, claim_files
-from canon.cli.parser import count, seconds, whole
+from canon.cli.parser import BAD_INPUT, count, seconds, whole
 
 if TYPE_CHECKING:
     from canon.claims.worker import Entry, Settings
@@ -29,6 +29,11 @@ def declare(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "files", nargs="*", metavar="FILE", help="a claim file, or a folder: every *.toml below it (default: catalogue)"
     )
+    parser.add_argument(
+        "--coverage",
+        action="store_true",
+        help="show what checks every statement of the course (of the catalogue)",
+    )
     parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     parser.add_argument(
         "--method",
@@ -43,6 +48,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
 
 def execute(arguments: argparse.Namespace) -> int:
     """Check what is asked for, print the report, and return the exit status."""
+    if arguments.coverage and arguments.files:
+        print("canon verify: error: --coverage speaks of the built-in catalogue: leave out the files", file=sys.stderr)
+        return BAD_INPUT
     start = time.monotonic()
     results: dict[int, Record] = {}
     entries: list[Entry] = []
@@ -62,9 +70,22 @@ def execute(arguments: argparse.Namespace) -> int:
     errors += [answer["error"] for answer in answers if "error" in answer]
     errors.sort(key=lambda error: (order.get(error["file"], -1), _claim_number(error["where"])))
     record = run_record(claims, errors)
+    table = _coverage(entries, record) if arguments.coverage else []
     left = len(entries) - len(results) if interrupted else 0
-    _print(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
+    if table and not arguments.json:
+        print("\n".join(table))
+    else:
+        _print(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
     return INTERRUPTED if interrupted else exit_status(claims, errors)
+
+
+def _coverage(entries: list[Entry], record: Record) -> list[str]:
+    """The table of the course's statements as lines; it is put into the record as data."""
+    from canon.report.coverage import as_records, as_text, coverage
+
+    rows = coverage(entries, record["claims"])
+    record["coverage"] = as_records(rows)
+    return as_text(rows)
 
 
 def _read(names: list[str], entries: list[Entry], errors: list[Record], order: dict[str, int]) -> None:
@@ -105,7 +126,7 @@ def _run(arguments: argparse.Namespace, entries: list[Entry], results: dict[int,
     settings = Settings(budget=arguments.budget, seed=arguments.seed, method=arguments.method)
     if terminal:
         _run_with_bar(entries, settings, arguments.jobs, results)
-    elif arguments.json:
+    elif arguments.json or arguments.coverage:
         _collect(entries, settings, arguments.jobs, results)
     else:
         _run_with_lines(entries, settings, arguments.jobs, results)

@@ -10,7 +10,7 @@ from canon.catalogue.ledger import Erratum, Statement, cited, elsewhere, errata,
 from canon.claims.worker import Entry
 
 Record = dict[str, Any]
-ORDER: Final = ("proved", "supported", "test", "undecided", "open")
+ORDER: Final[tuple[str, ...]] = ("proved", "supported", "test", "undecided", "open")
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ def coverage(entries: Iterable[Entry], records: Iterable[Record]) -> list[Row]:
 
 def tally(rows: Iterable[Row]) -> Mapping[str, int]:
     """How many rows have each status."""
-    counts = dict.fromkeys(ORDER, 0)
+    counts: dict[str, int] = dict.fromkeys(ORDER, 0)
     for row in rows:
         counts[row.status] += 1
     return {status: number for status, number in counts.items() if number}

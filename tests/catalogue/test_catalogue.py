@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from canon.catalogue import ROOMS, files
+from canon.catalogue.ledger import cited, elsewhere, errata, statements
 
 AUDIT = Path(__file__).resolve().parents[2] / "docs" / "audit-ledger.md"
 FILES = files()
@@ -19,7 +20,7 @@ def test_every_claim_file_of_every_room_is_listed() -> None:
     assert list(dict.fromkeys(rooms)) == list(ROOMS)
     folder = Path(str(FILES[0])).parents[1]
     # `systems` holds what scenes can name, not claims
-    assert len(FILES) == len([file for file in folder.rglob("*.toml") if file.parent.name != "systems"])
+    assert len(FILES) == len([file for file in folder.glob("*/*.toml") if file.parent.name != "systems"])
 
 
 @pytest.mark.parametrize("entry", FILES, ids=lambda entry: entry.name)
@@ -66,5 +67,27 @@ def test_the_audit_names_existing_files_and_claims() -> None:
     assert len(cited) > 90
     for name, numbers in cited:
         assert max(int(number) for number in numbers.split(",")) <= known[name], name
-    course = {name for name in known if name.split("/")[0] in ("course", "errata")}
-    assert course == {name for name, _ in cited}
+
+
+def test_every_statement_of_the_course_is_cited_or_named_as_open() -> None:
+    found: set[str] = set()
+    for entry in FILES:
+        table = tomllib.loads(entry.read_text(encoding="utf-8"))
+        for claim in table["claim"]:
+            ids = cited(claim.get("source", table.get("source")))
+            found |= set(ids)
+            assert ids or Path(str(entry)).parent.name not in ("course", "errata"), entry.name
+    every = {item.id for item in (*statements(), *errata())}
+    known = elsewhere()
+    assert set(known.tests) | set(known.open) <= every
+    assert every - found == set(known.tests) | set(known.open)
+    root = AUDIT.parents[1]
+    for place in known.tests.values():
+        file, _, name = place.partition("::")
+        assert not root.joinpath("tests").exists() or f"def {name}(" in root.joinpath(file).read_text(encoding="utf-8")
+
+
+def test_sources_are_read() -> None:
+    assert cited("course 13.35, sec-13.5-g, erratum E47") == ("13.35", "sec-13.5-g", "E47")
+    assert cited("course 13.1") == ("13.3",)  # it stands for 13.1 too
+    assert cited("Goldstein, eq. 9.14") == cited(None) == ()

@@ -44,6 +44,7 @@ def test_the_floors_are_kept(copy: Path) -> None:
         ("canon/claims/run.py", "import hypothesis"),
         ("canon/numeric/loops.py", "import canon.decide.tape"),
         ("canon/claims/audit.py", "import jax"),
+        ("canon/checker/check.py", "import flint"),
     ],
 )
 def test_an_import_from_above_is_seen(copy: Path, module: str, line: str) -> None:

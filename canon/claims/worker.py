@@ -22,6 +22,8 @@ from canon.errors import InputError
 from canon.verdict import Verdict
 
 Record = dict[str, Any]
+CERTIFICATE_SECONDS = 10.0
+"""What the identities of one certificate may take."""
 
 
 @dataclass(frozen=True)
@@ -39,12 +41,16 @@ class Entry:
 
 @dataclass(frozen=True)
 class Settings:
-    """What holds for every claim of a run: seconds for each, random seed, method, and bytes of memory a worker."""
+    """What holds for every claim of a run: seconds for each, random seed, method, and bytes of memory a worker.
+
+    `certificates` is the folder into which a certificate of each proof and refutation goes (None: nowhere).
+    """
 
     budget: float = 10.0
     seed: int = 0
     method: Literal["symbolic", "numeric", "all"] = "symbolic"
     memory: int | None = None
+    certificates: str | None = None
 
     def seconds(self, entry: Entry) -> float:
         """Return the budget of this claim; its own wins."""
@@ -53,7 +59,8 @@ class Settings:
 
     def grace(self, entry: Entry) -> float:
         """Return how many seconds past its budget a claim is left alone before its worker is killed."""
-        return min(5.0, max(1.0, 0.2 * self.seconds(entry)))
+        writing = 0.0 if self.certificates is None else CERTIFICATE_SECONDS + 2.0
+        return writing + min(5.0, max(1.0, 0.2 * self.seconds(entry)))
 
 
 Recorder = Callable[[Entry, Claim, Verdict], Record]

@@ -13,15 +13,23 @@ from collections.abc import Sequence
 from typing import Final
 
 import canon
-from canon.cli import actions, scenes, simulate, verify
+from canon.cli import actions, certificate, scenes, simulate, verify
 from canon.cli.parser import Parser
 
-COMMANDS: Final = {"verify": verify, "simulate": simulate, "actions": actions, "scenes": scenes}
+COMMANDS: Final = {
+    "verify": verify,
+    "certificate": certificate,
+    "simulate": simulate,
+    "actions": actions,
+    "scenes": scenes,
+}
 EPILOG: Final = """\
 examples:
   canon verify                      check the built-in catalogue
   canon verify oscillator.toml      check the claims of one file
   canon verify claims/ --json       check every *.toml below a folder, print one JSON object
+  canon verify FILE --certificate DIR   and write a certificate of each proof and refutation
+  canon certificate check DIR       check them with a small checker of its own
   canon scenes pendulum             print a scene file of a system; without a name, list them all
   canon simulate pendulum.toml      run a scene; --plot, --out, --explain, --json
   canon actions pendulum.toml       actions, frequencies and angles of its orbit, with their bounds

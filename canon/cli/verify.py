@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
 import time
@@ -13,7 +14,7 @@ from canon.cli.files import ClaimFile, claim_files
 from canon.cli.parser import BAD_INPUT, count, seconds, whole
 
 if TYPE_CHECKING:
-    from canon.claims.worker import Entry, Settings
+    from canon.claims.worker import Entry, Recorder, Settings
 
 HELP: Final = "check the claims of files, of folders, or of the built-in catalogue"
 DESCRIPTION: Final = (
@@ -43,6 +44,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--budget", type=seconds, default=10.0, metavar="SECONDS", help="for each claim (default: 10)")
     parser.add_argument("--seed", type=whole, default=0, metavar="N", help="of the sample points (default: 0)")
+    parser.add_argument(
+        "--certificate", metavar="DIR", help="write a certificate of each proof and refutation into this folder"
+    )
     parser.add_argument("--jobs", type=count, default=None, metavar="N", help="worker processes (default: the cores)")
 
 
@@ -52,6 +56,9 @@ def execute(arguments: argparse.Namespace) -> int:
         print("canon verify: error: --coverage speaks of the built-in catalogue: leave out the files", file=sys.stderr)
         return BAD_INPUT
     start = time.monotonic()
+    if arguments.certificate is not None and (reason := _not_a_folder(arguments.certificate)):
+        print(f"canon verify: --certificate: {reason}", file=sys.stderr)
+        return BAD_INPUT
     results: dict[int, Record] = {}
     entries: list[Entry] = []
     errors: list[Record] = []
@@ -123,7 +130,9 @@ def _run(arguments: argparse.Namespace, entries: list[Entry], results: dict[int,
     """Verify the claims and collect the answers by position; show lines or a progress bar meanwhile."""
     from canon.claims.worker import Settings
 
-    settings = Settings(budget=arguments.budget, seed=arguments.seed, method=arguments.method)
+    settings = Settings(
+        budget=arguments.budget, seed=arguments.seed, method=arguments.method, certificates=arguments.certificate
+    )
     if terminal:
         _run_with_bar(entries, settings, arguments.jobs, results)
     elif arguments.json or arguments.coverage:
@@ -132,13 +141,34 @@ def _run(arguments: argparse.Namespace, entries: list[Entry], results: dict[int,
         _run_with_lines(entries, settings, arguments.jobs, results)
 
 
+def _not_a_folder(name: str) -> str:
+    """Make the folder for certificates, and return why that isn't possible, or nothing."""
+    try:
+        os.makedirs(name, exist_ok=True)
+    except OSError as error:
+        return f"{name!r} is no folder and can't be made one: {error.strerror}"
+    return "" if os.access(name, os.W_OK) else f"{name!r} can't be written to"
+
+
+def _recorder(settings: Settings) -> Recorder:
+    """What makes the record of a verdict, with a certificate where they are asked for."""
+    from canon.report.record import claim_record
+
+    if settings.certificates is None:
+        return claim_record
+    from functools import partial
+
+    from canon.report.certificate_file import record_with_certificate
+
+    return partial(record_with_certificate, settings.certificates)
+
+
 def _collect(
     entries: list[Entry], settings: Settings, jobs: int | None, results: dict[int, Record], watch: Any = None
 ) -> None:
     from canon.claims.run import run
-    from canon.report.record import claim_record
 
-    for position, answer in run(entries, settings, claim_record, jobs=jobs, watch=watch):
+    for position, answer in run(entries, settings, _recorder(settings), jobs=jobs, watch=watch):
         results[position] = answer
 
 
@@ -164,13 +194,12 @@ def _run_with_bar(entries: list[Entry], settings: Settings, jobs: int | None, re
 def _run_with_lines(entries: list[Entry], settings: Settings, jobs: int | None, results: dict[int, Record]) -> None:
     from canon.claims.run import run
     from canon.report.plain import Columns
-    from canon.report.record import claim_record
     from canon.report.words import name
 
     heads = [{"title": entry.claim.title, "kind": entry.claim.kind} for entry in entries if entry.claim is not None]
     columns = Columns.of([(entry.file, entry.index) for entry in entries], [name(head) for head in heads])
     printed = 0
-    for position, answer in run(entries, settings, claim_record, jobs=jobs):
+    for position, answer in run(entries, settings, _recorder(settings), jobs=jobs):
         results[position] = answer
         while printed in results:
             if "claim" in results[printed]:

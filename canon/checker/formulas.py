@@ -1,0 +1,298 @@
+"""The checker's own formulas: text to a graph of operations, its derivatives, and nothing simplified but 0 and 1."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+_FALL = "((1 - v)*u - jacobi_epsilon(u, v))"
+_TURN = f"(jacobi_dn(u, v)*{_FALL} + v*jacobi_sn(u, v)*jacobi_cn(u, v))/(2*v*(1 - v))"
+_SINK = f"(jacobi_sn(u, v)*jacobi_dn(u, v) + jacobi_cn(u, v)*{_FALL})/(2*(1 - v))"
+_SWELL = (
+    "(jacobi_sn(u, v)*jacobi_cn(u, v)*jacobi_dn(u, v) - (1 - v)*u*jacobi_sn(u, v)**2"
+    " - jacobi_epsilon(u, v)*jacobi_cn(u, v)**2)/(2*(1 - v))"
+)
+SLOPES = {
+    "sin": ["cos(u)"], "cos": ["-sin(u)"], "exp": ["exp(u)"], "log": ["1/u"], "tan": ["1 + tan(u)**2"],
+    "cot": ["-1 - cot(u)**2"], "sec": ["sec(u)*tan(u)"], "csc": ["-csc(u)*cot(u)"], "asin": ["1/sqrt(1 - u**2)"],
+    "acos": ["-1/sqrt(1 - u**2)"], "atan": ["1/(1 + u**2)"], "atan2": ["v/(u**2 + v**2)", "-u/(u**2 + v**2)"],
+    "sinh": ["cosh(u)"], "cosh": ["sinh(u)"], "tanh": ["1 - tanh(u)**2"], "coth": ["1 - coth(u)**2"],
+    "asinh": ["1/sqrt(u**2 + 1)"], "acosh": ["1/(sqrt(u - 1)*sqrt(u + 1))"], "atanh": ["1/(1 - u**2)"],
+    "abs": ["abs(u)/u"], "sign": ["0"], "lambertw": ["lambertw(u)/(u*(1 + lambertw(u)))"], "gamma": [],
+    "elliptic_k": ["elliptic_e(u)/(2*u*(1 - u)) - elliptic_k(u)/(2*u)"],
+    "elliptic_e": ["(elliptic_e(u) - elliptic_k(u))/(2*u)"], "elliptic_f": ["1/sqrt(1 - v*sin(u)**2)"],
+    "jacobi_sn": ["jacobi_cn(u, v)*jacobi_dn(u, v)", f"jacobi_cn(u, v)*{_TURN}"],
+    "jacobi_cn": ["-jacobi_sn(u, v)*jacobi_dn(u, v)", f"-jacobi_sn(u, v)*{_TURN}"],
+    "jacobi_dn": ["-v*jacobi_sn(u, v)*jacobi_cn(u, v)", f"-jacobi_sn(u, v)*{_SINK}"],
+    "jacobi_epsilon": ["jacobi_dn(u, v)**2", _SWELL],
+}  # fmt: skip
+"""The derivatives of the functions by their arguments u and v; one that isn't here is not known."""
+_NAME = re.compile(r"(?<![\w.])[^\W\d]\w*")
+LONGEST, MOST = 50_000, 1_000_000
+ZERO, ONE = 0, 1
+"""The nodes of these numbers."""
+
+
+class Unreadable(ValueError):
+    """A certificate, or a formula in it, that isn't what it should be."""
+
+
+class Unknown(ValueError):
+    """Something that the checker has no rule for: it is neither confirmed nor rejected."""
+
+
+class Formulas:
+    """Operations ("n", value), ("s", name), ("+", a, b), ("*", a, b), ("^", a, n), ("f", name, orders, arguments).
+
+    Equal ones are one number. ("f", "power", (), (a, b)) is a**b; `orders` count the derivatives of one of the declared
+    `functions`; `pairs` are the names (q, p) by which `bracket` differentiates.
+    """
+
+    def __init__(self, functions: Sequence[str] = (), pairs: Sequence[tuple[str, str]] = ()) -> None:
+        self.ops: list[tuple[Any, ...]] = []
+        self.functions, self.pairs = functions, pairs
+        self._memo, self._slopes = dict[Any, int](), dict[tuple[int, str], int]()
+        self._bodies = dict[tuple[str, tuple[int, ...]], int]()
+        for value in (0, 1):
+            self.number(value)
+
+    # -- operations ---------------------------------------------------------------------------------
+
+    def node(self, *op: Any) -> int:
+        """The number of an operation."""
+        if op not in self._memo:
+            if len(self.ops) > MOST:
+                raise Unreadable("the formulas are too large")
+            self._memo[op] = len(self.ops)
+            self.ops.append(op)
+        return self._memo[op]
+
+    def number(self, value: Any) -> int:
+        """A rational number."""
+        return self.node("n", Fraction(value))
+
+    def value(self, a: int) -> Fraction | None:
+        """The number that a node is, None for any other."""
+        return self.ops[a][1] if self.ops[a][0] == "n" else None
+
+    def add(self, *terms: int) -> int:
+        """Their sum."""
+        total = ZERO
+        for b in terms:
+            if total == ZERO or b == ZERO:
+                total = b if total == ZERO else total
+            else:
+                x, y = self.value(total), self.value(b)
+                total = self.node("+", total, b) if x is None or y is None else self.number(x + y)
+        return total
+
+    def mul(self, *factors: int) -> int:
+        """Their product."""
+        total = ONE
+        for b in factors:
+            if b == ZERO or total == ZERO:
+                return ZERO
+            if total == ONE or b == ONE:
+                total = b if total == ONE else total
+            else:
+                x, y = self.value(total), self.value(b)
+                total = self.node("*", total, b) if x is None or y is None else self.number(x * y)
+        return total
+
+    def sub(self, a: int, b: int) -> int:
+        """a - b."""
+        return self.add(a, self.mul(self.number(-1), b))
+
+    def over(self, a: int, b: int) -> int:
+        """a / b."""
+        return self.mul(a, self.power(b, self.number(-1)))
+
+    def power(self, a: int, b: int) -> int:
+        """a**b."""
+        x, n = self.value(a), self.value(b)
+        if n is None or n.denominator != 1:
+            return self.node("f", "power", (), (a, b))
+        if abs(n) > 10_000 or (x and x.numerator.bit_length() * abs(n) > 1e5) or (x == 0 and n < 0):
+            raise Unreadable(f"a power with the exponent {n} that is too large, or of 0")
+        return self.number(x ** int(n)) if x is not None else a if n == 1 else self.node("^", a, int(n))
+
+    def parts(self, a: int) -> tuple[int, ...]:
+        """The nodes that a node is made of."""
+        op = self.ops[a]
+        return op[1:] if op[0] in "+*" else op[1:2] if op[0] == "^" else op[3] if op[0] == "f" else ()
+
+    def reach(self, *targets: int) -> list[int]:
+        """The nodes below the targets and these, each after those that it is made of."""
+        seen, stack = set(targets), list(targets)
+        while stack:
+            new = [b for b in self.parts(stack.pop()) if b not in seen]
+            seen.update(new)
+            stack.extend(new)
+        return sorted(seen)
+
+    def rational(self, targets: Sequence[int]) -> tuple[list[int], list[int]]:
+        """The sums, products, powers and numbers that the targets are made of, and the functions and names in these."""
+        seen, stack = set(targets), list(targets)
+        while stack:
+            a = stack.pop()
+            new = [b for b in self.parts(a) if b not in seen] if self.ops[a][0] != "f" else []
+            seen.update(new)
+            stack.extend(new)
+        leaves = [a for a in sorted(seen) if self.ops[a][0] in "sf"]
+        return [a for a in sorted(seen) if self.ops[a][0] not in "sf"], leaves
+
+    def substitute(self, target: int, images: Mapping[str, int]) -> int:
+        """The formula with names replaced, all at once."""
+        new: dict[int, int] = {}
+        for a in self.reach(target) if images else ():
+            op, b = self.ops[a], [new[x] for x in self.parts(a)]
+            if not b:
+                new[a] = images.get(op[1], a) if op[0] == "s" else a
+            elif op[0] == "f" and op[1] != "power":
+                new[a] = self.node("f", op[1], op[2], tuple(b))
+            else:
+                rule = {"+": self.add, "*": self.mul, "^": self.power, "f": self.power}[op[0]]
+                new[a] = rule(*b, *([self.number(op[2])] if op[0] == "^" else []))
+        return new.get(target, target)
+
+    def body(self, text: str, orders: tuple[int, ...]) -> int:
+        """A formula in a1, a2, … (a, where it is one), differentiated; its arguments are called #1, #2, …"""
+        if (text, orders) not in self._bodies:
+            marks = [f"#{k}" for k in range(1, len(orders) + 1)]
+            nodes = [self.node("s", mark) for mark in marks]
+            body = self.read(text, {"a": nodes[0], **{f"a{k}": node for k, node in enumerate(nodes, 1)}})
+            for mark, order in zip(marks, orders, strict=True):
+                for _ in range(order):
+                    body = self.slope(body, mark)
+            self._bodies[text, orders] = body
+        return self._bodies[text, orders]
+
+    # -- derivatives --------------------------------------------------------------------------------
+
+    def slope(self, target: int, name: str) -> int:
+        """The partial derivative by a name."""
+        for a in self.reach(target):
+            if (a, name) not in self._slopes:
+                op, parts = self.ops[a], self.parts(a)
+                slopes = [self._slopes[b, name] for b in parts]
+                if op[0] == "s":
+                    self._slopes[a, name] = self.number(int(op[1] == name))
+                else:
+                    terms = [self.mul(self._partial(a, k), d) for k, d in enumerate(slopes) if d != ZERO]
+                    self._slopes[a, name] = self.add(*terms)
+        return self._slopes[target, name]
+
+    def _partial(self, a: int, k: int) -> int:
+        """The derivative of an operation by the k-th node that it is made of."""
+        op, parts = self.ops[a], self.parts(a)
+        if op[0] == "+":
+            return self.number(1)
+        if op[0] == "*":
+            return parts[1 - k]
+        if op[0] == "^":
+            return self.mul(self.number(op[2]), self.power(parts[0], self.number(op[2] - 1)))
+        if op[1] in self.functions:
+            return self.node("f", op[1], tuple(n + (j == k) for j, n in enumerate(op[2])), parts)
+        if op[1] == "power":
+            return self.mul(a, self.node("f", "log", (), parts[:1]) if k else self.over(parts[1], parts[0]))
+        if k >= len(SLOPES[op[1]]):
+            raise Unknown(f"the derivative of {op[1]} by its argument {k + 1}")
+        return self.read(SLOPES[op[1]][k], dict(zip("uv", parts, strict=False)))
+
+    def bracket(self, a: int, b: int, pairs: Sequence[tuple[str, str]]) -> int:
+        """Poisson's bracket."""
+        d, mul = self.slope, self.mul
+        return self.add(*(self.sub(mul(d(a, q), d(b, p)), mul(d(a, p), d(b, q))) for q, p in pairs))
+
+    # -- text ---------------------------------------------------------------------------------------
+
+    def tree(self, text: Any) -> tuple[ast.expr, bytes]:
+        """The tree of a text; every name gets a mark in front, so that Python's own words are names too."""
+        if not isinstance(text, (str, int)) or len(str(text)) > LONGEST:
+            raise Unreadable(f"no formula: {str(text)[:40]}")
+        marked = _NAME.sub(r"_\g<0>", " ".join(str(text).split()))
+        try:
+            return ast.parse(marked, mode="eval").body, marked.encode()
+        except (SyntaxError, RecursionError, MemoryError, ValueError):
+            raise Unreadable(f"not a formula: {str(text)[:60]}") from None
+
+    def read(self, text: Any, names: Mapping[str, int]) -> int:
+        """The formula of a text; `names` are abbreviations, any other name stands for itself."""
+        tree, written = self.tree(text)
+        try:
+            return self._build(tree, written, names)
+        except (RecursionError, TypeError, LookupError, AttributeError, ArithmeticError, ValueError) as error:
+            if isinstance(error, (Unreadable, Unknown)):
+                raise
+            raise Unreadable(f"not a formula of the language: {str(text)[:60]}") from None
+
+    def _build(self, tree: Any, text: bytes, names: Mapping[str, int]) -> int:
+        rights: list[Any] = []
+        while isinstance(tree, ast.BinOp) and not isinstance(tree.op, ast.Pow):  # a long sum is no deep one
+            rights.append((type(tree.op), tree.right))
+            tree = tree.left
+        found = self._operand(tree, text, names)
+        for op, right in reversed(rights):
+            rule = {ast.Add: self.add, ast.Sub: self.sub, ast.Mult: self.mul, ast.Div: self.over}[op]
+            found = rule(found, self._build(right, text, names))
+        return found
+
+    def _operand(self, tree: Any, text: bytes, names: Mapping[str, int]) -> int:
+        if isinstance(tree, ast.BinOp):
+            return self.power(self._build(tree.left, text, names), self._build(tree.right, text, names))
+        if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, (ast.UAdd, ast.USub)):
+            return self.mul(
+                self.number(1 if isinstance(tree.op, ast.UAdd) else -1), self._build(tree.operand, text, names)
+            )
+        if isinstance(tree, ast.Constant):
+            digits = text[tree.col_offset : tree.end_col_offset].decode()
+            if len(digits) > 4000 or len(digits.lower().partition("e")[2].strip("+-")) > 4:
+                raise Unreadable("a number that is too long")
+            return self.mul(
+                self.number(digits.rstrip("j")), self.node("s", "1j") if digits.endswith("j") else self.number(1)
+            )
+        if isinstance(tree, ast.Name):
+            return names[tree.id[1:]] if tree.id[1:] in names else self.node("s", tree.id[1:])
+        if not isinstance(tree, ast.Call) or tree.keywords:
+            raise Unreadable("something that isn't in the language of formulas")
+        of: Any = tree.func
+        counts: Any = getattr(of, "slice", None)
+        orders = [int(item.value) for item in getattr(counts, "elts", [counts])] if counts else []
+        of = of.value if isinstance(of, ast.Subscript) else of
+        return self.call(of.id[1:], orders, [self._build(item, text, names) for item in tree.args])
+
+    def call(self, name: str, orders: Sequence[int], arguments: Sequence[int]) -> int:
+        """The value of a function, a derivative or a bracket."""
+        a = arguments[0]
+        if name in self.functions and len(orders) in (0, len(arguments)):
+            return self.node("f", name, tuple(orders) or (0,) * len(arguments), tuple(arguments))
+        if name in ("sqrt", "cbrt"):
+            return self.power(a, self.number(Fraction(1, 2 if name == "sqrt" else 3)))
+        if name == "bracket":
+            return self.bracket(a, arguments[1], self.pairs)
+        if name == "D":
+            for _ in range(min(20, int(self.value(arguments[2]) or 0)) if len(arguments) > 2 else 1):
+                a = self.slope(a, self.ops[arguments[1]][1])
+            return a
+        if name not in SLOPES or orders:
+            raise Unreadable(f"{name[:40]} is no function")
+        return self.node("f", name, (), tuple(arguments))
+
+    def text(self, a: int) -> str:
+        """The formula as text."""
+        texts: dict[int, str] = {}
+        for b in self.reach(a):
+            op, parts = self.ops[b], [texts[x] for x in self.parts(b)]
+            if not parts:
+                texts[b] = str(op[1])
+            elif op[0] != "f" or op[1] == "power":
+                sign = {"^": "**", "f": "**"}.get(op[0], op[0])
+                texts[b] = f"({sign.join([*parts, *([str(op[2])] if op[0] == '^' else [])])})"
+            else:
+                texts[b] = f"{op[1]}{list(op[2]) if any(op[2]) else ''}({', '.join(parts)})"
+            if len(texts[b]) > LONGEST:
+                raise Unknown("a formula that is too long to be written down")
+        return texts[a]

@@ -1,0 +1,249 @@
+"""What a claim asks for, kind by kind: formulas that must vanish, and such that must not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from itertools import combinations
+from math import factorial
+
+from canon.checker.formulas import Unknown
+from canon.checker.statement import Statement
+
+
+@dataclass
+class Case:
+    """What must vanish, and groups of which a member must not vanish everywhere.
+
+    `images` are values of names that it is about; `trusted`, what would have to be shown besides.
+    """
+
+    zeros: list[int]
+    nonzeros: list[list[int]] = field(default_factory=list)
+    images: dict[str, int] = field(default_factory=dict)
+    trusted: str = ""
+
+
+def obligations(s: Statement) -> list[Case]:
+    """What the claim asks for. Raises Unknown for a kind, or a form of one, that there is no rule for."""
+    if s.claim["kind"] not in KINDS:
+        raise Unknown(f"claims of kind {s.claim['kind'][:40]!r} are not known to the checker")
+    found = KINDS[s.claim["kind"]](s)
+    return found if isinstance(found, list) else [found]
+
+
+def canonical(s: Statement) -> Case:
+    """Brackets, or their Taylor coefficients up to an order; of a generating function, its mixed Hessian too."""
+    f, claimed = s.f, s.key("scale") if "scale" in s.claim else s.f.number(1)
+    zeros, _ = s.brackets(claimed)
+    if s.direction == "implicit":
+        return Case([*zeros, f.sub(claimed, f.number(1))], [[hessian(s)]])
+    if "order" in s.claim:
+        name, order = s.claim["order"]
+        return Case([c for z in zeros for c in taylor(s, z, name, range(order + 1))], images={name: f.number(0)})
+    return Case(zeros)
+
+
+def hessian(s: Statement) -> int:
+    """The mixed Hessian's determinant of a generating function."""
+    old, new = s.coordinates[: len(s.q)], s.coordinates[len(s.q) :]
+    return s.determinant([[s.f.slope(s.f.slope(s.generating[1], a), b) for b in new] for a in old])
+
+
+def taylor(s: Statement, a: int, name: str, orders: Iterable[int]) -> list[int]:
+    """Taylor coefficients at 0."""
+    f, found = s.f, []
+    if max(orders) > 40:
+        raise Unknown(f"a series to the order {max(orders)}")
+    for k in range(max(orders) + 1):
+        if k in orders:
+            found.append(f.mul(f.over(f.number(1), f.number(factorial(k))), f.substitute(a, {name: f.number(0)})))
+        a = f.slope(a, name)
+    return found
+
+
+def canonical_when(s: Statement) -> list[Case]:
+    """Canonical at each solution, and not elsewhere."""
+    zeros, _ = s.brackets(s.f.number(1))
+    tables = [{name: s.f.read(text, s.names) for name, text in table.items()} for table in s.claim["solutions"]]
+    return [Case([s.f.substitute(z, t) for z in zeros], images=t) for t in tables] + [
+        Case([], [zeros], trusted="that it fails at almost all values of the parameters, and not only at those tried")
+    ]
+
+
+def new_hamiltonian(s: Statement) -> Case:
+    """Canonical with a constant scale c, and the gradient of K - cH, with what moves with time, is 0."""
+    f, H = s.f, s.H
+    if s.claim["kind"] == "symmetry":
+        renamed = zip((*s.q, *s.p), (*s.Q, *s.P), strict=True)
+        K = f.substitute(H, {a: f.node("s", b) for a, b in renamed})
+        s.written.append(K)
+    else:
+        K = s.key("K")
+    zeros, c = s.brackets(None)
+    zeros += [f.slope(c, u) for u in (*s.coordinates, s.time)]
+    difference = f.sub(s.pull(K), f.mul(c, s.pull(H)))
+    for u in s.coordinates:
+        moved = [dragged(s, X, u) for X in (s.new, s.old)]
+        zeros.append(f.add(f.slope(difference, u), f.sub(moved[0], f.mul(c, moved[1]))))
+    return Case(zeros, [[hessian(s)]] if s.direction == "implicit" else [])
+
+
+def dragged(s: Statement, X: list[int], u: str) -> int:
+    """Σ ∂q/∂u ∂p/∂t − ∂p/∂u ∂q/∂t."""
+    f, half, t = s.f, len(X) // 2, s.time
+    return f.add(*(f.sub(f.mul(f.slope(a, u), f.slope(b, t)), f.mul(f.slope(b, u), f.slope(a, t)))
+                   for a, b in zip(X[:half], X[half:], strict=True)))  # fmt: skip
+
+
+def volume(s: Statement) -> Case:
+    """The Pfaffians of Lagrange's brackets, of which the determinant is the quotient, differ by a phase."""
+    everything = range(len(s.coordinates))
+    new, old = (s.pfaffian(s.lagrange(X), everything) for X in (s.new, s.old))
+    phase = s.known.get("determinant")
+    if phase not in ("1", "-1", "1j", "-1j"):
+        return Case([s.f.sub(s.f.call("abs", [], [new]), s.f.call("abs", [], [old]))])
+    return Case([s.f.sub(new, s.f.mul(s.f.read(phase, {}), old))])
+
+
+def integral_invariant(s: Statement) -> Case:
+    """The Pfaffians of so many of Lagrange's brackets agree."""
+    rows = combinations(range(len(s.coordinates)), 2 * s.claim.get("order", 1))
+    new, old = (s.lagrange(X) for X in (s.new, s.old))
+    return Case([s.f.sub(s.pfaffian(new, r), s.pfaffian(old, r)) for r in rows])
+
+
+def cartan_invariant(s: Statement) -> Case:
+    """p dq - H dt - (P dQ - K dt) is the differential of a potential; where none is known, it is closed."""
+    f, names, K, H = s.f, [*s.coordinates, s.time], s.pull(s.key("K")), s.pull(s.H)
+    slopes = []
+    for u in names:
+        terms = [f.mul(X[i + len(X) // 2], f.slope(X[i], u)) for X in (s.old, s.new) for i in range(len(X) // 2)]
+        half = len(s.old) // 2
+        moved = f.sub(K, H) if u == s.time else f.number(0)
+        slopes.append(f.add(moved, f.sub(f.add(*terms[:half]), f.add(*terms[half:]))))
+    if isinstance(s.known.get("potential"), str):
+        W = f.read(s.known["potential"], {})
+        return Case([f.sub(slope, f.slope(W, u)) for u, slope in zip(names, slopes, strict=True)])
+    pairs = combinations(range(len(names)), 2)
+    zeros = [f.sub(f.slope(slopes[j], names[i]), f.slope(slopes[i], names[j])) for i, j in pairs]
+    return Case(zeros, trusted="that the form, which is closed, is exact")
+
+
+def bracket_invariance(s: Statement) -> Case:
+    """{f, g} in the old variables is {f, g} in the new ones."""
+    if s.direction != "forward":
+        raise Unknown("invariance of brackets for a map that isn't given forward")
+    f, g, pairs = s.key("f"), s.key("g"), list(zip(s.Q, s.P, strict=True))
+    inner = s.pull(s.f.bracket(f, g, pairs))
+    return Case([s.f.sub(s.f.bracket(s.pull(f), s.pull(g), s.f.pairs), inner)])
+
+
+def generates(s: Statement) -> Case:
+    """The equations of a generating function along the map."""
+    types, F = (s.claim["type"], s.key("F")) if s.claim["kind"] == "generating_function" else s.generating
+    s.written.append(F)
+    return Case([s.pull(s.f.sub(s.f.node("s", name), slope)) for name, _, slope in s.equations(types, F)])
+
+
+def bracketed(s: Statement) -> Callable[[int, int], int]:
+    """The claim's own bracket of two functions: the canonical one, or that of a tensor."""
+    f, claim = s.f, s.claim
+    if "tensor" not in claim and "structure" not in claim:
+        return lambda a, b: f.bracket(a, b, f.pairs)
+    x = claim["coordinates"]
+    if "tensor" in claim:
+        entries = {(i, j): f.read(claim["tensor"][i][j], s.names) for i, j in combinations(range(len(x)), 2)}
+    else:
+        pairs = {tuple(n.strip() for n in pair.split(",")): text for pair, text in claim["structure"].items()}
+        entries = {(x.index(a), x.index(b)): f.read(text, s.names) for (a, b), text in pairs.items()}
+    s.written += entries.values()
+
+    def bracket(a: int, b: int) -> int:
+        d, mul = f.slope, f.mul
+        return f.add(*(mul(T, f.sub(mul(d(a, x[i]), d(b, x[j])), mul(d(a, x[j]), d(b, x[i]))))
+                       for (i, j), T in entries.items()))  # fmt: skip
+
+    return bracket
+
+
+def brackets(s: Statement) -> Case:
+    """bracket, jacobi, conserved, involution."""
+    f, b, kind = s.f, bracketed(s), s.claim["kind"]
+    if kind == "involution":
+        return Case([s.pull(b(x, y)) for x, y in combinations(s.keys("functions"), 2)])
+    x = s.key("f")
+    if kind == "conserved":
+        return Case([s.pull(f.add(f.slope(x, s.time), b(x, s.H)))])
+    y = s.key("g")
+    if kind == "bracket":
+        return Case([s.pull(f.sub(b(x, y), s.key("equals")))])
+    z = s.key("h")
+    return Case([s.pull(f.add(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y))))])
+
+
+def identity(s: Statement) -> Case:
+    """lhs - rhs."""
+    return Case([s.pull(s.f.sub(s.key("lhs"), s.key("rhs")))])
+
+
+def independent(s: Statement) -> Case:
+    """A minor of the functions' derivatives doesn't vanish."""
+    variables = (*s.q, *s.p)
+    rows = [[s.pull(s.f.slope(a, x)) for x in variables] for a in s.keys("functions")]
+    columns = combinations(range(len(variables)), len(rows))
+    minors = [s.determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
+    trusted = "that a minor, which is not 0 at some points, is not 0 on any component of the domain"
+    return Case([], [minors or [s.f.number(0)]], trusted=trusted)
+
+
+def lie_series(s: Statement) -> Case:
+    """The value at 0 and the equation of the flow; with an order, the Taylor coefficients."""
+    f, name, G, x, given = s.f, s.claim["parameter"], s.key("generator"), s.key("f"), s.key("equals")
+    order = s.claim.get("order", s.known.get("fails_at_order"))
+    if order is None:
+        flow = f.sub(f.slope(given, name), f.bracket(given, G, f.pairs))
+        return Case([s.pull(f.sub(f.substitute(given, {name: f.number(0)}), x)), s.pull(flow)])
+    zeros = []
+    for k, c in enumerate(taylor(s, given, name, range(int(order) + 1))):
+        zeros.append(s.pull(f.sub(c, f.over(x, f.number(factorial(k))))))
+        x = f.bracket(x, G, f.pairs)
+    rest = given
+    for _ in range(int(order) + 1 if "order" in s.claim else 0):
+        rest = f.slope(rest, name)
+    return Case([*zeros, s.pull(rest)] if "order" in s.claim else zeros, images={name: f.number(0)})
+
+
+def field_of(s: Statement) -> Case:
+    """equations_of_motion, infinitesimal, hamiltonian_field: J∇H is the field, or a field's form is closed."""
+    f, kind = s.f, s.claim["kind"]
+    words = ("dq", "dp") if kind == "infinitesimal" else ("qdot", "pdot")
+    first, second = (s.keys(word) if isinstance(s.claim[word], list) else [s.key(word)] for word in words)
+    if kind == "hamiltonian_field" and "H" not in s.claim:
+        names, slopes = [*s.q, *s.p], [f.mul(f.number(-1), x) for x in second] + first
+        curls = combinations(range(len(names)), 2)
+        return Case([s.pull(f.sub(f.slope(slopes[j], names[i]), f.slope(slopes[i], names[j]))) for i, j in curls])
+    H = s.H if kind == "equations_of_motion" else s.key("generator" if kind == "infinitesimal" else "H")
+    zeros = [f.sub(f.slope(H, p), x) for p, x in zip(s.p, first, strict=True)]
+    zeros += [f.add(f.slope(H, q), x) for q, x in zip(s.q, second, strict=True)]
+    return Case([s.pull(z) for z in zeros])
+
+
+def legendre(s: Statement) -> Case:
+    """H with p = ∂L/∂v is p v - L, and the Hessian of L by the velocities doesn't vanish everywhere."""
+    f, L, v = s.f, s.key("L"), s.claim["velocities"]
+    momenta = {p: f.slope(L, x) for p, x in zip(s.p, v, strict=True)}
+    energy = f.sub(f.add(*(f.mul(f.node("s", x), y) for x, y in zip(v, momenta.values(), strict=True))), L)
+    rows = [[f.slope(y, x) for x in v] for y in momenta.values()]
+    return Case([f.sub(f.substitute(s.H, momenta), energy)], [[s.determinant(rows)]], momenta)
+
+
+KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {
+    "canonical": canonical, "fundamental_brackets": canonical, "canonical_when": canonical_when,
+    "new_hamiltonian": new_hamiltonian, "symmetry": new_hamiltonian, "volume": volume, "identity": identity,
+    "integral_invariant": integral_invariant, "cartan_invariant": cartan_invariant, "lie_series": lie_series,
+    "bracket_invariance": bracket_invariance, "generates": generates, "generating_function": generates,
+    "bracket": brackets, "jacobi": brackets, "conserved": brackets, "involution": brackets, "legendre": legendre,
+    "independent": independent, "equations_of_motion": field_of, "infinitesimal": field_of,
+    "hamiltonian_field": field_of,
+}  # fmt: skip

@@ -1,0 +1,196 @@
+"""Points of a claim's domain, and the values of formulas there in fifty digits."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+
+from canon.checker.formulas import Formulas, Unknown
+from canon.checker.obligations import Case
+from canon.checker.polynomials import number
+from canon.checker.statement import Statement
+
+DIGITS = 50
+TRIES, MOST = 60, 5
+FUNCTIONS = {
+    "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf", "abs": "fabs", "power": "power",
+    "jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn",
+}  # fmt: skip
+"""The names of functions in mpmath, where they differ."""
+
+STEEPEST, FLAT = 10**6, ("log", "abs", "sign", "atan", "atan2", "asinh")
+"""The largest argument of a function that isn't one of the flat ones: beyond it the value's digits have no end."""
+
+
+class Outside(ValueError):
+    """A point at which a formula isn't defined, isn't smooth, or isn't real."""
+
+
+class Numbers:
+    """Values at points, in a number of digits; `real`: what isn't real is outside of the domain."""
+
+    def __init__(self, digits: int = DIGITS, *, real: bool = True) -> None:
+        self.mp: Any = mpmath.MPContext()
+        self.mp.dps, self.real = digits, real
+
+    def number(self, value: Fraction) -> Any:
+        """A rational number."""
+        return self.mp.mpf(value.numerator) / value.denominator
+
+    def read(self, value: Any) -> Any:
+        """A coordinate: "3/2", or {"re": …, "im": …}."""
+        if isinstance(value, Mapping):
+            return self.mp.mpc(*(self.number(number(value[part])) for part in ("re", "im")))
+        return self.number(number(value))
+
+    def values(self, f: Formulas, targets: Sequence[int], of: Mapping[str, Any]) -> dict[int, Any]:
+        """The values of the targets and of all below them; `of` gives those of names, and functions' formulas.
+
+        Raises Outside.
+        """
+        out: dict[int, Any] = {}
+        for a in f.reach(*targets):
+            op, parts = f.ops[a], [out[b] for b in f.parts(a)]
+            try:
+                if op[0] == "f" and op[1] in f.functions:
+                    body = f.body(of[op[1]], op[2])
+                    out[a] = self.values(f, [body], {f"#{k}": x for k, x in enumerate(parts, 1)})[body]
+                else:
+                    out[a] = self._value(op, parts, of)
+            except (ValueError, ZeroDivisionError, OverflowError, TypeError) as error:
+                raise error if isinstance(error, Unknown) else Outside from None
+            if not self.mp.isfinite(out[a]) or (self.real and self.mp.im(out[a]) != 0):
+                raise Outside
+            out[a] = self.mp.re(out[a]) if self.real else out[a]
+        return out
+
+    def _value(self, op: tuple[Any, ...], x: list[Any], of: Mapping[str, Any]) -> Any:
+        mp = self.mp
+        if op[0] == "n":
+            return self.number(op[1])
+        if op[0] == "s":
+            if op[1] not in of and op[1] not in ("pi", "1j"):
+                raise Unknown(f"the name {op[1][:40]!r} has no value")
+            return of[op[1]] if op[1] in of else +mp.pi if op[1] == "pi" else mp.j
+        if op[0] in "+*":
+            return x[0] + x[1] if op[0] == "+" else x[0] * x[1]
+        if op[0] == "^":
+            if op[2] < 0 and abs(x[0]) < mp.mpf(10) ** (-mp.dps // 2):
+                raise Outside
+            return x[0] ** op[2]
+        cut = op[1] in ("power", "log") and self.real and x[0] <= 0
+        steep = op[1] not in FLAT and max(map(abs, x)) > STEEPEST
+        if steep or cut or (op[1] in ("abs", "sign", "power", "log") and x[0] == 0):
+            raise Outside
+        if op[1] == "jacobi_epsilon":
+            return mp.quad(lambda w: mp.ellipfun("dn", w, m=x[1]) ** 2, [0, x[0]])
+        name = FUNCTIONS.get(op[1], op[1])
+        if name in ("sn", "cn", "dn"):
+            return mp.ellipfun(name, x[0], m=x[1])
+        return getattr(mp, name)(*x)
+
+
+def functions_at_random(s: Statement, rng: random.Random) -> dict[str, str]:
+    """A formula for every declared function: b·exp(r₁a₁), of two arguments b·exp(r₁a₁ + r₂a₂) and so on."""
+    found, counts = {}, {op[1]: len(op[3]) for op in s.f.ops if op[0] == "f"}
+    for name in s.f.functions:
+        slopes = (f"{rng.choice('+-')}{rng.randint(1, 9)}/7*a{k}" for k in range(1, counts.get(name, 1) + 1))
+        sign = "-" if "negative" in s.words[name] else ""
+        found[name] = f"{sign}{rng.randint(1, 5)}/{rng.randint(1, 5)}*exp({''.join(slopes)})"
+    return found
+
+
+def points(
+    s: Statement, case: Case, numbers: Numbers, hints: Sequence[Mapping[str, Any]], names: set[str]
+) -> Iterator[dict[str, Any]]:
+    """Up to five points of the domain, with a formula for each declared function.
+
+    They are looked for near the hints, which are trusted for nothing, and elsewhere.
+    """
+    rng, found = random.Random(1), 0
+    for attempt in range(TRIES * (1 + bool(hints))):
+        hint = hints[attempt // 2 % len(hints)] if hints and attempt % 2 == 0 else {}
+        of: dict[str, Any] = completed(s, numbers, {}, names - hint.keys(), rng)
+        for name in sorted(names & hint.keys()):
+            of[name] = numbers.read(hint[name])
+            if "integer" not in s.words.get(name, ()):
+                of[name] *= 1 + (rng.random() - 0.5) / 10 ** (1 + attempt % 8)
+        if on_surface(s, numbers, of) and inside(s, case, numbers, of):
+            yield of
+            found += 1
+        if found == MOST:
+            return
+
+
+def on_surface(s: Statement, numbers: Numbers, of: dict[str, Any]) -> bool:
+    """Move a point onto the surface, the shortest way (Newton); False where that doesn't succeed."""
+    f, mp, equations = s.f, numbers.mp, s.surface
+    names = sorted({f.ops[a][1] for a in f.reach(*equations) if f.ops[a][0] == "s"} & of.keys() - s.fixed)
+    slopes = [[f.slope(e, name) for name in names] for e in equations]
+    for _ in range(40 if equations else 0):
+        try:
+            found = numbers.values(f, [*equations, *(d for row in slopes for d in row)], of)
+            residual, rows = (
+                mp.matrix([found[e] for e in equations]),
+                mp.matrix([[found[d] for d in r] for r in slopes]),
+            )
+            if mp.norm(residual) < mp.mpf(10) ** (5 - mp.dps):
+                return True
+            step = rows.T * mp.lu_solve(rows * rows.T, residual)
+        except (Outside, ZeroDivisionError, ValueError):
+            return False
+        for name, change in zip(names, step, strict=True):
+            of[name] -= change
+    return not equations
+
+
+def completed(
+    s: Statement, numbers: Numbers, given: Mapping[str, Any], names: set[str], rng: random.Random
+) -> dict[str, Any]:
+    """The values that are given, any others for the remaining names, and formulas for the functions that have none."""
+    more = {name: _anywhere(s.words.get(name, ()), rng, numbers) for name in sorted(names - given.keys())}
+    return {**functions_at_random(s, rng), **more, **given}
+
+
+def _anywhere(words: Sequence[str], rng: random.Random, numbers: Numbers) -> Any:
+    size = rng.randint(1, 5) if "integer" in words else numbers.mp.mpf(rng.getrandbits(60)) / 2**58
+    if "complex" in words:
+        return numbers.mp.mpc(size, rng.random() - 0.5)
+    free = not {"positive", "negative", "nonnegative", "nonpositive"} & set(words)
+    return -size if "negative" in words or "nonpositive" in words or (free and rng.random() < 0.5) else size
+
+
+def inside(s: Statement, case: Case, numbers: Numbers, of: dict[str, Any]) -> bool:
+    """Whether a point lies in the domain; the values of the case's images are added to it."""
+    f = s.f
+    try:
+        for name, image in case.images.items():
+            of[name] = numbers.values(f, [image], of)[image]
+        written = [*domain_of(s), *(s.pull(image) for image in s.images.values())]
+        found = numbers.values(f, [*written, *(a for a, _ in s.conditions)], of)
+    except Outside:
+        return False
+    signs = ((numbers.mp.re(found[a]), kind) for a, kind in s.conditions)
+    everything = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}
+    return all(sign > 0 or (kind == "nonzero" and sign != 0) for sign, kind in signs) and all(
+        _allowed(s.words.get(name, ()), value, numbers) for name, value in everything.items() if name not in f.functions
+    )
+
+
+def domain_of(s: Statement) -> list[int]:
+    """The formulas that have a value throughout the domain."""
+    return [s.pull(a) for a in (*s.written, *s.images.values())]
+
+
+def _allowed(words: Sequence[str], value: Any, numbers: Numbers) -> bool:
+    """Whether a value is as its name's assumptions say."""
+    real = numbers.mp.re(value)
+    return not (
+        ("positive" in words and not real > 0) or ("negative" in words and not real < 0)
+        or ("nonnegative" in words and not real >= 0) or ("nonpositive" in words and not real <= 0)
+        or ("nonzero" in words and value == 0) or ("integer" in words and value != numbers.mp.nint(real))
+    )  # fmt: skip

@@ -1,0 +1,153 @@
+"""A claim file's tables as the checker reads them: names, formulas, the map in coordinates, its brackets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
+from typing import Any
+
+from canon.checker.formulas import Formulas, Unknown, Unreadable
+
+TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("p", -1, "P", 1)}
+"""Of each type of generating function: its old variable, the sign of ∂F by it, its new one, the sign of ∂F by that."""
+
+LARGEST = 12
+"""The most rows of a Pfaffian; of a determinant, half of it."""
+KNOWN = {"proved": ("determinant", "potential"), "refuted": ("fails_at_order",)}
+"""What a certificate may say of what its claim leaves open."""
+
+
+class Statement:
+    """A claim file's tables with one claim, in the coordinates in which old and new variables are explicit.
+
+    `known` is what the certificate says of what a claim leaves open, where that can do no harm: of a proof, the
+    determinant's phase or a potential; of a refutation, the order at which a series fails.
+    """
+
+    def __init__(self, tables: Mapping[str, Any], known: Mapping[str, Any], verdict: str) -> None:
+        space, self.claim = tables["phase_space"], tables["claim"]
+        self.known = {word: known[word] for word in KNOWN[verdict] if word in known}
+        self.words = {name: [w] if isinstance(w, str) else list(w) for name, w in tables.get("symbols", {}).items()}
+        self.q, self.p, self.Q, self.P = (list(space.get(side, [])) for side in "qpQP")
+        functions = [name for name, words in self.words.items() if "function" in words]
+        self.f = Formulas(functions, list(zip(self.q, self.p, strict=True)))
+        self.fixed = {n for n, words in self.words.items() if "integer" in words}
+        self.declared = {*self.words, *self.q, *self.p, *self.Q, *self.P}
+        self.time, self.names, self.written = space.get("time", "t"), dict[str, int](), list[int]()
+        for name, text in tables.get("definitions", {}).items():
+            self.names[name] = self.f.read(text, self.names)
+        self._H = self.f.read(tables["hamiltonian"]["H"], self.names) if "hamiltonian" in tables else None
+        self.written += [] if self._H is None else [self._H]
+        self._chart(tables.get("transformation"), tables.get("generating_function"))
+        domain = tables.get("domain", {})
+        self.surface = [self.pull(self.f.read(text, self.names)) for text in domain.get("on", [])]
+        self.conditions = [c for text in domain.get("where", []) for c in self._relation(text)]
+
+    @property
+    def H(self) -> int:
+        """The Hamiltonian."""
+        if self._H is None:
+            raise Unreadable("a claim about a Hamiltonian that isn't there")
+        return self._H
+
+    def key(self, name: str) -> int:
+        """A key of the claim that is a formula; its values are part of the domain."""
+        found = self.f.read(self.claim[name], self.names)
+        self.written.append(found)
+        return found
+
+    def keys(self, name: str) -> list[int]:
+        """A key of the claim that is a list of formulas."""
+        found = [self.f.read(text, self.names) for text in self.claim[name]]
+        self.written += found
+        return found
+
+    def _relation(self, text: str) -> Iterator[tuple[int, str]]:
+        """The differences that an inequality says to be positive, or not to vanish."""
+        words = re.split(r"(<=|>=|!=|<|>)", text)
+        sides = [self.pull(self.f.read(side, self.names)) for side in words[::2]]
+        for left, sign, right in zip(sides, words[1::2], sides[1:], strict=False):
+            a, b = (right, left) if "<" in sign else (left, right)
+            yield self.f.sub(a, b), "nonzero" if sign == "!=" else "positive"
+
+    # -- the map ------------------------------------------------------------------------------------
+
+    def _chart(self, explicit: Any, generating: Any) -> None:
+        """Coordinates in which old and new variables are explicit: old ones, new ones, or mixed ones."""
+        f, node = self.f, lambda name: self.f.node("s", name)
+        self.direction, self.images = "none" if not (explicit or generating) else "forward", dict[str, int]()
+        self.halves = (self.q, self.p)
+        self.generating = generating and (generating["type"], f.read(generating["F"], self.names))
+        if explicit:
+            self.direction = "forward" if "Q" in explicit else "backward"
+            sides = ((self.Q, "Q"), (self.P, "P")) if "Q" in explicit else ((self.q, "q"), (self.p, "p"))
+            self.halves = (self.q, self.p) if "Q" in explicit else (self.Q, self.P)
+            for names, side in sides:
+                self.images |= {n: f.read(text, self.names) for n, text in zip(names, explicit[side], strict=True)}
+        elif generating:
+            self.direction = "implicit"
+            equations = list(self.equations(*self.generating))
+            mixed = [variable for _, variable, _ in equations]
+            self.halves = (mixed[0::2], mixed[1::2])
+            self.images = {name: slope for name, _, slope in equations}
+        self.coordinates = [*self.halves[0], *self.halves[1]]
+        self.old = [self.pull(node(name)) for name in (*self.q, *self.p)]
+        self.new = [self.pull(node(name)) for name in (*self.Q, *self.P)]
+
+    def equations(self, types: Any, F: int) -> Iterator[tuple[str, str, int]]:
+        """Each equation of a generating function: the variable that it gives, the one of F's, the derivative of F."""
+        sides = {"q": self.q, "p": self.p, "Q": self.Q, "P": self.P}
+        for i in range(len(self.q)):
+            old, sign, new, other = TYPES[types if isinstance(types, int) else types[i]]
+            for side, s in ((old, sign), (new, other)):
+                name, other_side = sides[side][i], {"q": "p", "p": "q", "Q": "P", "P": "Q"}[side]
+                yield sides[other_side][i], name, self.f.mul(self.f.number(s), self.f.slope(F, name))
+
+    def pull(self, a: int) -> int:
+        """A function of old and new variables as one of the coordinates."""
+        return self.f.substitute(a, self.images)
+
+    def brackets(self, scale: int | None) -> tuple[list[int], int]:
+        """What vanishes where the map is canonical with a scale (None: that of its first pair), and the scale."""
+        f, one = self.f, self.f.number(1)
+        if self.direction == "implicit":
+            new, old, scale = self.lagrange(self.new), self.lagrange(self.old), scale or one
+            return [f.sub(new[ij], f.mul(scale, old[ij])) for ij in new], scale
+        X = self.new if self.direction == "forward" else self.old
+        pairs, half = list(zip(*self.halves, strict=True)), len(X) // 2
+        if scale is None:
+            first = f.bracket(X[0], X[half], pairs)
+            scale = first if self.direction == "forward" else f.over(one, first)
+        unit = scale if self.direction == "forward" else f.over(one, scale)
+        found = []
+        for i, j in combinations(range(len(X)), 2):
+            found.append(f.sub(f.bracket(X[i], X[j], pairs), unit if j == i + half else f.number(0)))
+        return found, scale
+
+    def lagrange(self, X: Sequence[int], extra: Sequence[str] = ()) -> dict[tuple[int, int], int]:
+        """Lagrange's brackets of the coordinates: Σ ∂q/∂a ∂p/∂b − ∂p/∂a ∂q/∂b."""
+        f, half, names = self.f, len(X) // 2, [*self.coordinates, *extra]
+        d = [[f.slope(x, name) for name in names] for x in X]
+        return {(a, b): f.add(*(f.sub(f.mul(d[i][a], d[i + half][b]), f.mul(d[i + half][a], d[i][b]))
+                                for i in range(half))) for a, b in combinations(range(len(names)), 2)}  # fmt: skip
+
+    def pfaffian(self, matrix: Mapping[tuple[int, int], int], rows: Sequence[int]) -> int:
+        """The Pfaffian of an antisymmetric matrix."""
+        f, first, terms = self.f, rows[:1], []
+        if len(rows) > LARGEST:
+            raise Unknown(f"a Pfaffian of {len(rows)} rows")
+        for k, j in enumerate(rows[1:]):
+            rest = self.pfaffian(matrix, [i for i in rows[1:] if i != j])
+            terms.append(f.mul(f.number((-1) ** k), matrix[first[0], j], rest))
+        return f.add(*terms) if rows else f.number(1)
+
+    def determinant(self, rows: Sequence[Sequence[int]]) -> int:
+        """A determinant, by its first row."""
+        f = self.f
+        if len(rows) > LARGEST // 2:
+            raise Unknown(f"a determinant of {len(rows)} rows")
+        minors = (self.determinant([r[:k] + r[k + 1 :] for r in map(list, rows[1:])]) for k in range(len(rows)))
+        return (
+            f.add(*(f.mul(f.number((-1) ** k), rows[0][k], m) for k, m in enumerate(minors))) if rows else f.number(1)
+        )

@@ -1,0 +1,76 @@
+"""`canon certificate`: check certificates with the small checker, which shares no code with the deciders."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from typing import Final
+
+from canon.cli.parser import BAD_INPUT, Parser
+
+HELP: Final = "check certificates of proofs and refutations"
+DESCRIPTION: Final = "Works with certificates that `canon verify --certificate DIR` has written."
+CHECK: Final = (
+    "Derives from each claim's own text what must vanish, and checks the certificate's identities or its witness. "
+    "It shares no code with what has made the certificate."
+)
+STATUS: Final = {"confirmed": 0, "confirmed in part": 2, "not confirmed": 2, "rejected": 1, "unreadable": BAD_INPUT}
+"""The exit status of each answer; of several files, the gravest: unreadable, rejected, in part, confirmed."""
+_GRAVEST: Final = (0, 2, 1, BAD_INPUT)
+
+
+def declare(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments of the command."""
+    actions = parser.add_subparsers(title="actions", dest="action", metavar="ACTION", parser_class=Parser)
+    check = actions.add_parser("check", help="check certificates", description=CHECK)
+    check.add_argument("files", nargs="+", metavar="FILE", help="a certificate, or a folder: every *.json below it")
+    check.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+
+
+def execute(arguments: argparse.Namespace) -> int:
+    """Do what is asked for, and return the exit status."""
+    if arguments.action is None:
+        print("canon certificate: say what to do: `canon certificate check FILE`", file=sys.stderr)
+        return BAD_INPUT
+    return _check(arguments)
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    from canon.checker.check import check
+    from canon.checker.files import load
+    from canon.checker.formulas import Unreadable
+
+    answers: list[tuple[str, str, list[str]]] = []
+    for name in _files(arguments.files):
+        try:
+            answer = check(load(name))
+            answers.append((name, answer.status, list(answer.reasons)))
+        except Unreadable as reason:
+            answers.append((name, "unreadable", [str(reason)]))
+        if not arguments.json:
+            _, status, reasons = answers[-1]
+            print(f"{status:<18} {name}{': ' if reasons else ''}{'; '.join(reasons)}", flush=True)
+    if arguments.json:
+        import json
+
+        rows = [{"file": name, "status": status, "reasons": reasons} for name, status, reasons in answers]
+        print(json.dumps({"format": 1, "certificates": rows}, ensure_ascii=False, indent=1))
+    elif len(answers) > 1:
+        counts = ((status, sum(answer[1] == status for answer in answers)) for status in STATUS)
+        print(f"\n{len(answers)} certificates: " + ", ".join(f"{n} {status}" for status, n in counts if n))
+    return max((STATUS[status] for _, status, _ in answers), key=_GRAVEST.index)
+
+
+def _files(names: list[str]) -> list[str]:
+    """The files named, and every *.json below the folders named; a folder without one stands for itself."""
+    found: list[str] = []
+    for name in names:
+        below = [
+            os.path.join(parent, file)
+            for parent, _, files in sorted(os.walk(name))
+            for file in sorted(files)
+            if file.endswith(".json")
+        ]
+        found += below or [name]
+    return found

@@ -1,0 +1,72 @@
+"""Certificates written to files, one for each claim that is proved or refuted."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from canon.claim import Claim
+from canon.claims.worker import Entry
+from canon.report.record import claim_record
+from canon.verdict import Verdict
+
+PLAIN = re.compile(r"(?:[\w][\w .-]*/)*[\w][\w .-]*")
+
+
+def record_with_certificate(folder: str, entry: Entry, claim: Claim, verdict: Verdict) -> dict[str, Any]:
+    """The record of a verdict, with the path of the certificate that is written for it.
+
+    A certificate that can't be written leaves null there, and the reason under `certificate_error` in the detail.
+    """
+    record = claim_record(entry, claim, verdict)
+    if verdict.status in ("proved", "refuted"):
+        path = certificate_path(folder, entry)
+        try:
+            write_certificate(path, entry, claim, verdict)
+            record["certificate"] = str(path)
+        except OSError as error:
+            record["detail"]["certificate_error"] = f"{path} can't be written: {error.strerror or error}"
+    return record
+
+
+def certificate_path(folder: str, entry: Entry) -> Path:
+    """Where a claim's certificate goes: as its file is called, with the claim's number, below `folder`.
+
+    Of a file that isn't named by plain words below the working folder, the last word, and a hash of the whole name.
+    """
+    name = entry.file.removesuffix(".toml")
+    if not PLAIN.fullmatch(name) or ".." in name.split("/"):
+        mark = hashlib.sha256(entry.file.encode()).hexdigest()[:8]
+        name = f"{re.sub(r'[^A-Za-z0-9_.-]', '-', os.path.basename(name))[:80].lstrip('.')}-{mark}"
+    return Path(folder) / f"{name}.{entry.index + 1}.json"
+
+
+def write_certificate(path: Path, entry: Entry, claim: Claim, verdict: Verdict) -> None:
+    """Write the certificate, all of it or nothing. Raises OSError."""
+    from canon.claims import document
+    from canon.claims.certificate_data import certificate, statement_tables
+
+    data = certificate(claim, verdict, statement_tables(document.load(entry.path), entry.index))
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, temporary = tempfile.mkstemp(prefix=".", suffix=".tmp", dir=path.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            json.dump(data, file, indent=1, ensure_ascii=False, allow_nan=False)
+            file.write("\n")
+        os.chmod(temporary, 0o666 & ~_mask())
+        os.replace(temporary, path)
+    except BaseException:
+        os.unlink(temporary)
+        raise
+
+
+def _mask() -> int:
+    """The process's mask of permissions, which can only be read by setting it."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

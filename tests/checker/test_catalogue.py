@@ -1,0 +1,58 @@
+"""Certificates of the catalogue: a claim of each room and kind, and of each argument, is confirmed as far as it says."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from canon.catalogue import files
+from canon.checker.check import check
+from canon.claims import document
+from canon.claims.certificate_data import certificate, statement_tables
+from canon.claims.reader import read_tables
+from canon.claims.verify import verify
+
+CLAIMS = {
+    ("transformations", "oscillator-type-1"): (0, 1, 2, 3),
+    ("transformations", "oscillator-type-2-implicit"): (0, 1),
+    ("transformations", "spherical-coordinates"): (0,),
+    ("transformations", "delaunay-space"): (0,),
+    ("transformations", "complex-oscillator-variables"): (0,),
+    ("transformations", "kustaanheimo-stiefel"): (0, 3),
+    ("transformations", "momenta-off-a-constraint"): (0,),
+    ("transformations", "false-singular-hessian"): (0,),
+    ("transformations", "lie-transform-truncated"): (0,),
+    ("course", "bracket-laws"): (0, 5, 7),
+    ("course", "legendre-transform"): (0, 4),
+    ("course", "kepler-so4"): (0,),
+    ("brackets", "poincare-algebra"): (4,),
+    ("flows", "duffing-time-energy"): (0,),
+    ("flows", "harmonic-oscillator"): (0, 3),
+    ("errata", "valence"): (0, 1, 2),
+}
+IN_PART = {
+    ("course", "what-canonical-must-mean", 2): "almost all values",
+    ("course", "integrals-oscillator", 3): "any component",
+    ("transformations", "oscillator-type-2", 0): "on a connected cell",
+    ("transformations", "rotating-polar-coordinates", 1): "is exact",
+}
+PATHS = {(Path(str(file)).parent.name, Path(str(file)).stem): Path(str(file)) for file in files()}
+
+
+def answer(room: str, name: str, index: int) -> str:
+    tables = document.load(PATHS[room, name])
+    claim = read_tables(tables).claims[index]
+    data = certificate(claim, verify(claim), statement_tables(tables, index))
+    return str(check(json.loads(json.dumps(data))))
+
+
+@pytest.mark.parametrize(("room", "name", "index"), [(*key, index) for key, found in CLAIMS.items() for index in found])
+def test_confirmed(room: str, name: str, index: int) -> None:
+    assert answer(room, name, index) == "confirmed"
+
+
+@pytest.mark.parametrize(("room", "name", "index"), IN_PART)
+def test_in_part(room: str, name: str, index: int) -> None:
+    found = answer(room, name, index)
+    assert found.startswith("confirmed in part: ")
+    assert IN_PART[room, name, index] in found

@@ -1,0 +1,99 @@
+"""`canon verify --certificate` and `canon certificate check`, from claim files to exit status."""
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+
+from canon.claims.worker import Entry
+from canon.cli.main import main
+from canon.report.certificate_file import certificate_path
+
+FILE = """\
+[phase_space]
+q = ["q"]
+p = ["p"]
+
+[[claim]]
+kind = "bracket"
+f = "q**2"
+g = "p"
+equals = "2*q"
+
+[[claim]]
+kind = "bracket"
+f = "q**2"
+g = "p"
+equals = "3*q"
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Path:
+    """A folder with one proof and one refutation, certified."""
+    monkeypatch.chdir(tmp_path)
+    Path("claims").mkdir()
+    Path("claims/two.toml").write_text(FILE, encoding="utf-8")
+    assert main(["verify", "claims", "--jobs", "1", "--json", "--certificate", "out"]) == 1
+    record = json.loads(capsys.readouterr().out)
+    assert [claim["certificate"] for claim in record["claims"]] == ["out/claims/two.1.json", "out/claims/two.2.json"]
+    return tmp_path / "out" / "claims"
+
+
+def test_each_proof_and_refutation_has_a_file_that_is_confirmed(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert sorted(os.listdir(folder)) == ["two.1.json", "two.2.json"]
+    assert main(["certificate", "check", "out"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].split() == ["confirmed", "out/claims/two.1.json"]
+    assert lines[-1] == "2 certificates: 2 confirmed"
+
+
+def test_the_gravest_answer_is_the_exit_status(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    proof, refutation = folder / "two.1.json", folder / "two.2.json"
+    proof.write_text(proof.read_text().replace('"2*q"', '"4*q"'), encoding="utf-8")
+    assert main(["certificate", "check", str(proof), str(refutation)]) == 1
+    assert "rejected           " in capsys.readouterr().out
+    (folder / "none.json").write_text('{"certificate": 1, "certificate": 1}', encoding="utf-8")
+    (folder / "deep.json").write_text("[" * 200_000, encoding="utf-8")
+    assert main(["certificate", "check", "--json", str(folder), "missing.json"]) == 3
+    rows = {Path(row["file"]).name: row for row in json.loads(capsys.readouterr().out)["certificates"]}
+    assert rows["none.json"]["reasons"] == ["a key stands twice in one table"]
+    assert rows["deep.json"]["reasons"] == ["not JSON in UTF-8"]
+    assert rows["missing.json"]["reasons"] == ["no such file"]
+    assert [rows[name]["status"] for name in ("two.1.json", "two.2.json")] == ["rejected", "confirmed"]
+
+
+def test_a_kind_that_is_not_known_is_exit_status_2(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    from canon.checker.check import checksum
+
+    data = json.loads((folder / "two.1.json").read_text())
+    data["tables"]["claim"]["kind"] = "marvellous"
+    (folder / "two.1.json").write_text(json.dumps({**data, "checksum": checksum(data)}), encoding="utf-8")
+    assert main(["certificate", "check", str(folder / "two.1.json")]) == 2
+    assert "not confirmed" in capsys.readouterr().out
+
+
+def test_a_folder_that_cannot_be_made_is_bad_input(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["verify", "claims", "--certificate", "claims/two.toml"]) == 3
+    assert "is no folder" in capsys.readouterr().err
+    assert main(["certificate"]) == 3
+
+
+@pytest.mark.parametrize(
+    ("file", "expected"),
+    [
+        ("a.toml", "out/a.3.json"),
+        ("errata/a-b.toml", "out/errata/a-b.3.json"),
+        ("/etc/a.toml", "out/a-"),
+        ("../a.toml", "out/a-"),
+        ("x/../../a.toml", "out/a-"),
+        ("\n.toml", "out/--"),
+    ],
+)
+def test_certificates_stay_in_their_folder(file: str, expected: str) -> None:
+    path = str(certificate_path("out", Entry(file, 2, None)))
+    assert path.startswith(expected)
+    assert os.path.normpath(path).startswith("out/")

@@ -1,4 +1,4 @@
-"""Certificates of the catalogue: a claim of each room and kind, and of each argument, is confirmed as far as it says."""
+"""Certificates of the catalogue, some of each room, kind and argument: confirmed as far as their answers say."""
 
 import json
 from pathlib import Path

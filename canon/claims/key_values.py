@@ -83,6 +83,7 @@ class _Keys:
             "functions": self._functions,
             "calls": self._calls,
             "degrees": self._degrees,
+            "values": self._fixed,
         }
         if entry.form in tables:
             return tables[entry.form](entry, value, where)
@@ -93,6 +94,8 @@ class _Keys:
             "number": self._number,
             "power": self._power,
             "type": self._type,
+            "coordinate": self._coordinate,
+            "word": document.text,
         }
         return simple[entry.form](value, where)
 
@@ -166,6 +169,24 @@ class _Keys:
         if not lowest <= number <= highest:
             raise InputError(f"a whole number from {lowest} to {highest} is expected, not {number}", where)
         return number
+
+    def _coordinate(self, value: Any, where: str) -> sp.Symbol:
+        name = document.name(value, where)
+        for symbol in self.names.space.q:
+            if symbol.name == name:
+                return symbol
+        wanted = ", ".join(symbol.name for symbol in self.names.space.q)
+        raise InputError(f"{name!r} is none of the coordinates {wanted}", where)
+
+    def _fixed(self, entry: Key, value: Any, where: str) -> dict[sp.Symbol, Formula]:
+        """The table name = expression of what is held fixed: parameters, energy, or old variables."""
+        found: dict[sp.Symbol, Formula] = {}
+        for word, given in document.table(value, where).items():
+            symbol = self.vocabulary.symbols.get(word)
+            if symbol is None:
+                raise InputError(self.vocabulary.unknown(word), where)
+            found[symbol] = self._formula(given, entry, f"{where}, {word!r}")
+        return found
 
     def _degrees(self, entry: Key, value: Any, where: str) -> dict[int, Formula]:
         """The table degree = polynomial of a normal form."""

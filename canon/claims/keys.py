@@ -9,12 +9,14 @@ from typing import Final, Literal
 Form = Literal[
     "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix",
     "structure", "constants", "constant", "functions", "calls", "degrees", "basis", "matrices", "algebra", "brackets",
+    "values", "coordinate", "word",
 ]  # fmt: skip
 """What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
 `["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
 of constants, which may be new variables; an expression of constants, or the name of one that it declares; a table
 "x(t)" = formula of functions that the file declares; a table degree = polynomial; a table name = expression, or
-name = matrix; the name of a Lie algebra; a table "A,B" = combination of a basis."""
+name = matrix; the name of a Lie algebra; a table "A,B" = combination of a basis; a table name =
+value of constants; one of the coordinates; a word."""
 
 Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "jet", "integral", "group"]
 """The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
@@ -60,6 +62,16 @@ TENSOR: Final[Mapping[str, Key]] = {
 _EQUALS: Final[Mapping[str, Key]] = {
     "equals": Key("algebra", optional=True),
     "structure": Key("brackets", optional=True),
+}
+
+_ACTION: Final[Mapping[str, Key]] = {
+    "coordinate": Key("coordinate"),
+    "energy": Key("name"),
+    "branch": Key("word", optional=True),
+    "period": Key(side="parameters", optional=True),
+    "well": Key(side="parameters", optional=True),
+    "fixed": Key("values", "parameters", optional=True),
+    "equals": Key(),
 }
 
 KEYS: Final[Mapping[str, KeySpec]] = {
@@ -121,6 +133,8 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "solves": KeySpec(
         {"solution": Key("functions", "both"), "equations": Key("expressions", "both")},
     ),
+    "action": KeySpec(_ACTION, ("hamiltonian",)),
+    "frequency": KeySpec(_ACTION, ("hamiltonian",)),
     "normal_form": KeySpec({"order": Key("number"), "N": Key("degrees")}, ("hamiltonian",)),
     "algebra": KeySpec(
         {"basis": Key("basis"), **_EQUALS, "tensor": TENSOR["tensor"], "coordinates": TENSOR["coordinates"]}
@@ -142,5 +156,5 @@ KEYS: Final[Mapping[str, KeySpec]] = {
 }
 """The kinds that this version checks."""
 
-LATER: Final = ("action", "frequency", "action_angle")
+LATER: Final = ("action_angle",)
 """The kinds of the format that this version doesn't check yet."""

@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from types import MappingProxyType
 
 from canon.claims import (
+    action,
     algebra,
     bracket,
     casimir,
@@ -50,6 +51,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **matrix_algebra.KINDS,
         **group.KINDS,
         **casimir.KINDS,
+        **action.KINDS,
     }
 )
 

@@ -1,0 +1,142 @@
+"""∮ √Q(u) R(u) du for a quadratic Q and a rational R, by the residues outside of the cut between the turning points.
+
+With Q = A (u − u₋)(u₊ − u), A > 0, and c outside of [u₋, u₊]: ∫ √Q/(u − c) du = π (√A (m − c) ∓ √−Q(c)) between the
+turning points, m being their middle; the upper sign where c lies below (Sommerfeld, Atombau und Spektrallinien I,
+appendix 6; Goldstein, Poole and Safko 2002, section 10.8). Derivatives by c give the higher poles.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import sympy as sp
+
+from canon.mechanics.action_angle import ClosedAction, OneDegree, at_most, degree
+from canon.mechanics.substitutions import Substitution, U, integrand, substitutions
+from canon.sign import known_sign
+
+HIGHEST_POWER = 2
+
+
+def by_residues(motion: OneDegree) -> Iterator[ClosedAction]:
+    """The action of the libration, for each substitution that leads to one quadratic root."""
+    for chosen in substitutions(motion):
+        found = _with(motion, chosen)
+        if found is not None:
+            yield found
+
+
+def _with(motion: OneDegree, chosen: Substitution) -> ClosedAction | None:
+    try:
+        G = integrand(motion, chosen)
+        parts = None if G is None else _root_and_factor(G)
+    except (sp.PolynomialError, NotImplementedError, TypeError, ValueError):
+        return None
+    if parts is None:
+        return None
+    Q, constant, factors = parts
+    S = constant * sp.Mul(*(f**e for f, e in factors))
+    sign = _sign(constant, factors, chosen)
+    if sign is None:
+        return None
+    A, B, C = -Q.coeff(U, 2), Q.coeff(U, 1), Q.coeff(U, 0)
+    exists = [A, B**2 + 4 * A * C]
+    if chosen.low != sp.S.NegativeInfinity:
+        exists += [-Q.xreplace({U: chosen.low}), B - 2 * A * chosen.low]
+    if chosen.high != sp.S.Infinity:
+        exists += [-Q.xreplace({U: chosen.high}), 2 * A * chosen.high - B]
+    exists = [sp.factor(sp.together(e)) for e in exists]
+    if any(known_sign(e) in ("zero", "negative", "nonpositive") for e in exists):
+        return None
+    terms = sp.Add.make_args(sp.apart(S, U) if S.has(U) else S)
+    integrals = [_integral(term, Q, (A, B, C), chosen) for term in terms]
+    if any(value is None for value in integrals):
+        return None
+    back = {U: chosen.u}
+    same = motion.square - Q.xreplace(back) * S.xreplace(back) ** 2 * chosen.u.diff(motion.q) ** 2
+    checks = (("p**2 as a square root of a quadratic", same), ("partial fractions", S - sp.Add(*terms)))
+    value = 2 * sign * sp.Add(*(value for value in integrals if value is not None))
+    return ClosedAction(value, tuple(exists), checks, f"residues in u = {chosen.u}")
+
+
+def _root_and_factor(G: Any) -> tuple[Any, Any, list[tuple[Any, int]]] | None:
+    """(Q, constant, factors) with G = Q (constant ∏ factor^exponent)², Q quadratic in u; None where it is of another
+    degree."""
+    above, below = sp.fraction(G)
+    number, found = sp.S.One, dict[Any, int]()
+    for polynomial, side in ((above, 1), (below, -1)):
+        constant, factors = _factored(polynomial)
+        number = number * constant**side
+        for factor, exponent in factors:
+            if factor.has(U):
+                found[factor] = found.get(factor, 0) + side * exponent
+            else:
+                number = number * factor ** (side * exponent)
+    Q = sp.expand(number * sp.Mul(*(f for f, e in found.items() if e % 2)))
+    if not Q.is_polynomial(U) or degree(Q, U) != 2:
+        return None
+    return Q, sp.S.One, [(f, (e - e % 2) // 2) for f, e in found.items() if e - e % 2]
+
+
+def _factored(*arguments: Any) -> tuple[Any, list[tuple[Any, int]]]:
+    found: Any = sp.factor_list(*arguments)
+    return found[0], found[1]
+
+
+def _pole(factor: Any, chosen: Substitution) -> tuple[Any, Any, int] | None:
+    """(slope, c, side) of a linear factor slope·(u − c) whose c is at or below (+1), or at or above (−1) the range."""
+    if degree(factor, U) != 1:
+        return None
+    slope = factor.coeff(U, 1)
+    c = sp.cancel(-factor.xreplace({U: sp.S.Zero}) / slope)
+    if at_most(c, chosen.low):
+        return slope, c, 1
+    return (slope, c, -1) if at_most(chosen.high, c) else None
+
+
+def _sign(constant: Any, factors: list[tuple[Any, int]], chosen: Substitution) -> int | None:
+    """The sign of S on the whole range; None where a factor may vanish in it."""
+    sign = 1 if known_sign(constant) == "positive" else -1
+    for factor, exponent in factors:
+        pole = _pole(sp.expand(factor), chosen)
+        if pole is None:
+            if exponent % 2 or not _never_zero(factor):
+                return None
+            continue
+        slope, _, side = pole
+        known = known_sign(slope)
+        if known not in ("positive", "negative"):
+            return None
+        if exponent % 2:
+            sign *= side * (1 if known == "positive" else -1)
+    return sign
+
+
+def _never_zero(factor: Any) -> bool:
+    return known_sign(factor) in ("positive", "negative")
+
+
+def _integral(term: Any, Q: Any, coefficients: tuple[Any, Any, Any], chosen: Substitution) -> Any | None:
+    """∫ √Q · term du between the turning points."""
+    A, B, C = coefficients
+    if term.is_polynomial(U):
+        power = degree(term, U) if term.has(U) else 0
+        if power > HIGHEST_POWER:
+            return None
+        middle, spread = B / (2 * A), (B**2 + 4 * A * C) / (4 * A**2)
+        moments = (sp.S.One, middle, middle**2 + spread / 4)
+        return term.coeff(U, power) * sp.pi * sp.sqrt(A) * spread / 2 * moments[power]
+    above, below = sp.fraction(sp.together(term))
+    if above.has(U):
+        return None
+    constant, factors = _factored(below, U)
+    if len(factors) != 1:
+        return None
+    (factor, order) = factors[0]
+    pole = _pole(sp.expand(factor), chosen)
+    if pole is None:
+        return None
+    slope, c, side = pole
+    at = sp.Dummy("c", real=True)
+    value = sp.pi * (B / (2 * sp.sqrt(A)) - sp.sqrt(A) * at - side * sp.sqrt(-Q.xreplace({U: at})))
+    value = sp.diff(value, at, order - 1) / sp.factorial(order - 1)
+    return above / (constant * slope**order) * value.xreplace({at: c})

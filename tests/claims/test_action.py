@@ -1,0 +1,135 @@
+"""Claims of actions and frequencies (course section 14.5; Goldstein, Poole and Safko 2002, sections 10.6 to 10.8)."""
+
+from fractions import Fraction
+
+import pytest
+
+from canon.claims.reader import read_text
+from canon.claims.verify import verify
+
+LINE = 'q = ["q"]\np = ["p"]\n'
+PLANE = 'q = ["r", "theta"]\np = ["p_r", "p_theta"]\n'
+KEPLER = {
+    "symbols": 'r = "positive"\nm = "positive"\na = "positive"\nM = "positive"',
+    "hamiltonian": 'H = "(p_r**2 + p_theta**2/r**2)/(2*m) - a/r"',
+}
+PENDULUM = {"hamiltonian": 'H = "p**2/2 - cos(q)"', "symbols": 'E = "real"'}
+
+
+def _claim(equals: str, coordinate: str = "q", kind: str = "action", **keys: str) -> str:
+    lines = [f'kind = "{kind}"', f'coordinate = "{coordinate}"', 'energy = "E"', f'equals = "{equals}"']
+    return "\n".join([*lines, *(f"{name} = {value}" for name, value in keys.items())])
+
+
+@pytest.mark.parametrize(
+    ("equals", "kind", "expected"),
+    [
+        ("2*pi*(a*sqrt(m/(-2*E)) - M)", "action", "proved"),
+        ("2*pi*(a*sqrt(m/(-2*E)) - 1001/1000*M)", "action", "refuted"),
+        ("-2*pi*(a*sqrt(m/(-2*E)) - M)", "action", "refuted"),
+        ("sqrt(-2*E)**3/(2*pi*a*sqrt(m))", "frequency", "proved"),
+        ("sqrt(-2*E)**3/(a*sqrt(m))", "frequency", "refuted"),
+    ],
+)
+def test_kepler(ask, equals, kind, expected):
+    (verdict,) = ask(_claim(equals, "r", kind, fixed='{p_theta = "M"}'), space=PLANE, **KEPLER)
+    assert verdict.status == expected
+    if expected == "refuted":
+        assert set(verdict.witness) == {"E", "M", "a", "m"}
+        E, M, a, m = (float(Fraction(verdict.witness[name])) for name in "EMam")
+        assert -m * a**2 / (2 * M**2) < E < 0  # a bound orbit
+
+
+def test_a_momentum_left_free_is_a_constant(status):
+    claim = _claim("2*pi*(a*sqrt(m/(-2*E)) - abs(p_theta))", "r")
+    assert status(claim, space=PLANE, **KEPLER) == "proved"
+    claim = _claim("2*pi*(a*sqrt(m/(-2*E)) - p_theta)", "r")
+    assert status(claim, space=PLANE, **KEPLER) == "refuted"  # where p_theta < 0
+
+
+@pytest.mark.parametrize(
+    ("equals", "keys", "expected"),
+    [
+        ("16*(elliptic_e((E+1)/2) - (1-E)/2*elliptic_k((E+1)/2))", {"branch": '"libration"'}, "proved"),
+        ("16.001*(elliptic_e((E+1)/2) - (1-E)/2*elliptic_k((E+1)/2))", {"branch": '"libration"'}, "refuted"),
+        ("4*sqrt(2*(E+1))*elliptic_e(2/(E+1))", {"branch": '"rotation"'}, "proved"),
+        ("8*sqrt(2*(E+1))*elliptic_e(2/(E+1))", {"branch": '"rotation"', "period": '"4*pi"'}, "proved"),
+        ("16", {"branch": '"libration"', "fixed": '{E = "1"}'}, "proved"),
+        ("8", {"branch": '"rotation"', "fixed": '{E = "1"}'}, "proved"),
+        ("16", {"branch": '"rotation"', "fixed": '{E = "1"}'}, "refuted"),
+        ("16*(elliptic_e(1/2) - elliptic_k(1/2)/2)", {"branch": '"libration"', "fixed": '{E = "0"}'}, "proved"),
+        (
+            "16*(elliptic_e((E+1)/2) - (1-E)/2*elliptic_k((E+1)/2))",
+            {"branch": '"libration"', "well": '"2*pi"'},
+            "proved",
+        ),
+    ],
+)
+def test_the_pendulum(status, equals, keys, expected):
+    assert status(_claim(equals, **keys), space=LINE, **PENDULUM) == expected
+
+
+def test_a_domain_that_cuts_the_orbits_is_not_argued_about(ask):
+    claim = _claim("2*pi*E")
+    oscillator = {"hamiltonian": 'H = "(p**2 + q**2)/2"'}
+    (verdict,) = ask(claim, space=LINE, **oscillator, domain='where = ["p > -3"]')
+    assert verdict.status == "undecided"
+    assert "the orbit may leave the domain" in verdict.detail["note"]
+    (verdict,) = ask(claim, space=LINE, **oscillator, domain='where = ["-2 < q < 1"]')
+    assert verdict.status == "proved"  # of the orbits within
+    (verdict,) = ask(_claim("2*pi*E*1.001"), space=LINE, **oscillator, domain='where = ["-2 < q < 1"]')
+    assert float(Fraction(verdict.witness["E"])) < 1 / 2
+
+
+def test_a_coefficient_of_p_squared_that_vanishes_in_the_range_is_no_oscillator(status):
+    """On q = 0 the orbits of q (p² + q² − 1) = 0 stand still: the circle isn't one of them."""
+    claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nfixed = {E = "0"}\nequals = "pi"'
+    assert status(claim, space=LINE, hamiltonian='H = "q*(p**2 + q**2 - 1)"', symbols='E = "real"') == "undecided"
+
+
+def test_a_well_without_a_closed_form_is_undecided(ask):
+    (verdict,) = ask(_claim("1"), space=LINE, hamiltonian='H = "p**2/2 + q**2 + q**4"')
+    assert verdict.status == "undecided"
+    assert verdict.detail["note"]
+
+
+@pytest.mark.parametrize(
+    ("H", "line", "words"),
+    [
+        ("p**2/2 - cos(q)", _claim("1"), "say whether the branch"),
+        ("p**2/2 - cos(q)", _claim("1", branch='"orbit"'), "a branch is"),
+        ("p**2/2 + q**2", _claim("1", period='"2"'), "a period is one of a rotation"),
+        ("p**2/2 - q**2", _claim("1"), "such a motion exists"),
+        ("p**2/2", _claim("1"), "there is a rotation only"),
+        ("p**2/2 + q**2*t", _claim("1"), "H depends on t"),
+        ("p**2/2 + q**2", _claim("q"), "not of q"),
+        ("p**2/2 + q**2", _claim("1", fixed='{q = "1"}'), "q moves"),
+        ("p**2/2 + q**2", _claim("1", kind="frequency", fixed='{E = "1"}'), "needs the energy as a name"),
+        ("p**4 + q**2", _claim("1"), "isn't quadratic in p"),
+        ("p**2/2 - cos(q)", _claim("1", branch='"rotation"', period='"1"'), "not a period of H"),
+        ("p**2/2 + q**2", _claim("1", fixed='{E = "-1"}'), "such a motion exists"),
+    ],
+)
+def test_bad_input(H, line, words):
+    reading = read_text(f'[phase_space]\n{LINE}[symbols]\nE = "real"\n[hamiltonian]\nH = "{H}"\n[[claim]]\n{line}')
+    assert not reading.problems
+    with pytest.raises(Exception, match=words):
+        verify(reading.claims[0])
+
+
+def test_a_coordinate_that_does_not_separate():
+    reading = read_text(
+        f'[phase_space]\n{PLANE}[hamiltonian]\nH = "p_r**2 + p_theta**2 + r*theta"\n[[claim]]\n{_claim("1", "r")}'
+    )
+    with pytest.raises(Exception, match="H depends on theta"):
+        verify(reading.claims[0])
+
+
+@pytest.mark.parametrize(
+    ("keys", "words"),
+    [({"coordinate": "x"}, "none of the coordinates q"), ({"fixed": '{z = "1"}'}, "unknown name 'z'")],
+)
+def test_faults_of_the_file(keys, words):
+    coordinate = keys.pop("coordinate", "q")
+    text = f'[phase_space]\n{LINE}[hamiltonian]\nH = "p**2"\n[[claim]]\n{_claim("1", coordinate, **keys)}'
+    assert words in read_text(text).problems[0]["message"]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from canon.claims.fixed_parameters import fixed_region
 from canon.claims.independence import MEROMORPHIC, PLACES, not_zero_for_any_parameters
 from canon.claims.outcome import Outcome, exact
 from canon.claims.scale import never_zero
@@ -33,18 +34,25 @@ BY_IDEALS = "linear relations make an ideal, and no simple ideal is represented 
 
 
 def independent_outcome(
-    question: Question, region: Region, basis: Sequence[Node], variables: Sequence[Node], algebra: LieAlgebra
+    question: Question,
+    region: Region,
+    basis: Sequence[Node],
+    variables: Sequence[Node],
+    algebra: LieAlgebra,
+    further: Sequence[Node] = (),
 ) -> Outcome:
     """No combination of the functions with real coefficients vanishes on the domain, for any allowed parameters.
 
     Shown at points for one choice of the parameters; for all others by a change of units, or because the relations
     that hold are an ideal of the algebra (the kernel of a homomorphism), which for a semisimple one contains a simple
-    ideal, or by a determinant that is a formula in the parameters.
+    ideal, or by a determinant that is a formula in the parameters. `further` are symbols that are parameters too.
     """
     tape = question.tape
     if tape.functions_of(basis):
         return Outcome("supported", note="independence is shown for particular functions, not for all")
-    parameters = parameters_of(question, variables, [*basis, *region.nodes()])
+    nodes = [*basis, *region.nodes(), *region.surface]
+    used = {x for node in nodes for x in tape.support(node)}
+    parameters = sorted({*parameters_of(question, variables, nodes), *(x for x in further if x in used)})
     unit = {x: Fraction(-1 if declared(tape.symbol_at(x)).get("negative") else 1) for x in parameters}
     at_unit = _at(question, region, basis, unit)
     inside = [x for x in parameters if any(x in tape.support(f) for f in basis)]
@@ -56,8 +64,37 @@ def independent_outcome(
         return exact("proved", BY_UNITS)
     if _by_places(question, basis, inside):
         return exact("proved", BY_POINTS)
+    if _in_each_case(question, region, basis, variables, parameters, algebra):
+        return exact("proved", f"{BY_UNITS}, for each sign of a parameter")
     known = "at one choice of the parameters" if at_unit else "at no point that was tried"
     return Outcome("supported" if at_unit else "undecided", note=f"linear independence of the basis is shown {known}")
+
+
+def _in_each_case(
+    question: Question,
+    region: Region,
+    basis: Sequence[Node],
+    variables: Sequence[Node],
+    parameters: Sequence[Node],
+    algebra: LieAlgebra,
+) -> bool:
+    """For a parameter of unknown sign: independence where it is positive, negative and 0."""
+    tape = question.tape
+    words = ("positive", "negative", "nonnegative", "nonpositive", "integer")
+    facts = {x: declared(tape.symbol_at(x)) for x in parameters}
+    free = [x for x in parameters if facts[x].get("real") and not any(facts[x].get(word) for word in words)]
+    if not free:
+        return False
+    name, zero = tape.symbol_at(free[0]).name, facts[free[0]].get("zero")
+    cases = [tape.symbol(sp.Symbol(name, positive=True)), tape.symbol(sp.Symbol(name, negative=True))]
+    for value in [*cases, *([tape.zero] if zero is None else [])]:
+        moved = fixed_region(tape, region, {free[0]: value})
+        if moved is None:
+            return False
+        functions = [substitute(tape, f, {free[0]: value}) for f in basis]
+        if independent_outcome(question, moved, functions, variables, algebra, (value,)).status != "proved":
+            return False
+    return True
 
 
 def _at(question: Question, region: Region, basis: Sequence[Node], values: Values) -> bool:

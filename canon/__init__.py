@@ -75,8 +75,11 @@ if TYPE_CHECKING:
     from canon.mechanics.subject import Subject
     from canon.mechanics.transformation import Transformation
     from canon.numeric.actions.bounded import Bounded
+    from canon.numeric.actions.central import central_actions
+    from canon.numeric.actions.isochrone import isochrone_actions, isochrone_angle
     from canon.numeric.actions.motion import Motion, motion
     from canon.numeric.actions.orbit import Orbit
+    from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
     from canon.verdict import Verdict
 
 __version__ = "0.1.0"
@@ -96,8 +99,11 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
     "canon.claims.verify": ("verify",),
     "canon.numeric.actions.bounded": ("Bounded",),
+    "canon.numeric.actions.central": ("central_actions",),
+    "canon.numeric.actions.isochrone": ("isochrone_actions", "isochrone_angle"),
     "canon.numeric.actions.motion": ("Motion", "motion"),
     "canon.numeric.actions.orbit": ("Orbit",),
+    "canon.numeric.actions.pendulum": ("pendulum_actions", "pendulum_angle"),
     "canon.mechanics.phase_space": ("PhaseSpace",),
     "canon.mechanics.subject": ("Subject",),
     "canon.mechanics.transformation": ("Transformation",),
@@ -177,6 +183,7 @@ __all__ = [
     "bracket",
     "bracket_matrix",
     "cartan_loop_invariant",
+    "central_actions",
     "certify",
     "closed_lie_series",
     "compose",
@@ -189,6 +196,8 @@ __all__ = [
     "independent",
     "infinitesimal",
     "involution",
+    "isochrone_actions",
+    "isochrone_angle",
     "jacobi",
     "jacobi_sum",
     "lagrange_bracket",
@@ -198,6 +207,8 @@ __all__ = [
     "loop_invariant",
     "motion",
     "normal_form",
+    "pendulum_actions",
+    "pendulum_angle",
     "poisson_bracket",
     "recovered",
     "standard_j",

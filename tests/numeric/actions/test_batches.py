@@ -1,0 +1,169 @@
+"""Actions of many orbits at once, in double precision, against closed forms of 50 digits and more."""
+
+from typing import Any
+
+import jax
+import jax.numpy as jnp
+import mpmath as mp
+import numpy as np
+import pytest
+
+from canon.errors import InputError
+from canon.numeric.actions.central import central_actions
+from canon.numeric.actions.isochrone import isochrone_actions, isochrone_angle
+from canon.numeric.actions.motion import motion
+from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
+from canon.numeric.precision import double
+
+COUNT = 60
+
+
+def orbits(b: float, eccentricity: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Orbits of the isochrone around circles of several radii: L_c² = r⁴/(s (b + s)²)."""
+    rng = np.random.default_rng(5)
+    r = np.exp(rng.normal(size=COUNT))
+    s = np.sqrt(b * b + r * r)
+    L = np.sqrt(r**4 / (s * (b + s) ** 2))
+    across, along = rng.normal(size=(2, COUNT)) * eccentricity / 3
+    return r, along * L / r, L * (1 + across)
+
+
+def isochrone_reference(r: float, p: float, L: float, m: float, a: float, b: float) -> tuple[Any, Any, Any]:
+    """J_r and both frequencies, from H = −(ma²/2)/(J_r/2π + ½(L + √(L² + 4amb)))², with 60 digits."""
+    with mp.workdps(60):
+        r, p, L, m, a, b = map(mp.mpf, (r, p, L, m, a, b))
+        E = (p**2 + L**2 / r**2) / (2 * m) - a / (b + mp.sqrt(b * b + r * r))
+        root = mp.sqrt(L * L + 4 * a * m * b)
+        rate = (-2 * m * E) ** mp.mpf(1.5) / (2 * mp.pi * a * m * m)
+        return 2 * mp.pi * (a * m / mp.sqrt(-2 * m * E) - (L + root) / 2), rate, rate * (1 + L / root) / 2
+
+
+@pytest.mark.parametrize("b", [0.0, 1.0])
+@pytest.mark.parametrize("eccentricity", [0.3, 1e-6, 1e-9])
+def test_closed_forms_keep_the_digits_of_the_state(b: float, eccentricity: float) -> None:
+    r, p, L = orbits(b, eccentricity)
+    m, a = 1.5, 0.7
+    p, L = p * np.sqrt(a * m), L * np.sqrt(a * m)
+    with double():
+        found = jax.jit(isochrone_actions)(jnp.asarray(r), jnp.asarray(p), jnp.asarray(L), m=m, a=a, b=b)
+        rows = [np.asarray(x) for x in found]
+    for k in range(COUNT):
+        exact = isochrone_reference(r[k], p[k], L[k], m, a, b)
+        error = abs(mp.mpf(float(rows[0][k])) - exact[0])
+        assert error <= rows[4][k] <= 3e-15 * exact[0]
+        assert error <= 9e-16 * exact[0]
+        assert abs(rows[2][k] / exact[1] - 1) < 9e-16
+        assert abs(rows[3][k] / exact[2] - 1) < 9e-16
+
+
+def test_orbits_that_are_hardly_bound_and_those_that_are_not() -> None:
+    """E → 0−: −2mE in double-double arithmetic has all its digits."""
+    with double():
+        p = np.sqrt(1.75 - np.array([1e-6, 1e-10, 1e-14]))
+        found = isochrone_actions(jnp.ones(3), jnp.asarray(p), 0.5 * jnp.ones(3))
+        for k in range(3):
+            exact = isochrone_reference(1.0, p[k], 0.5, 1.0, 1.0, 0.0)
+            assert abs(float(found.radial[k]) / exact[0] - 1) < 9e-16
+        assert bool(jnp.isnan(isochrone_actions(1.0, 1.5, 0.5).radial))
+
+
+def test_the_angle_of_the_isochrone() -> None:
+    moved = motion("p**2/2 + 1/(8*q**2) - 1/(1 + sqrt(1 + q**2))", domain=(0, float("inf")))
+    with double():
+        for r, p in ((1.5, -0.1), (1.5, 0.1), (0.7, 0.3)):
+            angle = moved.at(r, p).angle
+            assert angle is not None
+            assert abs(float(isochrone_angle(r, p, 0.5, b=1.0)) - angle.value) < 4e-16
+
+
+def test_the_pendulum_from_the_bottom_to_beyond_the_separatrix() -> None:
+    """15 digits for 1 − m from 0.5 to 1e-300, given as such, on both sides. sec-14.5-c."""
+    distances = [0.5, 0.49, 0.1, 1e-3, 1e-8, 1e-16, 1e-100, 1e-300]
+    given = np.array([*distances, *(-x for x in distances), 0.6, 0.9, -1.0, -30.0])
+    with double():
+        found = pendulum_actions(jnp.asarray(given), inertia=2.0, strength=8.0)
+        action, period = (np.asarray(x) for x in found[:2])
+    with mp.workdps(330):
+        for k, value in enumerate(given):
+            m1 = mp.mpf(float(value))
+            m = 1 - m1
+            exact = (
+                (16 * (mp.ellipe(m) - m1 * mp.ellipk(m)), 4 * mp.ellipk(m)) if m1 > 0
+                else (8 * mp.sqrt(m) * mp.ellipe(1 / m), 2 * mp.ellipk(1 / m) / mp.sqrt(m))
+            )  # fmt: skip
+            assert abs(mp.mpf(float(action[k])) / (4 * exact[0]) - 1) < 5e-16
+            assert abs(mp.mpf(float(period[k])) / (exact[1] / 2) - 1) < 5e-16
+
+
+def test_the_pendulum_at_the_bottom_and_on_the_separatrix() -> None:
+    with double():
+        small = pendulum_actions(above_bottom=jnp.array([1e-200, 1e-5]))
+        with mp.workdps(40):
+            m = mp.mpf(1e-5)
+            assert abs(float(small.action[1]) / (16 * (mp.ellipe(m) - (1 - m) * mp.ellipk(m))) - 1) < 5e-16
+        assert float(small.action[0]) == pytest.approx(4 * np.pi * 1e-200, rel=4e-16)
+        edge = pendulum_actions(jnp.array([0.0, 1e-30, -1e-30, 2.0]))
+        assert [float(x) for x in edge.action[:3]] == [16.0, 16.0, 8.0]
+        assert float(edge.period[0]) == np.inf
+        assert bool(jnp.isnan(edge.action[3]))
+
+
+@pytest.mark.parametrize(
+    ("cosine", "momentum"), [(0.3, 0.1), (1e-3, -9e-4), (1e-150, 0.9e-150), (0.1, 0.2), (1e-100, -2e-100)]
+)
+@pytest.mark.parametrize("side", [1, -1])
+def test_angles_of_the_pendulum(cosine: float, momentum: float, side: int) -> None:
+    sine = side * np.sqrt(1 - cosine**2)
+    with double():
+        w = float(pendulum_angle(sine, cosine, momentum))
+    with mp.workdps(340):
+        c, p = mp.mpf(cosine), mp.mpf(momentum)
+        s = side * mp.sqrt(1 - c * c)
+        m = s * s + p * p
+        if c * c > p * p:
+            part = mp.ellipf(mp.asin(s / mp.sqrt(m)), m) / mp.ellipk(m)
+            exact = (1 + (2 - part if p < 0 else part)) / 4
+        else:
+            part = mp.ellipf(mp.asin(s), 1 / m) / mp.ellipk(1 / m)
+            exact = (1 + (-part if p < 0 else part)) / 2
+        assert abs(w - (exact - mp.floor(exact))) < 5e-16
+
+
+@pytest.mark.parametrize(("b", "V"), [(0.0, "-k/r"), (1.0, "-k/(1 + sqrt(1 + r**2))")])
+def test_any_central_potential(b: float, V: str) -> None:
+    for eccentricity, most in ((0.3, 1e-11), (1e-3, 2e-11), (1e-6, 2e-8)):
+        r, p, L = orbits(b, eccentricity)
+        with double():
+            exact = isochrone_actions(jnp.asarray(r), jnp.asarray(p), jnp.asarray(L), b=b)
+            exact = [np.asarray(x) for x in exact]
+        found = central_actions(V, r, p, L, parameters={"k": 1.0})
+        assert np.all(np.abs(found.radial - exact[0]) <= found.bound)
+        assert np.median(found.bound / exact[0]) < most
+        assert np.allclose(found.radial_frequency, exact[2], rtol=1e-10, atol=0)
+        assert np.allclose(found.azimuthal_frequency, exact[3], rtol=1e-11, atol=0)
+        assert np.array_equal(found.azimuthal, 2 * np.pi * L)
+
+
+def test_a_logarithmic_potential_with_a_mass_against_balls() -> None:
+    found = central_actions("log(r)", [1.0, 1.0, 2.0], [0.1, 2.0, 0.0], [1.0, 0.01, 1.0], m=2.0)
+    for k, (r, p, L) in enumerate(((1, "0.1", 1), (1, 2, "0.01"), (2, 0, 1))):
+        moved = motion("p**2/4 + L**2/(4*q**2) + log(q)", domain=(0, float("inf")), parameters={"L": L})
+        orbit = moved.at(r, p)
+        assert orbit.frequency is not None
+        assert abs(found.radial[k] - orbit.action.value) <= found.bound[k] + orbit.action.bound
+        assert found.bound[k] < 2e-13 * found.radial[k]
+        assert abs(found.radial_frequency[k] / orbit.frequency.value - 1) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("V", "state", "message"),
+    [
+        ("-1/r", ([1.0, 1.0], [0.0, 2.0], [1.0, 1.0]), r"orbit 1 \(r = 1, p_r = 2, L = 1\) has no turning points"),
+        ("-1/r", ([1.0], [0.0], [0.0]), "falls into the centre"),
+        ("-1/r", ([-1.0], [0.0], [1.0]), "r > 0 and L ≥ 0 are needed"),
+        ("-G/r", ([1.0], [0.0], [1.0]), "unknown name 'G'"),
+    ],
+)
+def test_what_is_refused(V: str, state: Any, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        central_actions(V, *state)

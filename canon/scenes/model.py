@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from canon.numeric.gradient import poisson_terms
+
 if TYPE_CHECKING:
     from canon.scenes.rigid import RigidBody
+    from canon.scenes.skates import Glider
 
 Formula = Any
 """A sympy expression: its operations have no useful types."""
@@ -48,11 +51,13 @@ class Model:
 
     **Arguments:** `q` and `p` (n,) symbols, `t` the time; `terms`, whose sum is the Hamiltonian; `momenta`,
     `angular_momenta` and `lrl`, those that the monitors of these names follow, each with its name; empty where there
-    are none; `constraints` g(q, t) = 0, each with its effect, and the `mass` of every coordinate, for bodies;
+    are none; `constraints` g(q, t) = 0, each with its effect, and the `mass` of every coordinate, or body, for bodies;
     `scatters`, for the name of a body that is deflected the potential V(r), in one symbol.
 
     Of `rigid` bodies q are the attitudes and p the angular momenta in the bodies' frames: they have other brackets, and
-    `casimirs`, which commute with all momenta. A friction is a torque there.
+    `casimirs`, which commute with all momenta. A friction is a torque there. Of `gliders`, bodies on skates, q has the
+    headings last, and p the momenta along them; their brackets are no Poisson brackets. `brackets` are all that are not
+    0, where the variables are not canonical.
     """
 
     q: tuple[sp.Symbol, ...]
@@ -68,13 +73,19 @@ class Model:
     scatters: Mapping[str, Formula] = field(default_factory=dict)
     rigid: tuple[RigidBody, ...] = ()
     casimirs: Mapping[str, Formula] = field(default_factory=dict)
+    brackets: tuple[Bracket, ...] = ()
+    gliders: tuple[Glider, ...] = ()
 
-    @property
-    def brackets(self) -> tuple[Bracket, ...]:
-        """The brackets of the coordinates of rigid bodies that are not 0."""
-        state = {*self.q, *self.p}
-        found = (bracket for body in self.rigid for bracket in body.brackets)
-        return tuple(bracket for bracket in found if state.issuperset(bracket[:2]))
+    def bracket_terms(self, f: Formula, g: Formula) -> list[Formula]:
+        """The terms of {f, g}."""
+        if not self.brackets:
+            return poisson_terms(f, g, self.q, self.p)
+        terms = (
+            term
+            for u, v, bracket in self.brackets
+            for term in (f.diff(u) * bracket * g.diff(v), -f.diff(v) * bracket * g.diff(u))
+        )
+        return [term for term in terms if term != 0]
 
     @property
     def H(self) -> Formula:

@@ -15,7 +15,8 @@ from canon.numeric.integrators.rattle import Constrained
 from canon.numeric.pair_sum import PairSum
 from canon.numeric.split_hamiltonian import SplitHamiltonian, quadratic_in, shear, split_hamiltonian, with_clock
 from canon.scenes.model import Model
-from canon.scenes.rigid_model import rigid_splitting
+from canon.scenes.rigid_model import KINETIC, rigid_splitting
+from canon.scenes.skates import skate_splitting
 
 TOPS: Final = "Landau and Lifshitz (1976), Mechanics, § 37; van Zon and Schofield (2007), J. Comput. Phys. 225, 145"
 SMALL: Final = 12
@@ -45,6 +46,8 @@ def problem_of(model: Model) -> Problem:
     """The problem of a model."""
     if model.rigid:
         return rigid_problem(model)
+    if model.gliders:
+        return skate_problem(model)
     if model.constraints:
         return constrained_problem(model)
     linear = all(friction.matrix is not None for friction in model.frictions)
@@ -92,6 +95,17 @@ def constrained_problem(model: Model) -> Problem:
     value = constrained([float(m) for m in model.mass], potential, surfaces, model.q, model.t)
     shown = (*((effect, f"{_text(g)} = 0") for effect, g in model.constraints), ("potential", _text(potential)))
     return Problem(value, "holonomic constraints, by their multipliers", shown)
+
+
+def skate_problem(model: Model) -> Problem:
+    """The problem of bodies on skates, whose free motion has a closed form."""
+    splitting = skate_splitting(model)
+    free = [_text(term.expr) for term in model.terms if term.effect in (KINETIC, "skate")]
+    rest = [f"{term.effect}: {_text(term.expr)}" for term in model.terms[2:]]
+    shown = [(part.name, {"gliding": " + ".join(free), "damping": "linear friction"}.get(part.name, "; ".join(rest)))
+             for part in splitting.parts]  # fmt: skip
+    exact = len(splitting.parts) == 1
+    return Problem(splitting, "free motion on skates, and forces along their headings", tuple(shown), exact)
 
 
 def rigid_problem(model: Model) -> Problem:

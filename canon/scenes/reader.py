@@ -25,6 +25,8 @@ from canon.scenes.rigid_bodies import read_rigid_bodies, read_top
 from canon.scenes.rigid_model import model_of_rigid_bodies, without_attitude
 from canon.scenes.scene import Body, Scene, Settings
 from canon.scenes.settings import read_settings
+from canon.scenes.skate_system import own_names, read_skate
+from canon.scenes.skates import model_of_skates, start_of_skates
 from canon.scenes.systems import Placed, named_system, read_named_system
 from canon.scenes.values import number
 from canon.vocabulary import nearest
@@ -82,7 +84,7 @@ class _Found(NamedTuple):
     active: frozenset[str]
     bodies: tuple[Body, ...] = ()
     start: float = 0.0
-    own: Mapping[str, tuple[Any, ...]] = {}
+    own: Mapping[str, Any] = {}
 
 
 def _system(tables: Table, constants: Constants, relativistic: bool, settings: Settings) -> _Found:
@@ -90,8 +92,8 @@ def _system(tables: Table, constants: Constants, relativistic: bool, settings: S
     if relativistic:
         raise InputError("relativistic dynamics are those of bodies: a system states its own H", key("dynamics"))
     table = document.table(tables["system"], "[system]")
-    if "name" in table and named_system(table).own:
-        return _top(table, tables, constants, settings)
+    if "name" in table and (system := named_system(table)).own:
+        return (_skate if system.ledger == "S33" else _top)(table, tables, constants, settings)
     placed = _placed(table)
     model = placed.model
     whole = Particle("system", model.q, model.p, None)
@@ -113,6 +115,9 @@ def _bodies(tables: Table, constants: Constants, relativistic: bool, settings: S
     if rays:
         model, (q, p), begin = rays_of(starts, surroundings, effects)
         return _Found(model, q, p, _kinds(effects), bodies, begin)
+    if any(part.blades for _, part in effects):
+        model = model_of_skates(surroundings, effects)
+        return _Found(model, *start_of_skates(starts, effects), _kinds(effects), bodies)
     start = initial_state(starts, surroundings, effects)
     return _Found(model_of_bodies(surroundings, effects), start.q, start.p, _kinds(effects), bodies)
 
@@ -135,6 +140,15 @@ def _top(table: Table, tables: Table, constants: Constants, settings: Settings) 
     model = without_attitude(model_of_rigid_bodies((spin.body,), effects, TIME), settings.monitors)
     own = {"M": spin.body.M, **({"attitude": spin.body.attitude} if model.q else {})}
     return _Found(model, spin.attitude if model.q else (), spin.M, _kinds(effects), own=own)
+
+
+def _skate(table: Table, tables: Table, constants: Constants, settings: Settings) -> _Found:
+    """The skate on an incline, a body with a gravity of its own."""
+    start, own = read_skate(table)
+    surroundings = Surroundings((start.particle,), constants, TIME)
+    effects = (*own, *read_effects(tables.get("effect", []), surroundings))
+    model = model_of_skates(surroundings, effects)
+    return _Found(model, *start_of_skates([start], effects), _kinds(effects), own=own_names(model))
 
 
 def _kinds(effects: Sequence[Named]) -> frozenset[str]:

@@ -40,6 +40,7 @@ def model_of_rigid_bodies(
         tuple(torques),
         angular_momenta={f"M_{axis}": sp.Add(*column) for axis, column in zip("xyz", totals, strict=True)},
         rigid=tuple(bodies),
+        brackets=tuple(bracket for body in bodies for bracket in body.brackets),
         casimirs={"M^2" if single else f"M^2 of {body.name}": sp.Add(*(M**2 for M in body.M)) for body in bodies},
     )
 
@@ -50,7 +51,8 @@ def without_attitude(model: Model, monitors: Collection[str]) -> Model:
     called |= {symbol for torque in model.frictions for K in torque.force for symbol in K.free_symbols}
     if called & {*model.q} or NEEDS_ATTITUDE & {*monitors}:
         return model
-    return replace(model, q=(), angular_momenta={})
+    own = tuple(bracket for bracket in model.brackets if not {*bracket[:2]} & {*model.q})
+    return replace(model, q=(), angular_momenta={}, brackets=own)
 
 
 def rigid_splitting(model: Model) -> Any:

@@ -74,4 +74,4 @@ class Scene:
     absent: tuple[str, ...] = ()
     notes: Mapping[str, str] = field(default_factory=dict)
     digest: str = ""
-    own: Mapping[str, tuple[Any, ...]] = field(default_factory=dict)
+    own: Mapping[str, Any] = field(default_factory=dict)

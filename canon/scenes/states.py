@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import sympy as sp
 
 from canon.numeric.gradient import gradient
 from canon.numeric.observe import observe
@@ -21,7 +22,11 @@ def named_states(result: Result) -> dict[str, Table]:
         return _turning(result)
     if not bodies:
         return {}
-    velocity = observe(gradient(model.H, model.p), (model.q, model.p, model.t), result.times, result.q, result.p).T
+    rates = gradient(model.H, model.p)
+    if model.gliders:
+        places = model.q[: len(model.q) - len(model.gliders)]
+        rates = tuple(sp.Add(*model.bracket_terms(x, model.H)) for x in places)
+    velocity = observe(rates, (model.q, model.p, model.t), result.times, result.q, result.p).T
     tables: dict[str, Table] = {"position": {}, "velocity": {}}
     for body in bodies:
         position, rate = result.q[:, body.columns], velocity[:, body.columns]
@@ -29,17 +34,21 @@ def named_states(result: Result) -> dict[str, Table]:
             position, rate = np.column_stack([position, result.times]), np.column_stack([rate, np.ones(len(rate))])
         tables["position"][body.name] = position
         tables["velocity"][body.name] = rate
+    if model.gliders:
+        tables["heading"] = {glider.body.name: result.q[:, model.q.index(glider.heading)] for glider in model.gliders}
     return tables
 
 
 def own_states(result: Result) -> Table:
-    """A system's own names for its state, each with its rows (samples, components)."""
+    """A system's own names for its state, each with its rows: (samples, components), or (samples,) of one number."""
     model = result.scene.model
     symbols = (model.q, model.p, model.t)
-    return {
-        name: observe(formulas, symbols, result.times, result.q, result.p).T
-        for name, formulas in result.scene.own.items()
-    }
+    found = {}
+    for name, formulas in result.scene.own.items():
+        several = isinstance(formulas, tuple)
+        rows = observe(formulas if several else (formulas,), symbols, result.times, result.q, result.p)
+        found[name] = rows.T if several else rows[0]
+    return found
 
 
 def _turning(result: Result) -> dict[str, Table]:

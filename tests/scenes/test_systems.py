@@ -11,7 +11,7 @@ from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import simulate
 from canon.scenes.systems import load_system, system_names
 
-LEDGER = {f"S{k:02}" for k in range(1, 32)} | {"S39"}
+LEDGER = {f"S{k:02}" for k in range(1, 32)} | {"S33", "S39"}
 BROKEN = {
     ("damped_oscillator", "energy"): "broken by kinetic, spring",
     ("forced_oscillator", "energy"): "broken by driving",

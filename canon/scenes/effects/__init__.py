@@ -21,6 +21,7 @@ from canon.scenes.effects import (
     rod,
     rotating_frame,
     scatterer,
+    skate,
     spring,
     surface,
     torque,
@@ -49,6 +50,7 @@ EFFECTS: Final[dict[str, Effect]] = {
         surface,
         refractive_index,
         scatterer,
+        skate,
         torque,
         gravity_torque,
     )
@@ -56,6 +58,6 @@ EFFECTS: Final[dict[str, Effect]] = {
 """The effects of this version by their kind."""
 
 LATER: Final = (
-    "string", "skate",
+    "string",
 )  # fmt: skip
 """The effects of the format that this version has not got."""

@@ -16,6 +16,7 @@ from canon.claims.document import Table, key
 from canon.errors import InputError
 from canon.scenes.model import Formula
 from canon.scenes.rigid import RigidBody
+from canon.scenes.skates import Blade
 from canon.scenes.values import expression, needed
 from canon.vocabulary import nearest
 
@@ -73,7 +74,7 @@ class Contribution:
     g(x, t) that it keeps at 0; `lrl`, the Laplace–Runge–Lenz vector of the motion that this effect alone makes;
     `index`, for each ray's name the refractive index n(x), which makes the body one; `scatters`, for each particle's
     name the potential V(r) that deflects it, in the symbol `RADIUS`; `torques`, for each rigid body's name the one
-    on it that has no potential, in the body's frame.
+    on it that has no potential, in the body's frame; `blades`, for each particle's name the skate that it is on.
     """
 
     potential: Formula = sp.S.Zero
@@ -86,6 +87,7 @@ class Contribution:
     index: Mapping[str, Formula] = field(default_factory=dict)
     scatters: Mapping[str, Formula] = field(default_factory=dict)
     torques: Mapping[str, Vector] = field(default_factory=dict)
+    blades: Mapping[str, Blade] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

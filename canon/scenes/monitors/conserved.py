@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 import sympy as sp
 
-from canon.numeric.gradient import gradient, poisson_terms
+from canon.numeric.gradient import gradient
 from canon.numeric.observe import observe
 from canon.scenes.model import Formula, Model
 from canon.scenes.monitors.flow import Flow
@@ -50,7 +50,7 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
         energy = quantity == model.H
         for effect in model.effects:
             own = sp.Add(*(term.expr for term in model.terms if term.effect == effect))
-            terms = [own.diff(model.t)] if energy else _bracket_terms(quantity, own, model)
+            terms = [own.diff(model.t)] if energy else model.bracket_terms(quantity, own)
             if not energy and quantity.has(model.t) and effect == model.effects[0]:
                 terms.append(quantity.diff(model.t))
             for friction in model.frictions:
@@ -67,7 +67,7 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
     total = sp.Add(*(term.expr for term in model.terms))
     if broken and not model.frictions and not model.constraints and all(q_ != model.H for q_ in quantities):
         # terms may break it one by one and keep it together, as kinetic energy and a frame's rotation do
-        whole = [[*_bracket_terms(x, total, model), x.diff(model.t)] for x in quantities]
+        whole = [[*model.bracket_terms(x, total), x.diff(model.t)] for x in quantities]
         if all(_vanishes(terms, model, q, p) for terms in whole):
             return ()
     return broken if all(x == model.H for x in quantities) else _without_pair(broken, quantities, model, q, p)
@@ -80,21 +80,9 @@ def _without_pair(
     for other in broken[1:]:
         both = sp.Add(*(term.expr for term in model.terms if term.effect in (broken[0], other)))
         frictionless = all(friction.effect != other for friction in model.frictions)
-        if frictionless and all(_vanishes(_bracket_terms(x, both, model), model, q, p) for x in quantities):
+        if frictionless and all(_vanishes(model.bracket_terms(x, both), model, q, p) for x in quantities):
             return tuple(effect for effect in broken if effect not in (broken[0], other))
     return broken
-
-
-def _bracket_terms(f: Formula, H: Formula, model: Model) -> list[Formula]:
-    """The terms of {f, H}."""
-    if not model.rigid:
-        return poisson_terms(f, H, model.q, model.p)
-    return [
-        term
-        for u, v, bracket in model.brackets
-        for term in (f.diff(u) * bracket * H.diff(v), -f.diff(v) * bracket * H.diff(u))
-        if term != 0
-    ]
 
 
 def _vanishes(terms: Sequence[Formula], model: Model, q: np.ndarray, p: np.ndarray) -> bool:

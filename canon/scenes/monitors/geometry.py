@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from canon.numeric.observe import observe
 from canon.scenes.model import Model
 
 
@@ -31,6 +32,8 @@ class Frame:
 
 def frame_at(model: Model, state: np.ndarray) -> Frame:
     """The frame at a state (N,), q before p."""
+    if model.gliders:
+        return _without_structure(model, state)
     if not model.rigid:
         n = model.n
         J = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
@@ -52,6 +55,24 @@ def frame_at(model: Model, state: np.ndarray) -> Frame:
             basis[a, turn], dual[turn, a] = turns / 2, 2 * turns.T
             bracket[turn, own], bracket[own, turn] = np.eye(3), -np.eye(3)
     return Frame(basis, dual, bracket)
+
+
+def _without_structure(model: Model, state: np.ndarray) -> Frame:
+    """The brackets of bodies on skates, which no flow keeps in general; phase volume is that of all variables."""
+    symbols = (*model.q, *model.p)
+    place = {symbol: k for k, symbol in enumerate(symbols)}
+    n, size = len(model.q), len(state)
+    bracket = np.zeros((size, size))
+    values = observe(
+        [value for _, _, value in model.brackets],
+        (model.q, model.p, model.t),
+        np.zeros(1),
+        state[None, :n],
+        state[None, n:],
+    )[:, 0]
+    for (u, v, _), value in zip(model.brackets, values, strict=True):
+        bracket[place[u], place[v]], bracket[place[v], place[u]] = value, -value
+    return Frame(np.eye(size), np.eye(size), bracket)
 
 
 def _crossing(v: np.ndarray) -> np.ndarray:
@@ -78,9 +99,11 @@ def canonical(model: Model, points: np.ndarray) -> np.ndarray:
     """Phase points (…, N) in variables whose Σ p dq is the invariant form: for a rigid body p = 2 a M, in quaternions,
     since then p·ȧ = M·ω.
     """
+    n = len(model.q)
+    if model.gliders:
+        return _with_momenta(model, points)
     if not model.rigid:
         return points
-    n = len(model.q)
     momenta = []
     for k in range(n // 4):
         w, x, y, z = np.moveaxis(points[..., 4 * k : 4 * k + 4], -1, 0)
@@ -92,3 +115,19 @@ def canonical(model: Model, points: np.ndarray) -> np.ndarray:
             -y * one + x * two + w * three,
         ]
     return np.concatenate([points[..., :n], 2 * np.stack(momenta, axis=-1)], axis=-1)
+
+
+def _with_momenta(model: Model, points: np.ndarray) -> np.ndarray:
+    """The same with m v in place of the momentum along a heading."""
+    n = len(model.q)
+    q, p = points[..., :n], points[..., n:]
+    along = {glider.P: glider for glider in model.gliders}
+    columns = []
+    for k, symbol in enumerate(model.p):
+        glider = along.get(symbol)
+        if glider is None:
+            columns.append(p[..., k])
+        else:
+            heading = q[..., model.q.index(glider.heading)]
+            columns += [p[..., k] * np.cos(heading), p[..., k] * np.sin(heading)]
+    return np.concatenate([q, np.stack(columns, axis=-1)], axis=-1)

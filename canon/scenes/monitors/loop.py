@@ -14,7 +14,7 @@ from canon.numeric.observe import observe
 from canon.numeric.transport import shifted, transported
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import canonical, onto_attitudes
-from canon.scenes.monitors.predicted import conformal_rate, friction_names
+from canon.scenes.monitors.predicted import conformal_rate, not_hamiltonian
 from canon.scenes.monitors.reading import Reading, judged
 
 RADII: Final = (1e-2, 1e-4)
@@ -118,9 +118,9 @@ def _reading(
     bound = SAFETY * (first.bound + last.bound) + slack
     drift = abs(last.value - first.value)
     extra = {"nodes": last.nodes}
-    if not flow.model.frictions:
+    if not not_hamiltonian(flow.model):
         return judged(name, "conserved", first.value, last.value, drift, bound, **extra)
-    expected = f"broken by {friction_names(flow.model)}"
+    expected = f"broken by {not_hamiltonian(flow.model)}"
     rate = conformal_rate(flow.model)
     if rate is None or name == "cartan":
         return Reading(name, expected, first.value, last.value, drift, extra=extra)
@@ -130,6 +130,6 @@ def _reading(
 
 
 def _lost(name: str, flow: Flow, first: LoopIntegral | None) -> Reading:
-    expected = f"broken by {friction_names(flow.model)}" if flow.model.frictions else "conserved"
+    expected = f"broken by {not_hamiltonian(flow.model)}" if not_hamiltonian(flow.model) else "conserved"
     note = f"the loop is stretched so much that {NODES[-1]} nodes no longer resolve it"
     return Reading(name, expected, None if first is None else first.value, None, None, extra={"note": note})

@@ -7,6 +7,7 @@ import sympy as sp
 
 from canon.numeric.observe import observe
 from canon.scenes.model import Formula, Model
+from canon.scenes.skates import KIND as SKATE
 
 
 def volume_exponent(model: Model, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> tuple[float, float]:
@@ -41,13 +42,16 @@ def _trapezoid(values: np.ndarray, times: np.ndarray) -> float:
 def conformal_rate(model: Model) -> float | None:
     """The λ with which areas Σ dp∧dq contract as exp(−2λt): one rate for all momenta, and no vector potential."""
     rates: list[Formula] = [friction.rate for friction in model.frictions]
-    if any(rate is None for rate in rates) or any(
-        value != 0 for friction in model.frictions for value in friction.rest
+    if (
+        model.gliders
+        or any(rate is None for rate in rates)
+        or any(value != 0 for friction in model.frictions for value in friction.rest)
     ):
         return None
     return float(sp.Add(*rates))
 
 
-def friction_names(model: Model) -> str:
-    """The effects that are frictions."""
-    return ", ".join(dict.fromkeys(friction.effect for friction in model.frictions))
+def not_hamiltonian(model: Model) -> str:
+    """The effects that make the flow none of a Hamiltonian, frictions and skates; nothing where there are none."""
+    skates = (SKATE,) if model.gliders else ()
+    return ", ".join(dict.fromkeys((*(friction.effect for friction in model.frictions), *skates)))

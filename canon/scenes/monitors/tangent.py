@@ -13,7 +13,7 @@ import numpy as np
 from canon.numeric.transport import flow_differences
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import Frame, frame_at, onto_attitudes
-from canon.scenes.monitors.predicted import conformal_rate, contracting, friction_names, volume_exponent
+from canon.scenes.monitors.predicted import conformal_rate, contracting, not_hamiltonian, volume_exponent
 from canon.scenes.monitors.reading import Reading, judged
 
 SAFETY: Final = 64.0
@@ -28,9 +28,9 @@ def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarr
     M, rounding, error = _tangent(flow, q, p, before, after)
     kept, J = before.kept(M), after.bracket
     value = float(np.abs(kept - J).max())
-    if not flow.model.frictions:
+    if not not_hamiltonian(flow.model):
         return _judged("symplecticity", "conserved", value, value, rounding, error)
-    expected = f"broken by {friction_names(flow.model)}"
+    expected = f"broken by {not_hamiltonian(flow.model)}"
     rate = conformal_rate(flow.model)
     if rate is None:
         return Reading("symplecticity", expected, 0.0, value, value)

@@ -133,6 +133,7 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "solves": KeySpec(
         {"solution": Key("functions", "both"), "equations": Key("expressions", "both")},
     ),
+    "action_angle": KeySpec({"angle_period": Key(side="parameters", optional=True)}, ("hamiltonian", "map", "square")),
     "action": KeySpec(_ACTION, ("hamiltonian",)),
     "frequency": KeySpec(_ACTION, ("hamiltonian",)),
     "normal_form": KeySpec({"order": Key("number"), "N": Key("degrees")}, ("hamiltonian",)),
@@ -156,5 +157,5 @@ KEYS: Final[Mapping[str, KeySpec]] = {
 }
 """The kinds that this version checks."""
 
-LATER: Final = ("action_angle",)
+LATER: Final[tuple[str, ...]] = ()
 """The kinds of the format that this version doesn't check yet."""

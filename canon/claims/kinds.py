@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from canon.claims import (
     action,
+    action_angle,
     algebra,
     bracket,
     casimir,
@@ -52,6 +53,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **group.KINDS,
         **casimir.KINDS,
         **action.KINDS,
+        **action_angle.KINDS,
     }
 )
 

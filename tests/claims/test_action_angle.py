@@ -1,0 +1,105 @@
+"""Action and angle variables (course section 14.5): canonical, K of the momenta alone, cycles that close once."""
+
+import pytest
+
+from canon.claims.reader import read_text
+from canon.claims.verify import verify
+
+SPACE = 'q = ["q"]\np = ["p"]\nQ = ["w"]\nP = ["J"]\n'
+OSCILLATOR = {
+    "symbols": 'm = "positive"\nomega = "positive"\nJ = "positive"',
+    "hamiltonian": 'H = "p**2/(2*m) + m*omega**2*q**2/2"',
+}
+MAP = 'q = ["sqrt(J/(pi*m*omega))*sin(2*pi*w)"]\np = ["sqrt(m*omega*J/pi)*cos(2*pi*w)"]'
+
+
+def _claim(period: str | None = None) -> str:
+    return 'kind = "action_angle"' + (f'\nangle_period = "{period}"' if period else "")
+
+
+@pytest.mark.parametrize(
+    ("transformation", "period", "expected"),
+    [
+        (MAP, None, "proved"),
+        (MAP, "2", "refuted"),  # that is two turns
+        (MAP, "3", "refuted"),
+        (MAP, "1/2", "refuted"),
+        (MAP, "1.001", "refuted"),
+        (MAP, "-1", "proved"),  # backwards
+        (MAP.replace("sin", "-sin"), None, "refuted"),  # not canonical
+        (MAP.replace("2*pi*w", "2*pi*(w + J)"), None, "proved"),  # another origin on each orbit
+        (MAP.replace("pi*m", "m").replace("J/pi", "J").replace("2*pi*w", "2*w"), None, "refuted"),
+        (MAP.replace("pi*m", "m").replace("J/pi", "J").replace("2*pi*w", "2*w"), "pi", "proved"),
+        ('q = ["w"]\np = ["J"]', None, "refuted"),  # canonical, but H depends on the angle
+    ],
+)
+def test_the_oscillator(status, transformation, period, expected):
+    assert status(_claim(period), space=SPACE, transformation=transformation, **OSCILLATOR) == expected
+
+
+def test_what_fails_is_named(ask):
+    (verdict,) = ask(_claim("2"), space=SPACE, transformation=MAP, **OSCILLATOR)
+    assert verdict.detail["fails"] == "the cycle of w is closed after 1/2 of the period already"
+    assert verdict.witness is None
+    (verdict,) = ask(_claim("1.001"), space=SPACE, transformation=MAP, **OSCILLATOR)
+    assert "after a period of w" in verdict.detail["fails"]
+    assert set(verdict.witness) == {"J", "m", "omega", "w"}
+    (verdict,) = ask(_claim(), space=SPACE, transformation=MAP, **OSCILLATOR)
+    assert verdict.detail["cycle of w"] == "closed in (q, p)"
+
+
+def test_bounds_on_the_angle_leave_the_cycle_whole(status):
+    domain = 'where = ["0 < w < 1"]'
+    assert status(_claim(), space=SPACE, transformation=MAP, domain=domain, **OSCILLATOR) == "proved"
+
+
+@pytest.mark.parametrize(("period", "expected"), [("2*pi", "proved"), ("pi", "refuted"), ("1", "refuted")])
+def test_a_map_given_forward_is_inverted(status, period, expected):
+    forward = 'Q = ["atan2(m*omega*q, p)"]\nP = ["(p**2/(2*m) + m*omega**2*q**2/2)/omega"]'
+    assert status(_claim(period), space=SPACE, transformation=forward, **OSCILLATOR) == expected
+
+
+def test_a_generating_function_of_type_1(status):
+    section = 'type = 1\nF = "m*omega*q**2*cot(w)/2"'
+    assert status(_claim("2*pi"), space=SPACE, generating_function=section, **OSCILLATOR) == "proved"
+
+
+def test_a_map_that_is_not_inverted_is_undecided(status):
+    section = 'type = 1\nF = "m*omega*q**2*cot(2*pi*w)/2 + q**7*w**5"'
+    assert status(_claim(), space=SPACE, generating_function=section, **OSCILLATOR) in ("undecided", "refuted")
+
+
+def test_rotations_close_where_a_coordinate_has_grown_by_2_pi(ask):
+    rotor = {"symbols": 'I = "positive"', "hamiltonian": 'H = "p**2/(2*I)"'}
+    right, wrong = ask(_claim(), _claim("2"), space=SPACE, transformation='q = ["2*pi*w"]\np = ["J/(2*pi)"]', **rotor)
+    assert (right.status, wrong.status) == ("proved", "refuted")
+    assert right.detail["cycle of w"] == "q grows by 2*pi"
+
+
+def test_two_degrees_of_freedom(status):
+    space = 'q = ["x", "y"]\np = ["px", "py"]\nQ = ["u", "v"]\nP = ["J", "K"]\n'
+    both = {
+        "symbols": 'a = "positive"\nJ = "positive"\nK = "positive"',
+        "hamiltonian": 'H = "(px**2 + x**2)/2 + a*(py**2 + y**2)/2"',
+    }
+    straight = 'q = ["sqrt(2*J)*sin(u)", "sqrt(2*K)*sin(v)"]\np = ["sqrt(2*J)*cos(u)", "sqrt(2*K)*cos(v)"]'
+    assert status(_claim("2*pi"), space=space, transformation=straight, **both) == "proved"
+    twisted = straight.replace("(u)", "(u + v)").replace("sqrt(2*K)", "sqrt(2*K - 2*J)")
+    assert status(_claim("2*pi"), space=space, transformation=twisted, **both) == "proved"  # unimodular
+    doubled = straight.replace("(u)", "(2*u)").replace("(2*J)", "(J)")
+    assert status(_claim("2*pi"), space=space, transformation=doubled, **both) == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("sections", "line", "words"),
+    [
+        ('[hamiltonian]\nH = "p**2*t"\n', _claim(), "without time"),
+        ('[hamiltonian]\nH = "p**2"\n', _claim("0"), "and not 0"),
+    ],
+)
+def test_bad_input(sections, line, words):
+    text = f'[phase_space]\n{SPACE}{sections}[transformation]\nq = ["w"]\np = ["J"]\n[[claim]]\n{line}'
+    reading = read_text(text)
+    assert not reading.problems
+    with pytest.raises(Exception, match=words):
+        verify(reading.claims[0])

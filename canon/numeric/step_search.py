@@ -24,8 +24,12 @@ AIM: Final = 0.25
 """The part of the accuracy that is aimed at: estimates are no bounds."""
 PATIENCE: Final = 300.0
 """Seconds after which no run is begun that is expected to take longer than this, where no budget is given."""
-STUBBORN: Final = 4
-"""Doublings of the steps after which two runs that still part at one time are said to end there."""
+STUBBORN: Final = 8
+"""Runs with more and more steps that all part at one time, after which the orbit is said to end there."""
+FROM_THE_BEGINNING: Final = 14
+"""As many where they part before the second sample: then nothing shows yet that any step was short enough."""
+SHORT: Final = (4, 500_000)
+"""As many where the last one had this number of steps or more."""
 PIECE: Final = 0.2
 """Seconds between two looks at whether the run goes on."""
 PLATEAU: Final = 1e-6
@@ -107,7 +111,8 @@ class Search:
         if self.current is not None or not self.runs:
             return None
         error = self.error()
-        if self.accuracy is not None and error <= self.accuracy * (1 if self.exact else 2 * AIM):
+        whole = not any(run.ended for run in self.runs[-2:])
+        if whole and self.accuracy is not None and error <= self.accuracy * (1 if self.exact else 2 * AIM):
             return Verdict(True)
         if self.ends():
             return Verdict(False)
@@ -115,7 +120,7 @@ class Search:
             if self.compensated or self.exact:
                 return Verdict(False, "rounding keeps it from going further")
             self.compensated = True
-        if self.accuracy is None and error <= 1e-15:
+        if whole and self.accuracy is None and error <= 1e-15:
             return Verdict(True)
         stop = self.too_long(self.wanted())
         return Verdict(False, stop) if stop else None
@@ -201,15 +206,19 @@ class Search:
 
     def stuck(self) -> bool:
         """Whether the differences have come down to rounding."""
-        if len(self.trials) < 4:
+        if len(self.trials) < 4 or self.runs[-1].ended:
             return False
         before, last = self.trials[-2].difference, self.trials[-1].difference
         return before < PLATEAU and last > 0.5 * before
 
     def ends(self) -> bool:
         """Whether runs agree up to one time and no further, however small the steps: the orbit ends there."""
-        last = self.agreed[-STUBBORN:]
-        return len(last) == STUBBORN and 0 < last[0] < self.task.samples and len({*last}) == 1
+        if not self.agreed or not 0 < self.agreed[-1] < self.task.samples:
+            return False
+        count = STUBBORN if self.agreed[-1] > 1 else FROM_THE_BEGINNING
+        if self.trials[-1].steps >= SHORT[1]:
+            count = SHORT[0]
+        return len(self.agreed) >= count and len({*self.agreed[-count:]}) == 1
 
     def too_long(self, steps: int) -> str:
         """Why a run of so many steps is not begun; nothing if it is."""

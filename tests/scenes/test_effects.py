@@ -47,7 +47,7 @@ SINGLE: dict[str, tuple[str, Force]] = {
     "uniform_gravity": ('kind = "uniform_gravity"\ng = 1.5', lambda x, v, t: np.array([0, 0, -M * 1.5])),
     "uniform_gravity vector": (
         'kind = "uniform_gravity"\ng = [0.1, 0.2, 1.5]',
-        lambda x, v, t: -M * np.array([0.1, 0.2, 1.5]),
+        lambda x, v, t: M * np.array([0.1, 0.2, 1.5]),
     ),
     "inverse_distance": (
         'kind = "inverse_distance"\na = 1.7\ncentre = [0.5, 0.1, 2.0]',

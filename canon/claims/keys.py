@@ -156,6 +156,3 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
 }
 """The kinds that this version checks."""
-
-LATER: Final[tuple[str, ...]] = ()
-"""The kinds of the format that this version doesn't check yet."""

@@ -15,7 +15,7 @@ from canon.claim import EXPECTATIONS, Claim
 from canon.claims import document
 from canon.claims.document import Table, key
 from canon.claims.key_values import read_keys
-from canon.claims.keys import COMMON, KEYS, LATER, KeySpec
+from canon.claims.keys import COMMON, KEYS, KeySpec
 from canon.claims.names import Names, read_names
 from canon.claims.sections import SECTIONS, read_subject
 from canon.errors import InputError
@@ -99,10 +99,8 @@ def _claim(value: Any, index: int, subject: Subject, names: Names, source: str |
     if "kind" not in table:
         raise InputError("the key 'kind' is missing")
     kind = document.text(table["kind"], key("kind"))
-    if kind in LATER:
-        raise InputError(f"this version of canon doesn't check claims of kind {kind!r} yet", key("kind"))
     if kind not in KEYS:
-        advice = nearest(kind, (*KEYS, *LATER)) or f": the kinds are {', '.join(KEYS)}"
+        advice = nearest(kind, KEYS) or f": the kinds are {', '.join(KEYS)}"
         raise InputError(f"unknown kind {kind[:80]!r}{advice}", key("kind"))
     spec = KEYS[kind]
     document.only(table, (*COMMON, *spec.keys), "")

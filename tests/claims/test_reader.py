@@ -5,7 +5,7 @@ import pickle
 import pytest
 import sympy as sp
 
-from canon.claims.keys import KEYS, LATER
+from canon.claims.keys import KEYS
 from canon.claims.kinds import KINDS
 from canon.claims.reader import read_text
 
@@ -237,11 +237,6 @@ def test_fewer_new_pairs_than_old_ones():
     assert "[generating_function], key 'type': a generating function needs" in fault_of(generating + claim("generates"))
 
 
-@pytest.mark.parametrize("kind", LATER)
-def test_kinds_of_later_versions_say_so(kind):
-    assert f"doesn't check claims of kind '{kind}' yet" in fault_of(PLANE + claim(kind, "anything=1"))
-
-
 def test_definitions_are_read_from_top_to_bottom_and_faults_told_where_used():
     text = PLANE + '[definitions]\na = "b"\nb = "x"\nc = "1/u"\nd = "c + 1"\n' + claim("identity", 'lhs="d"\nrhs="b"')
     problems = read_text(text).problems
@@ -340,5 +335,4 @@ def test_faults_in_a_tensor(keys, message):
 
 
 def test_every_kind_has_its_keys():
-    assert not set(KEYS) & set(LATER)
     assert set(KEYS) == set(KINDS)

@@ -17,6 +17,7 @@ from canon.numeric.integrators import (
     corrected,
     near_integrable,
     nystrom,
+    nystrom_8,
     separable,
     yoshida,
 )
@@ -25,7 +26,8 @@ from tests.numeric.order_conditions import nystrom_residual, residual, substeps
 
 NEAR = (*near_integrable.METHODS, *corrected.METHODS)
 GENERAL = (*yoshida.METHODS, *compositions.METHODS, *blanes_moan.METHODS, *NEAR)
-METHODS = (*GENERAL, *nystrom.METHODS)
+NYSTROM = (*nystrom.METHODS, *nystrom_8.METHODS)
+METHODS = (*GENERAL, *NYSTROM)
 named = pytest.mark.parametrize("method", METHODS, ids=lambda method: method.name)
 
 HENON_HEILES = separable(
@@ -57,7 +59,7 @@ def test_order_conditions_hold_to_rounding_and_no_further(method: SplittingMetho
         assert residual(all_substeps(method), order + 1) > 1e-7
 
 
-@pytest.mark.parametrize("method", nystrom.METHODS, ids=lambda method: method.name)
+@pytest.mark.parametrize("method", NYSTROM, ids=lambda method: method.name)
 def test_nystrom_conditions_hold_modulo_the_bracket_that_vanishes(method: SplittingMethod) -> None:
     letters = (1, 0) if method.outer == "last" else (0, 1)
     steps = [(letters[letter], length) for letter, length in substeps(method.a, method.b)]

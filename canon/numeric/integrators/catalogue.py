@@ -14,6 +14,7 @@ from canon.numeric.integrators import (
     gauss,
     near_integrable,
     nystrom,
+    nystrom_8,
     rattle,
     runge_kutta,
     yoshida,
@@ -37,6 +38,7 @@ SPLITTING: Final = (
     *compositions.METHODS,
     *blanes_moan.METHODS,
     *nystrom.METHODS,
+    *nystrom_8.METHODS,
     *near_integrable.METHODS,
     *corrected.METHODS,
 )

@@ -14,6 +14,8 @@ import numpy as np
 
 AT_ONCE: Final = 32
 """Bodies up to which all pairs of one orbit are computed at once."""
+LANES: Final = 4
+"""Doubles in a SIMD instruction that XLA makes."""
 
 Law = Callable[[Any], Any]
 """r² to U, or to U′(r)/r, elementwise."""
@@ -23,27 +25,38 @@ def pair_slopes(slope: Law, places: Any, weights: Sequence[float], numbers: Any)
     """w_i Σ_j w_j (U′(r)/r)(r_ij²) (x_i − x_j), (B, d, …), of places (B, d, …)."""
     bodies, extra = len(places), places.ndim - 2
     w = _factors(weights)
-
-    def against(apart: Any, same: Any, weight: Any) -> Any:
-        square = (apart * apart).sum(axis=-1 - extra)
-        found = slope(numbers.where(same, 1.0, square))
-        return numbers.where(same, 0.0, found if weight is None else weight * found)
-
     if bodies <= AT_ONCE and not extra:
-        apart = places[:, None] - places[None, :]
-        pull = against(apart, np.eye(bodies, dtype=bool), None if w is None else w[None, :])
-        total = (pull[:, :, None] * apart).sum(axis=1)
+        total = _at_once(slope, places, w, numbers)
     else:
         count = np.arange(bodies).reshape(-1, *(1,) * extra)
         each = None if w is None else numbers.asarray(w)
 
         def add(j: Any, total: Any) -> Any:
             apart = places - places[j]
-            pull = against(apart, count == j, None if each is None else each[j])
+            pull = _pull(slope, (apart * apart).sum(axis=1), count == j, None if each is None else each[j], numbers)
             return total + numbers.expand_dims(pull, 1) * apart
 
         total = _summed(bodies, add, numbers.zeros_like(places), numbers)
     return total if w is None else w.reshape(-1, *(1,) * (extra + 1)) * total
+
+
+def _at_once(slope: Law, places: Any, w: Any, numbers: Any) -> Any:
+    """All pairs in one program without a loop, with as many columns as fill the lanes of SIMD instructions."""
+    bodies = len(places)
+    more = -bodies % LANES if bodies > LANES else 0
+    same = np.eye(bodies, bodies + more, dtype=bool)
+    same[:, bodies:] = True
+    others = numbers.concatenate([places, np.zeros((more, places.shape[1]))]) if more else places
+    weight = None if w is None else np.pad(w, (0, more))[None, :]
+    apart = places[:, None] - others[None, :]
+    pull = _pull(slope, (apart * apart).sum(axis=2), same, weight, numbers)
+    return (pull[:, :, None] * apart).sum(axis=1)
+
+
+def _pull(slope: Law, square: Any, same: Any, weight: Any, numbers: Any) -> Any:
+    """w_j U′(r)/r, and 0 for a body with itself: also where that would be infinite, and for derivatives."""
+    found = slope(numbers.where(same, 1.0, square))
+    return numbers.where(same, 0.0, found if weight is None else weight * found)
 
 
 def pair_total(law: Law, places: Any, weights: Sequence[float], numbers: Any) -> Any:

@@ -73,6 +73,14 @@ def lower_rows(
     return function
 
 
+def same_shape(expressions: Sequence[Any], coordinates: Sequence[sp.Symbol], scalars: Sequence[sp.Symbol] = ()) -> bool:
+    """Whether the formulas differ by coordinates and numbers alone."""
+    index = {symbol: k for k, symbol in enumerate(coordinates)}
+    if any(e.atoms(PairSlope, PairSum) for e in expressions):
+        return False
+    return len({_shape(e, index, {*scalars}, {}, []) for e in expressions}) == 1
+
+
 def _span(rows: np.ndarray) -> Any:
     """Rows as a slice where they are one."""
     if len(rows) == 1:

@@ -19,7 +19,7 @@ from canon.numeric.integrators.parts import commutes, kepler_part, quadratic_par
 from canon.numeric.integrators.problem import ExactPart, Part, Shear, Splitting, clock_part
 from canon.numeric.lower import lower
 from canon.numeric.pair_sum import PairSum
-from canon.numeric.rows import lower_rows
+from canon.numeric.rows import lower_rows, same_shape
 
 WRITTEN_OUT: Final = 12
 """Coordinates up to which every formula is written out: one orbit of a small system is fastest so."""
@@ -125,7 +125,7 @@ def shear(
     wanted = tuple(rate for k in slots for rate in rates[k])
     count = len(q)
     moment = () if t is None else (0.0,)
-    if wanted and (count > WRITTEN_OUT or H.atoms(PairSum)):
+    if wanted and (count > WRITTEN_OUT or H.atoms(PairSum) or same_shape(wanted, (*q, *p), place[2 * count :])):
         return Shear(slots, _rows(H, wanted, q, p, t, values), name)
     lowered = lower(wanted, place)
 

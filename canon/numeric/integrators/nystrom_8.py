@@ -7,7 +7,9 @@ from typing import Final
 from canon.numeric.integrators.splitting import SplittingMethod, mirrored, palindrome
 from canon.numeric.integrators.traits import Traits
 
-_PAPER: Final = "Blanes, Casas and Escorihuela-Tomàs (2022), Runge–Kutta–Nyström symplectic splitting methods of order 8"
+_PAPER: Final = (
+    "Blanes, Casas and Escorihuela-Tomàs (2022), Runge–Kutta–Nyström symplectic splitting methods of order 8"
+)
 _TRAITS: Final = Traits(order=8, symplectic=True, symmetric=True, volume_preserving=True)
 
 NYSTROM_8: Final = SplittingMethod(

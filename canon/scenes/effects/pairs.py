@@ -9,8 +9,8 @@ from canon.numeric.pair_sum import PairSum
 from canon.scenes.effects.effect import Particle
 from canon.scenes.model import Formula
 
-WRITTEN_OUT: Final = 3
-"""Bodies up to which every pair is written out: then the formula can be read, and is as fast."""
+WRITTEN_OUT: Final = 2
+"""Bodies up to which the pairs are written out."""
 
 
 def sum_over_pairs(law: Formula, bodies: Sequence[Particle], weights: Sequence[Any] | None = None) -> Formula:

@@ -16,7 +16,7 @@ GLANCES: Final = 2
 STATUSES: Final[tuple[Status, ...]] = ("proved", "refuted", "supported", "undecided")
 
 
-NUMBERS: Final[Mapping[str, str]] = {"independent": "the minor's size"}
+NUMBERS: Final[Mapping[str, str]] = {"independent": "the minor's size", "inequality": "smallest difference"}
 """What the number of the evidence is, for kinds that claim that something doesn't vanish; else the largest residual."""
 
 

@@ -96,6 +96,7 @@ class _Keys:
             "type": self._type,
             "coordinate": self._coordinate,
             "word": document.text,
+            "relation": _relation,
         }
         return simple[entry.form](value, where)
 
@@ -261,3 +262,9 @@ class _Keys:
         outside = {s.name for s in (*space.old, *space.new)} - {s.name for s in coordinates}
         for name in sorted(outside & self.names.hamiltonian.names):
             raise InputError(f"H depends on {name!r}, which is not among the coordinates", key("coordinates"))
+
+
+def _relation(value: Any, where: str) -> str:
+    if value not in ("<", "<=", ">", ">="):
+        raise InputError("one of < <= > >= is expected", where)
+    return value

@@ -10,6 +10,7 @@ from flint import fmpq, fmpq_poly
 from canon.decide.generator_values import constant_sign
 from canon.decide.intervals import Edge, Interval, declared
 from canon.decide.ring import Monomial, Polynomial
+from canon.decide.sign_sums import by_even_powers, by_known_forms
 
 if TYPE_CHECKING:
     from canon.decide.tower import Generator, Tower
@@ -33,6 +34,8 @@ def sign_by_rules(tower: Tower, p: Polynomial) -> str | None:
         _by_real_roots,
         _quadratic,
         _against_root,
+        by_even_powers,
+        by_known_forms,
     ):
         sign = rule(tower, p)
         if sign is not None:
@@ -201,7 +204,7 @@ def _quadratic(tower: Tower, p: Polynomial) -> str | None:
         if leading not in ("pos", "neg"):
             continue
         if not parts[1] and parts[0]:
-            rest = _sign_of_product(tower, parts[0])
+            rest = sign_of_product(tower, parts[0])
             if rest == leading:
                 return leading
             if rest == ("nonneg" if leading == "pos" else "nonpos"):
@@ -210,7 +213,7 @@ def _quadratic(tower: Tower, p: Polynomial) -> str | None:
         discriminant = parts[1] * parts[1] - ring.constant(4) * parts[2] * parts[0]
         if len(discriminant) >= len(p) * len(p):
             continue
-        bound = _sign_of_product(tower, discriminant) if discriminant else "nonpos"
+        bound = sign_of_product(tower, discriminant) if discriminant else "nonpos"
         if bound == "neg":
             return leading
         if bound == "nonpos":
@@ -240,7 +243,7 @@ def _against_root(tower: Tower, p: Polynomial) -> str | None:
         difference = tower.field.normal(a * a - b * b * made.lower)
         if not difference or len(difference) > MOST_TERMS:
             continue
-        larger = _sign_of_product(tower, difference)
+        larger = sign_of_product(tower, difference)
         side = None if larger is None else sign_of(tower, b if larger in ("neg", "nonpos") else a)
         if side is not None:
             strict = larger in ("pos", "neg") and side in ("pos", "neg")
@@ -272,15 +275,17 @@ def _grows(tower: Tower, f: Polynomial, others: tuple[Polynomial, ...]) -> bool:
     return False
 
 
-def _sign_of_product(tower: Tower, p: Polynomial) -> str | None:
-    """The sign of a polynomial from those of its factors."""
-    from canon.decide.signs import classify, sign_of
+def sign_of_product(tower: Tower, p: Polynomial) -> str | None:
+    """The sign of a polynomial from those of its factors; even powers of others aren't negative."""
+    from canon.decide.signs import OPPOSITE, classify, sign_of, sign_of_rest
 
     sign, _, known, unknown = classify(tower, (p, {}))
-    if unknown:
+    rest = sign_of_rest(tower, unknown)
+    if rest is None:
         return None
-    strict = all(sign_of(tower, f) in ("pos", "neg") for f, _ in known)
-    return ("pos" if strict else "nonneg") if sign > 0 else ("neg" if strict else "nonpos")
+    strict = rest in ("pos", "neg") and all(sign_of(tower, f) in ("pos", "neg") for f, _ in known)
+    total = ("pos" if strict else "nonneg") if (sign > 0) == (rest in ("pos", "nonneg")) else None
+    return total or OPPOSITE["pos" if strict else "nonneg"]
 
 
 def _outside(root: Any, interval: Interval) -> bool:

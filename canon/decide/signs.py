@@ -117,21 +117,21 @@ def classify(tower: Tower, x: Element) -> Classified:
 
 
 def learn_positive(tower: Tower, elements: Sequence[Element]) -> None:
-    """Draw what follows from these elements being positive: the sign of a lone factor of unknown sign."""
+    """Draw what follows from these elements being positive: the sign of the factors of unknown sign, multiplied."""
     for _ in range(3):
         before = len(tower.facts)
         for x in elements:
             if not x[0] or tower.is_complex(x):
                 continue
-            lone = _lone_factor(tower, x)
-            if lone is not None:
-                add_fact(tower, lone, "pos")
+            left = _left_over(tower, x)
+            if left is not None:
+                add_fact(tower, left, "pos")
         if len(tower.facts) == before:
             return
 
 
-def _lone_factor(tower: Tower, x: Element) -> Polynomial | None:
-    """The one factor of a positive x whose sign must be learned from it, with that sign made positive, else None.
+def _left_over(tower: Tower, x: Element) -> Polynomial | None:
+    """The product of the few factors of a positive x whose sign must be learned from it, made positive, else None.
 
     Signs at sight first: what is said to be positive need not be shown to be, which may be much more work.
     """
@@ -146,4 +146,27 @@ def _lone_factor(tower: Tower, x: Element) -> Polynomial | None:
     if len(unknown) > 1:
         sign, _, _, rest = classify(tower, x)
         unknown = [f for f, e in rest if e % 2]
-    return (unknown[0] if sign > 0 else -unknown[0]) if len(unknown) == 1 else None
+    product = _product(unknown)
+    return None if product is None else (product if sign > 0 else -product)
+
+
+def sign_of_rest(tower: Tower, unknown: Sequence[tuple[Polynomial, int]]) -> str | None:
+    """The sign of the product of factors of unknown sign: of even powers, and of factors whose product is known."""
+    odd = [f for f, e in unknown if e % 2]
+    known = "pos" if not odd else None
+    if odd and (product := _product(odd)) is not None:
+        known = sign_at_sight(tower, product)
+    if known is None:
+        return None
+    strict = known in ("pos", "neg") and all(e % 2 or e < 0 for _, e in unknown)
+    return known if strict else ("nonneg" if known in UP else "nonpos")
+
+
+def _product(factors: Sequence[Polynomial]) -> Polynomial | None:
+    """The product of a few short factors, None of many or long ones."""
+    if not 0 < len(factors) <= 3 or any(len(f) > 6 for f in factors):
+        return factors[0] if len(factors) == 1 else None
+    product = factors[0]
+    for f in factors[1:]:
+        product = product * f
+    return product

@@ -73,10 +73,9 @@ def test_every_statement_of_the_course_is_cited_or_named_as_open() -> None:
     found: set[str] = set()
     for entry in FILES:
         table = tomllib.loads(entry.read_text(encoding="utf-8"))
-        for claim in table["claim"]:
-            ids = cited(claim.get("source", table.get("source")))
-            found |= set(ids)
-            assert ids or Path(str(entry)).parent.name not in ("course", "errata"), entry.name
+        ids = {name for claim in table["claim"] for name in cited(claim.get("source", table.get("source")))}
+        found |= ids
+        assert ids or Path(str(entry)).parent.name not in ("course", "errata"), entry.name
     every = {item.id for item in (*statements(), *errata())}
     known = elsewhere()
     assert set(known.tests) | set(known.open) <= every

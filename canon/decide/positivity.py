@@ -1,0 +1,213 @@
+"""Is a function positive, or at least not negative, throughout a region?
+
+Two arguments prove it: the signs of the factors of its normal form, from assumptions, conditions and squares; or a
+cover of the region, where it is bounded, by boxes on each of which a ball is positive. A certified point with a
+negative ball refutes; it is sought downhill.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+
+from flint import arb
+
+from canon.budget import Budget
+from canon.decide.arbitrary import rational
+from canon.decide.derivative import substitute
+from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
+from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
+from canon.decide.region import Region
+from canon.decide.ring import TooCostly
+from canon.decide.search import Coordinate, Finder, Sample, samples
+from canon.decide.signs import classify, sign_of, sign_of_rest
+from canon.decide.tape import Node, Tape, Unsupported
+from canon.decide.tower import Tower, combine
+from canon.errors import InputError
+from canon.sign import declared as assumptions
+
+MOST_BOXES = 4000
+STARTS, STEPS = 4, 160
+Box = dict[Node, tuple[Fraction, Fraction]]
+
+
+def positive_by_signs(tape: Tape, node: Node, region: Region, budget: Budget, *, strict: bool) -> bool:
+    """Whether the factors of the normal form make the node positive (not negative) on the whole region.
+
+    The box of the symbols is taken for open; where a symbol may be 0 besides, a strict sign is shown there too, and
+    one that isn't strict follows by continuity.
+    """
+    value = tape.value(node)
+    if value is not None:
+        return value > 0 or (value == 0 and not strict)
+    positive = [r.nodes[0] for r in region.requirements if r.kind == "positive" and not tape.is_complex(r.nodes[0])]
+    sign = _sign(tape, node, intervals_of(tape, region), positive, budget)
+    if sign != "pos" and (strict or sign != "nonneg"):
+        return False
+    if not strict:
+        return True
+    weak = [x for x in sorted(tape.support(node)) if _may_be_zero(tape, x)]
+    try:
+        return all(
+            positive_by_signs(
+                tape, substitute(tape, node, {x: tape.zero}), _without(tape, region, x), budget, strict=True
+            )
+            for x in weak
+        )
+    except InputError:  # the node isn't defined there
+        return False
+
+
+def _may_be_zero(tape: Tape, x: Node) -> bool:
+    facts = assumptions(tape.symbol_at(x))
+    return bool(facts.get("nonnegative") or facts.get("nonpositive")) and facts.get("zero") is not False
+
+
+def _without(tape: Tape, region: Region, x: Node) -> Region:
+    """The conditions that don't speak of a symbol."""
+    kept = tuple(r for r in region.requirements if not any(x in tape.support(node) for node in r.nodes))
+    return Region(kept, (), region.symbols)
+
+
+def _sign(tape: Tape, node: Node, box: Mapping[Node, Interval], positive: Sequence[Node], budget: Budget) -> str | None:
+    try:
+        tower = Tower(tape, [node], positive=positive, intervals=box, budget=budget)
+        values = dict(tower.values)
+        for i in tape.reach([node]):
+            if i not in values:
+                values[i] = combine(tower.field, tape.ops[i], values)
+        above = tower.field.normal(values[node][0])
+        if not above:
+            return "nonneg"
+        value = (above, values[node][1])
+        if tower.is_complex(value):
+            return None
+        sign, _, known, unknown = classify(tower, value)
+        rest = sign_of_rest(tower, unknown)
+        if rest is None or (sign > 0) != (rest in ("pos", "nonneg")):
+            return None
+        strict = rest in ("pos", "neg") and all(e < 0 or sign_of(tower, f) in ("pos", "neg") for f, e in known)
+        return "pos" if strict else "nonneg"
+    except (Unsupported, TooCostly, ZeroDivisionError):
+        return None
+
+
+def positive_by_boxes(tape: Tape, node: Node, region: Region, budget: Budget, *, strict: bool) -> int | None:
+    """The number of boxes that cover the region, on each of which the node's ball is positive; None where none do.
+
+    Boxes on which a condition of the region certainly fails are left out. Each symbol of the node, and of conditions
+    that share one with it, must have a bounded interval.
+    """
+    if region.surface or tape.functions_of([node, *region.nodes()]):
+        return None
+    first = [r.nodes[0] for r in region.requirements if r.kind == "positive" and not tape.is_complex(r.nodes[0])]
+    conditions = [c for c in first if exact_affine(tape, c) is None and tape.support(c) & tape.support(node)]
+    known = intervals_of(tape, region)
+    box: Box = {}
+    for x in sorted(set().union(*(tape.support(n) for n in (node, *conditions)))):
+        interval = known.get(x, declared(tape, x))
+        if interval.low is None or interval.high is None or tape.symbol_at(x).is_integer:
+            return None
+        box[x] = _outward(interval.low, -1), _outward(interval.high, 1)
+    order = tape.reach([node])
+    orders = [(c, tape.reach([c])) for c in conditions]
+    stack, done = [box], 0
+    while stack:
+        budget.check()
+        done += 1
+        if done + len(stack) > MOST_BOXES:
+            return None
+        box = stack.pop()
+        with precision(64):
+            place = {x: arb(rational(low)).union(arb(rational(high))) for x, (low, high) in box.items()}
+            if any((ball := _ball(tape, o, c, place)) is not None and ball < 0 for c, o in orders):
+                continue
+            ball = _ball(tape, order, node, place)
+        if ball is not None and (ball > 0 or (not strict and ball >= 0)):
+            continue
+        x = max(box, key=lambda x: box[x][1] - box[x][0])
+        low, high = box[x]
+        middle = (low + high) / 2
+        stack += [{**box, x: (low, middle)}, {**box, x: (middle, high)}]
+    return done
+
+
+def _ball(tape: Tape, order: Sequence[Node], node: Node, place: Mapping[Node, Ball]) -> arb | None:
+    try:
+        ball = evaluate(tape, order, place, {})[node]
+    except (OutOfDomain, ZeroDivisionError, OverflowError, Unsupported):
+        return None
+    return ball if isinstance(ball, arb) and ball.is_finite() else None
+
+
+def _outward(edge: Edge, side: int) -> Fraction:
+    """A rational at the edge, or just outside of it where π is in it."""
+    if not edge.pi:
+        return edge.rational
+    with precision(64):
+        ball = arb(rational(edge.rational)) + arb.pi() * arb(rational(edge.pi))
+    return Fraction(float(ball.mid())) + side * Fraction(1, 2**40)
+
+
+def first_points(tape: Tape, node: Node, region: Region, rng: random.Random, budget: Budget) -> list[Sample]:
+    """Certified points of the region with the node's balls there."""
+    return list(samples(tape, [node], region, rng, count=12, tries=8, budget=budget, nice=True))
+
+
+def point_below(
+    tape: Tape,
+    node: Node,
+    region: Region,
+    starts: Sequence[Sample],
+    rng: random.Random,
+    budget: Budget,
+    *,
+    strict: bool,
+) -> Sample | None:
+    """A certified point downhill of the lowest of these at which the node is negative (`strict`: or exactly 0)."""
+    if region.surface:
+        return None
+    finder = Finder(tape, [node], region, rng)
+    for sample in sorted(starts, key=lambda s: float(s.balls[node].mid()))[:STARTS]:
+        for lower in _downhill(finder, node, sample, rng, budget):
+            if is_below(tape, node, lower, strict=strict):
+                return lower
+    return None
+
+
+def is_below(tape: Tape, node: Node, sample: Sample, *, strict: bool) -> bool:
+    """Whether the node is certainly negative at the point (`strict`: or exactly 0)."""
+    if sample.balls[node] < 0:
+        return True
+    if not strict or sample.solved or not sample.balls[node].contains(0):
+        return False
+    exact = {n: tape.number(v) for n, v in sample.point.items() if not isinstance(v, tuple)}
+    return tape.value(substitute(tape, node, exact)) == 0
+
+
+def _downhill(finder: Finder, node: Node, start: Sample, rng: random.Random, budget: Budget) -> Iterator[Sample]:
+    """Points of the region with smaller and smaller values, one coordinate changed at a time."""
+    tape, best = finder.tape, start
+    names = [x for x in sorted(tape.support(node)) if isinstance(start.point.get(x), Fraction)]
+    if not names:
+        return
+    reach = Fraction(1)
+    for step in range(STEPS):
+        budget.check()
+        x = names[step % len(names)]
+        value = best.point[x]
+        assert isinstance(value, Fraction)
+        others = [v for y in names if y != x and isinstance(v := best.point[y], Fraction)]
+        size = max(abs(value), Fraction(1, 8)) * reach
+        moves = [value + size, value - size, -value, Fraction(0), *others, *(-v for v in others)]
+        if tape.symbol_at(x).is_integer:
+            moves = [value + 1, value - 1]
+        points: list[dict[Node, Coordinate]] = [{**best.point, x: move.limit_denominator(10**6)} for move in moves]
+        found = [s for point in points if (s := finder.certify(point, {}, best.functions, 64)) is not None]
+        lowest = min(found, key=lambda s: float(s.balls[node].mid()), default=best)
+        if lowest.balls[node].mid() < best.balls[node].mid():
+            best = lowest
+            yield best
+        elif x == names[-1]:
+            reach = reach * Fraction(3, 5) if reach > Fraction(1, 10**5) else Fraction(rng.randrange(1, 4))

@@ -1,0 +1,81 @@
+"""Inequalities: proved by signs of factors or by a cover, refuted by a certified point."""
+
+from fractions import Fraction
+
+import pytest
+
+from canon.errors import InputError
+
+PLANE = 'q = ["x", "y"]\np = ["px", "py"]\n'
+SYMBOLS = (
+    'a = "positive"\nb = "positive"\nn = "nonnegative"\nf = ["function", "positive"]\nV = "function"\nk = "integer"'
+)
+UNIT = 'where = ["0 < x < 1", "0 < y < 1"]'
+
+
+def _claim(lhs: str, relation: str, rhs: str) -> str:
+    return f'kind = "inequality"\nlhs = "{lhs}"\nrelation = "{relation}"\nrhs = "{rhs}"'
+
+
+@pytest.mark.parametrize(
+    ("lhs", "relation", "rhs", "expected"),
+    [
+        ("a*b/(a + b)", "<", "a", "proved"),
+        ("x*y", "<=", "(x**2 + y**2)/2", "proved"),
+        ("x*y", "<", "(x**2 + y**2)/2", "refuted"),  # equal at x = y
+        ("1001/1000*x*y", "<=", "(x**2 + y**2)/2", "refuted"),
+        ("n", ">=", "0", "proved"),
+        ("n", ">", "0", "refuted"),  # n may be 0
+        ("n*x**2 + a", ">", "0", "proved"),
+        ("n*x**2 + n*a", ">", "0", "refuted"),
+        ("f(x)*a + V(y)**2", ">", "0", "proved"),
+        ("V(y)", ">=", "0", "refuted"),
+        ("1/x**2", ">", "0", "proved"),
+        ("exp(x)", ">", "1 + x", "refuted"),  # equal at 0
+        ("k**2", ">=", "k", "supported"),
+    ],
+)
+def test_on_the_plane(status, lhs, relation, rhs, expected):
+    assert status(_claim(lhs, relation, rhs), space=PLANE, symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
+    ("lhs", "relation", "rhs", "expected", "method"),
+    [
+        ("sin(x)", "<", "x + 1/100", "proved", "cover"),
+        ("sin(x) + cos(y)", "<", "2", "proved", "cover by 1 "),
+        ("sin(x) + cos(y)", "<", "184/100", "refuted", "ball"),
+        ("x*(1 - x)", "<=", "1/4", "proved", "signs"),
+        ("x*(1 - x)", "<=", "249999/1000000", "refuted", "ball"),
+        ("1/sqrt(1 - x**2)", ">", "1 + x**2/2", "proved", "signs"),
+    ],
+)
+def test_on_a_box(ask, lhs, relation, rhs, expected, method):
+    (verdict,) = ask(_claim(lhs, relation, rhs), space=PLANE, symbols=SYMBOLS, domain=UNIT)
+    assert verdict.status == expected
+    assert method in verdict.method
+
+
+def test_the_cover_leaves_out_what_the_domain_does(status):
+    ring = 'where = ["-2 < x < 2", "-2 < y < 2", "x**2 + y**2 < 1"]'
+    claim = _claim("exp(x) + exp(y)", "<", "5")  # false on the square, true on the disc
+    assert status(claim, space=PLANE, domain=ring) == "proved"
+    assert status(claim, space=PLANE, domain='where = ["-2 < x < 2", "-2 < y < 2"]') == "refuted"
+
+
+def test_a_witness_names_the_difference(ask):
+    (verdict,) = ask(_claim("x**2", ">", "1"), space=PLANE)
+    assert verdict.status == "refuted"
+    assert Fraction(verdict.witness["x"]) ** 2 <= 1
+
+
+def test_numeric_only_supports_or_refutes(ask):
+    (verdict,) = ask(_claim("x**2", ">=", "0"), space=PLANE, options={"method": "numeric"})
+    assert verdict.status == "supported"
+    assert verdict.numeric.max_residual >= 0
+
+
+@pytest.mark.parametrize(("lhs", "relation", "message"), [("x", "==", "< <= > >="), ("1j*x", "<", "complex")])
+def test_faults(ask, lhs, relation, message):
+    with pytest.raises((InputError, AssertionError), match=message):
+        ask(_claim(lhs, relation, "0"), space=PLANE)

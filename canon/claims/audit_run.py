@@ -13,10 +13,10 @@ from typing import Final
 import numpy as np
 
 from canon.claims.audit_subject import AuditSubject
-from canon.numeric.differences import central_differences
+from canon.numeric.differences import SHORTEST_STEP, central_differences
 from canon.numeric.differentiable import Differentiable, differentiable
 from canon.numeric.points import Points
-from canon.numeric.precision import UNIT_32
+from canon.numeric.precision import UNIT, UNIT_32
 from canon.numeric.residuals import Residuals, brackets, determinants, invariants
 from canon.numeric.sweep import RESOLVED, SUSPECTS, Sweep, Sweeper, sweeper
 from canon.numeric.worst import Tally
@@ -27,15 +27,20 @@ BLOCK: Final = 2000
 """So many points are examined at once."""
 
 FIRST: Final = 1000
-"""So many points of every audit are examined before anything is swept."""
+"""Among so many points there must be some in the domain, for the map to be tried at."""
+
+BEFORE_A_SWEEP: Final = 256
+"""So many points are examined beside those that a sweep finds to be the worst."""
 
 WORTH_COMPILING: Final = 20_000
 LONG: Final = 300
 """A program of so many operations is compiled for that many points; the compiler's time grows as the square."""
 
+ALONG: Final = 0.1
 COMPARED: Final = 3
 SLACK: Final = 1e-6
-"""Derivatives and differences of values may differ by this part without a warning."""
+"""At so many points, over this part of the domain, derivatives and differences of values are compared: they may differ
+by that part of them without a warning."""
 
 
 @dataclass
@@ -46,6 +51,7 @@ class AuditRun:
     where: Points
     seed: int
     map: Differentiable | None = None
+    checked: bool = False
     tallies: dict[str, Tally] = field(default_factory=dict)
     audited: int = 0
     examined: int = 0
@@ -67,12 +73,26 @@ class AuditRun:
         """Audit so many points, or all that are given."""
         count = samples if self.where.given is None else len(self.where.given)
         start = 0
-        while start < count and (self.map is None or not self._worth_sweeping(count - start)):
-            end = min(start + (BLOCK if start else FIRST), count)
-            self.examine(np.arange(start, end, dtype=np.uint64))
-            start = end
-        if start < count:
-            self._sweep(start, count)
+        while start < count:
+            index = np.arange(start, min(start + (BLOCK if start else FIRST), count), dtype=np.uint64)
+            if self.map is None:
+                self._open(index)
+            if self._worth_sweeping(count - start):
+                index = index[:BEFORE_A_SWEEP]
+                worst = self._sweep(start + len(index), count)
+                self.examine(index, worst)
+                return
+            self.examine(index)
+            start += len(index)
+
+    def _open(self, index: Array) -> None:
+        """Find out what the map is, at points of these indices, if any of them lies in its domain."""
+        points = self.where.at(index, self.seed)
+        inside = points[self.subject.inside(points)]
+        if len(inside):
+            self.map = differentiable(
+                self.subject.function, inside, self.where.lengths, rounded_numbers=self.subject.rounded_numbers
+            )
 
     def _worth_sweeping(self, count: int) -> bool:
         program = self.map.program if self.map else None
@@ -82,32 +102,24 @@ class AuditRun:
 
     # -- points one by one -------------------------------------------------------------------------------
 
-    def examine(self, index: Array, *, counted: bool = True) -> None:
-        """Examine the points of these indices; those that a sweep has counted already are not `counted` again."""
-        points = self.where.at(index, self.seed)
-        inside = points[self.subject.inside(points)]
-        if counted:
-            self.outside += len(points) - len(inside)
+    def examine(self, index: Array, worst: Array | None = None) -> None:
+        """Examine the points of these indices, and of the `worst`, which a sweep has counted already."""
+        points = self.where.at(index if worst is None else np.concatenate([index, worst]), self.seed)
+        within = self.subject.inside(points)
+        inside, count = points[within], int(within[: len(index)].sum())
+        self.outside += len(index) - count
         if not len(inside):
             return
-        first = self.map is None
-        if self.map is None:
-            self.map = differentiable(
-                self.subject.function,
-                inside,
-                self.where.lengths,
-                rounded_numbers=self.subject.rounded_numbers,
-            )
+        assert self.map is not None
         values = self.map.evaluate(inside)
         M, E = self.map.linearise(inside)
-        if first:
+        if not self.checked:
             self._check(inside, M, E)
         finite = np.asarray(np.isfinite(values).all(axis=1))
         smooth = finite & np.asarray(np.isfinite(M).all(axis=(1, 2)))
-        if counted:
-            self._leave_out(inside, finite, smooth)
+        self._leave_out(inside[:count], finite[:count], smooth[:count])
         if smooth.any():
-            self._tally(inside[smooth], M[smooth], E[smooth], counted)
+            self._tally(inside[smooth], M[smooth], E[smooth], int(smooth[:count].sum()))
 
     def _leave_out(self, points: Array, finite: Array, smooth: Array) -> None:
         self.missing += int(len(points) - finite.sum())
@@ -120,6 +132,7 @@ class AuditRun:
     def _check(self, points: Array, M: Array, E: Array) -> None:
         """Look for hidden state, low precision, and derivatives that are not those of the values."""
         assert self.map is not None
+        self.checked = True
         if not self.map.steady:
             self.doubts.append("two evaluations at the same point differ: the map depends on hidden state")
         if self.map.unit == UNIT_32:
@@ -141,10 +154,12 @@ class AuditRun:
             def along(s: Array, z: Array = z) -> Array:
                 return evaluate(z + s * direction)
 
-            difference, error = central_differences(along, np.zeros((1, 1)), np.full(1, 0.1), self.map.unit)
+            difference, error = central_differences(along, np.zeros((1, 1)), np.full(1, ALONG), self.map.unit)
             gap = np.abs(slope @ direction - difference[0, :, 0])
             size = np.abs(slope) @ np.abs(direction)
-            if np.all(gap <= error[0, :, 0] + off @ np.abs(direction) + SLACK * size):
+            # far from the origin, the points themselves are rounded
+            rounded = np.abs(slope) @ np.abs(z) * UNIT / (ALONG * SHORTEST_STEP)
+            if np.all(gap <= error[0, :, 0] + off @ np.abs(direction) + SLACK * size + rounded):
                 return
             compared = compared or bool(np.all(np.isfinite(gap)))
         if compared:
@@ -152,15 +167,14 @@ class AuditRun:
                 "the derivatives are not those of the values: a rounding, a stopped gradient, or a custom derivative"
             )
 
-    def _tally(self, points: Array, M: Array, E: Array, counted: bool) -> None:
+    def _tally(self, points: Array, M: Array, E: Array, counted: int) -> None:
+        """Take points into account; of these the first `counted` have not been counted by a sweep."""
         expected = self.subject.scale
         with np.errstate(all="ignore"):
             found = brackets(M, E)
             at_points, errors = found.valence()
             if self.valence is None:
-                weights = 1 / np.maximum(errors, 1e-300) ** 2
-                weights = np.ones_like(errors) if not np.isfinite(weights.sum()) or not weights.sum() else weights
-                self.valence = float((weights * at_points).sum() / weights.sum())
+                self.valence = _mean(at_points[:counted], errors[:counted]) if counted else _mean(at_points, errors)
             families = found.residuals(expected)
             fitted = [Residuals("symplectic", r.sizes, r.bounds) for r in found.residuals(self.valence)]
             det, det_bound, condition = determinants(M, E, self.where.lengths)
@@ -174,10 +188,9 @@ class AuditRun:
             self.tallies.setdefault(residuals.name, Tally(residuals.name)).add(residuals, points, typical=counted)
         self.examined += len(points)
         resolved = np.einsum("bii->bi", found.QP_bound).max(axis=1) <= RESOLVED * abs(expected)
-        if counted:
-            self.audited += len(points)
-            self.failing += int(exceeds.sum())
-            self.unresolved += int((~resolved).sum())
+        self.audited += counted
+        self.failing += int(exceeds[:counted].sum())
+        self.unresolved += int((~resolved[:counted]).sum())
         if resolved.any():
             values, dets = at_points[resolved], det[resolved]
             self.valences = (min(self.valences[0], values.min()), max(self.valences[1], values.max()))
@@ -186,8 +199,8 @@ class AuditRun:
 
     # -- points by the million ---------------------------------------------------------------------------
 
-    def _sweep(self, start: int, count: int) -> None:
-        """Sweep the points from `start` to `count`, and examine the worst of every block."""
+    def _sweep(self, start: int, count: int) -> Array:
+        """Sweep the points from `start` to `count`; **returns** the indices of the worst of every block."""
         assert self.map is not None
         assert self.map.program is not None
         loop = sweeper(
@@ -198,8 +211,7 @@ class AuditRun:
             admits=self.subject.membership,
             rounded_numbers=self.subject.rounded_numbers,
         )
-        worst: list[Array] = []
-        suspects: list[Array] = []
+        worst, suspects = [np.zeros(0, dtype=int)], [np.zeros(0, dtype=int)]
         for begin in range(start, count, loop.block):
             length = min(loop.block, count - begin)
             found = self._swept(loop, begin, length)
@@ -207,11 +219,14 @@ class AuditRun:
             suspects.append(begin + found.exceeds)
             last = begin + length == count
             if last or sum(map(len, suspects)) >= SUSPECTS:
-                worst.append(self._suspected(loop, np.concatenate(suspects)))
-                suspects.clear()
-            if last or sum(map(len, worst)) >= BLOCK:
-                self.examine(np.unique(np.concatenate(worst)).astype(np.uint64), counted=False)
-                worst.clear()
+                waiting = np.concatenate(suspects)
+                full = len(waiting) if last else len(waiting) // SUSPECTS * SUSPECTS
+                worst.append(self._suspected(loop, waiting[:full]))
+                suspects = [waiting[full:]]
+            if sum(map(len, worst)) >= BLOCK:
+                self.examine(np.zeros(0, dtype=np.uint64), np.unique(np.concatenate(worst)).astype(np.uint64))
+                worst = [np.zeros(0, dtype=int)]
+        return np.unique(np.concatenate(worst)).astype(np.uint64)
 
     def _swept(self, loop: Sweeper, begin: int, length: int) -> Sweep:
         if self.where.given is not None:
@@ -239,14 +254,11 @@ class AuditRun:
         worst = []
         for start in range(0, len(index), SUSPECTS):
             part = index[start : start + SUSPECTS]
-            found = self._bounded(loop, part)
+            found = loop.bounded(part.astype(np.uint64))
             self.failing += len(found.exceeds)
             self.unresolved += len(found.unresolved)
             worst.append(part[int(found.ratio.argmax())])
         return np.array(worst, dtype=int)
-
-    def _bounded(self, loop: Sweeper, index: Array) -> Sweep:
-        return loop.bounded(self._points(index))
 
     def _points(self, index: Sequence[int] | Array) -> Array:
         return self.where.at(np.asarray(index, dtype=np.uint64), self.seed)
@@ -254,3 +266,10 @@ class AuditRun:
     def place(self, point: Sequence[float] | Array) -> str:
         """A point by the variables' names."""
         return ", ".join(f"{name} = {x:.6g}" for name, x in zip(self.subject.names, point, strict=True))
+
+
+def _mean(values: Array, errors: Array) -> float:
+    """The mean of values, each weighted by its error."""
+    weights = 1 / np.maximum(errors, 1e-300) ** 2
+    weights = np.ones_like(errors) if not np.isfinite(weights.sum()) or not weights.sum() else weights
+    return float((weights * values).sum() / weights.sum())

@@ -20,9 +20,13 @@ LEVELS: Final = 8
 FIRST_STEP: Final = 0.05
 """The longest step, as a fraction of the length over which a variable ranges; each next one is half of it."""
 
+SHORTEST_STEP: Final = FIRST_STEP / 2 ** (LEVELS - 1)
 SAFETY: Final = 4.0
 NOISE: Final = 16.0
 """How much of the function's rounding, over the step, is granted to an extrapolated difference."""
+
+AT_ONCE: Final = 2**17
+"""So many numbers are evaluated at once."""
 
 KINK_STEP: Final = 1e-4
 """The step at which differences to two sides are compared, and then at a sixteenth of it."""
@@ -48,12 +52,14 @@ def central_differences(
             best: Array | float = np.nan
             error: Array | float = np.inf
             above: list[Array] = []
+            moved = np.repeat(points[None], 2 * LEVELS, axis=0)
+            steps = FIRST_STEP * lengths[k] / 2.0 ** np.arange(LEVELS)
+            moved[:LEVELS, :, k] += steps[:, None]
+            moved[LEVELS:, :, k] -= steps[:, None]
+            values = _values(evaluate, moved)
             for level in range(LEVELS):
-                ahead, behind = points.copy(), points.copy()
-                ahead[:, k] += FIRST_STEP * lengths[k] / 2**level
-                behind[:, k] -= FIRST_STEP * lengths[k] / 2**level
-                width = (ahead[:, k] - behind[:, k])[:, None]
-                high, low = evaluate(ahead), evaluate(behind)
+                width = (moved[level, :, k] - moved[LEVELS + level, :, k])[:, None]
+                high, low = values[level], values[LEVELS + level]
                 row = [(high - low) / width]
                 noise = 2 * unit * (np.abs(high) + np.abs(low)) / width
                 for j, old in enumerate(above, 1):
@@ -65,6 +71,14 @@ def central_differences(
                 above = row
             columns.append((np.asarray(best), np.asarray(error)))
     return np.stack([best for best, _ in columns], axis=2), np.stack([error for _, error in columns], axis=2)
+
+
+def _values(evaluate: Callable[[Array], Array], sets: Array) -> Array:
+    """The values at several sets of points (K, N, m): of small sets all at once."""
+    if sets.size <= AT_ONCE:
+        found = evaluate(sets.reshape(-1, sets.shape[2]))
+        return found.reshape(*sets.shape[:2], -1)
+    return np.stack([evaluate(points) for points in sets])
 
 
 def has_kink(evaluate: Callable[[Array], Array], point: Array, lengths: Array, unit: float) -> bool:

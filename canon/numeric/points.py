@@ -51,8 +51,8 @@ class Points:
         sides = {(float(a), float(b)) for a, b in zip(self.low, self.high, strict=True)}
         if len(sides) == 1:
             ((a, b),) = sides
-            return f"({a:g}, {b:g}) for each variable"
-        return " × ".join(f"({a:g}, {b:g})" for a, b in zip(self.low, self.high, strict=True))
+            return f"({a:.12g}, {b:.12g}) for each variable"
+        return " × ".join(f"({a:.12g}, {b:.12g})" for a, b in zip(self.low, self.high, strict=True))
 
 
 def points_of(domain: Any, names: Sequence[str], defaults: Sequence[tuple[float, float]]) -> Points:

@@ -24,11 +24,12 @@ from canon.numeric.membership import Membership
 from canon.numeric.points import Points
 from canon.numeric.precision import UNIT, double
 from canon.numeric.running_bound import is_zero, rounds, run_bounded
+from canon.numeric.sines import VectorSines
 from canon.program import Program
 
 Array = np.ndarray
 
-BLOCK: Final = 2**15
+BLOCK: Final = 2**16
 BLOCK_OF_A_GPU: Final = 2**20
 
 SUSPECTS: Final = 2**13
@@ -66,8 +67,8 @@ class Sweep(NamedTuple):
 @dataclass(frozen=True)
 class Sweeper:
     """A map's loops, compiled for `block` points: `generated(start, length)` are points from a counter, `given(points)`
-    an array (N, 2n) of at most as many; both compare with a part of the bounds. `bounded(points)` compares with all
-    of them, for at most `SUSPECTS` points."""
+    an array (N, 2n) of at most as many; both compare with a part of the bounds. `bounded(index)` compares with all
+    of them, for the points of at most `SUSPECTS` indices."""
 
     block: int
     generated: Callable[[int, int], Sweep]
@@ -89,43 +90,58 @@ def sweeper(
     `admits` says of points which of them lie in the map's domain; `rounded_numbers`, as in `run_bounded`. A program is
     compiled once, for all boxes and seeds.
     """
-    block, generating, taking, bounding = _compiled(program, float(scale), admits, rounded_numbers)
+    block, generating, taking, bounding, choosing = _compiled(program, float(scale), admits, rounded_numbers)
     key, low, lengths = key_of(seed), where.low, where.high - where.low
 
     def generated(start: int, length: int) -> Sweep:
         with double():
             return _read(np.asarray(generating(np.uint64(start), key, low, lengths))[:length])
 
-    def rows_by(loop: Any, length: int) -> Callable[[Array], Sweep]:
-        def swept(points: Array) -> Sweep:
-            padded = np.concatenate([points, np.repeat(points[-1:], length - len(points), axis=0)])
-            with double():
-                return _read(np.asarray(loop(np.ascontiguousarray(padded.T)))[: len(points)])
+    def given(points: Array) -> Sweep:
+        with double():
+            return _read(np.asarray(taking(np.ascontiguousarray(_padded(points, block).T)))[: len(points)])
 
-        return swept
+    def bounded(index: Array) -> Sweep:
+        full = _padded(index, SUSPECTS)
+        with double():
+            found = choosing(full, key, low, lengths) if where.given is None else bounding(where.at(full, seed).T)
+            return _read(np.asarray(found)[: len(index)])
 
-    return Sweeper(block, generated, rows_by(taking, block), rows_by(bounding, SUSPECTS))
+    return Sweeper(block, generated, given, bounded)
+
+
+def _padded(rows: Array, length: int) -> Array:
+    """So many rows: the last one again and again."""
+    return np.concatenate([rows, np.repeat(rows[-1:], length - len(rows), axis=0)])
 
 
 @lru_cache(maxsize=64)
 def _compiled(
     program: Program, scale: float, admits: Membership | None, rounded_numbers: bool
-) -> tuple[int, Any, Any, Any]:
-    """The length of a block; the first loop over generated and over given points, and the second."""
+) -> tuple[int, Any, Any, Any, Any]:
+    """The length of a block; the first loop over generated and over given points; the second over given ones and over
+    those of given indices."""
     import jax
     import jax.numpy as jnp
 
-    block = BLOCK if jax.default_backend() == "cpu" else BLOCK_OF_A_GPU
+    on_processor = jax.default_backend() == "cpu"
+    block = BLOCK if on_processor else BLOCK_OF_A_GPU
 
     def quick(rows: Sequence[Any]) -> Any:
         inside = None if admits is None else admits(rows, jnp)
-        values = run(program, rows, jnp)
+        sines = VectorSines(jnp)
+        values = run(program, rows, sines if on_processor else jnp)
         size = program.inputs
         rounded = [float(rounds(program, node)) for node in program.outputs]
         weights = [rounded[size + a * size : size + (a + 1) * size] for a in range(size)]
         M = [values[size + a * size : size + (a + 1) * size] for a in range(size)]
         return _word(
-            rows[0], values[:size], lambda a, b: _quick_bracket(M[a], M[b], weights[a], weights[b]), scale, inside
+            rows[0],
+            values[:size],
+            lambda a, b: _quick_bracket(M[a], M[b], weights[a], weights[b]),
+            scale,
+            inside,
+            sines.far,
         )
 
     def generate(start: Any, key: Any, low: Any, lengths: Any) -> Any:
@@ -138,13 +154,24 @@ def _compiled(
         values = [value for value, _ in outputs[:size]]
         return _word(rows[0], values, lambda a, b: _bracket(M[a], M[b]), scale, None)
 
-    return block, jax.jit(generate), jax.jit(lambda rows: quick(list(rows))), jax.jit(bounded)
+    def choose(index: Any, key: Any, low: Any, lengths: Any) -> Any:
+        return bounded(rows_of(index, low, lengths, key))
+
+    return block, jax.jit(generate), jax.jit(lambda rows: quick(list(rows))), jax.jit(bounded), jax.jit(choose)
 
 
 def _word(
-    like: Any, values: Sequence[Any], bracket: Callable[[int, int], tuple[Any, Any]], scale: float, inside: Any
+    like: Any,
+    values: Sequence[Any],
+    bracket: Callable[[int, int], tuple[Any, Any]],
+    scale: float,
+    inside: Any,
+    doubtful: Sequence[Any] = (),
 ) -> Any:
-    """What is to be said of each point, in 64 bits. `bracket` gives an entry of M J Mᵀ and its bound."""
+    """What is to be said of each point, in 64 bits. `bracket` gives an entry of M J Mᵀ and its bound.
+
+    Where one of the `doubtful` conditions holds, the bounds are said to be exceeded.
+    """
     import jax.numpy as jnp
 
     n = len(values) // 2
@@ -167,6 +194,8 @@ def _word(
             if b == a + n:
                 loosest = jnp.maximum(loosest, bound)
         sizes.append(largest)
+    if doubtful:
+        ratio = jnp.where(reduce(jnp.logical_or, doubtful), jnp.inf, ratio)
     furthest = reduce(jnp.maximum, [abs(value) for value in values], zero)
     undefined = ~jnp.isfinite(furthest)
     outside = None if inside is None else ~inside

@@ -56,8 +56,8 @@ class Tally:
     bounds: list[Array] = field(default_factory=list)
     kept: int = 0
 
-    def add(self, residuals: Residuals, points: Array, *, typical: bool = True) -> None:
-        """Take the residuals at further points into account; for the medians only where they are `typical` ones."""
+    def add(self, residuals: Residuals, points: Array, *, typical: int | None = None) -> None:
+        """Take the residuals at further points into account; for the medians only the first `typical` of them."""
         if not residuals.sizes.size:
             return
         flat = residuals.sizes.reshape(len(points), -1)
@@ -73,10 +73,10 @@ class Tally:
             self.index = tuple(int(i) for i in np.unravel_index(entry, residuals.sizes.shape[1:]))
             self.point = tuple(float(x) for x in points[row])
         self.largest = max(self.largest, float(flat.max()))
-        if typical and self.kept < KEPT:
-            self.sizes.append(flat.max(axis=1))
-            self.bounds.append(limits.max(axis=1))
-            self.kept += len(flat)
+        if self.kept < KEPT:
+            self.sizes.append(flat[:typical].max(axis=1))
+            self.bounds.append(limits[:typical].max(axis=1))
+            self.kept += len(self.sizes[-1])
 
     def defect(self) -> Defect:
         """What was found."""

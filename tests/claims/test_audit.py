@@ -174,7 +174,7 @@ def test_a_million_points_are_swept_and_their_worst_examined() -> None:
     report = audit(jax_step, dimension=6, samples=200_000)
     assert report.verdict == "supported"
     assert (report.audited, report.failing) == (200_000, 0)
-    assert 1000 < report.examined < 1100
+    assert 256 < report.examined < 300
     assert all(defect.largest < 1e-15 for defect in report.brackets.values())
 
 

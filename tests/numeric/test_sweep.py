@@ -57,7 +57,7 @@ def test_the_loops_agree_with_the_brackets_point_by_point(function: Any) -> None
     M, E = (np.stack([np.broadcast_to(pair[k], 4000) for pair in pairs], axis=1) for k in (0, 1))
     found = brackets(M.reshape(-1, 4, 4), E.reshape(-1, 4, 4)).residuals(1.0)
     exceeds = np.any([(r.sizes > r.bounds).any(axis=(1, 2)) for r in found], axis=0)
-    quick, bounded = loop.generated(0, 4000), loop.bounded(points)
+    quick, bounded = loop.generated(0, 4000), loop.bounded(np.arange(4000, dtype=np.uint64))
     assert set(bounded.exceeds) == set(np.flatnonzero(exceeds))
     assert set(bounded.exceeds) <= set(quick.exceeds)  # a part of a bound is no larger than the bound
     assert len(quick.exceeds) < 1000

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from math import isfinite
 from typing import Final, NamedTuple
 
@@ -47,6 +48,16 @@ class Program:
     inputs: int
     operations: tuple[Operation, ...]
     outputs: tuple[Node, ...]
+
+    @cached_property
+    def spent(self) -> tuple[tuple[Node, ...], ...]:
+        """For each operation the nodes that nothing needs after it: memory that can be used again."""
+        last = dict.fromkeys(self.outputs, len(self.operations))
+        found: list[tuple[Node, ...]] = []
+        for place in range(len(self.operations) - 1, -1, -1):
+            operands = dict.fromkeys(self.operations[place].operands)
+            found.append(tuple(node for node in operands if last.setdefault(node, place) == place))
+        return tuple(reversed(found))
 
     def select(self, outputs: tuple[Node, ...]) -> Program:
         """The part of the program that computes these nodes."""

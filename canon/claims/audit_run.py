@@ -18,7 +18,8 @@ from canon.numeric.differentiable import Differentiable, differentiable
 from canon.numeric.points import Points
 from canon.numeric.precision import UNIT, UNIT_32
 from canon.numeric.residuals import Residuals, brackets, determinants, invariants
-from canon.numeric.sweep import RESOLVED, SUSPECTS, Sweep, Sweeper, sweeper
+from canon.numeric.sweep import SUSPECTS, Sweeper, sweeper
+from canon.numeric.sweep_word import RESOLVED, Sweep
 from canon.numeric.worst import Tally
 
 Array = np.ndarray
@@ -32,9 +33,8 @@ FIRST: Final = 1000
 BEFORE_A_SWEEP: Final = 256
 """So many points are examined beside those that a sweep finds to be the worst."""
 
-WORTH_COMPILING: Final = 20_000
-LONG: Final = 300
-"""A program of so many operations is compiled for that many points; the compiler's time grows as the square."""
+FEW: Final = 2000
+"""So many points, or fewer, are all examined."""
 
 ALONG: Final = 0.1
 COMPARED: Final = 3
@@ -95,10 +95,7 @@ class AuditRun:
             )
 
     def _worth_sweeping(self, count: int) -> bool:
-        program = self.map.program if self.map else None
-        if program is None:
-            return False
-        return count > WORTH_COMPILING * max(1.0, len(program.operations) / LONG) ** 2
+        return self.map is not None and self.map.program is not None and count > FEW
 
     # -- points one by one -------------------------------------------------------------------------------
 
@@ -208,6 +205,7 @@ class AuditRun:
             self.where,
             self.seed,
             self.subject.scale,
+            count=count - start,
             admits=self.subject.membership,
             rounded_numbers=self.subject.rounded_numbers,
         )

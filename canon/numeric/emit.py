@@ -35,8 +35,10 @@ def run(program: Program, rows: Sequence[Any], numbers: Any = np) -> list[Any]:
     `numbers` is the module that computes, numpy or jax.numpy; outputs that are constant come out as floats.
     """
     values: list[Any] = []
-    for operation in program.operations:
+    for operation, spent in zip(program.operations, program.spent, strict=True):
         values.append(apply(operation, rows, [values[a] for a in operation.operands], numbers))
+        for node in spent:
+            values[node] = None
     return [values[node] for node in program.outputs]
 
 

@@ -34,7 +34,7 @@ def run_bounded(
     """
     values: list[Any] = []
     bounds: list[Any] = []
-    for operation in program.operations:
+    for operation, spent in zip(program.operations, program.spent, strict=True):
         x, e = [values[a] for a in operation.operands], [bounds[a] for a in operation.operands]
         value = apply(operation, rows, x, numbers)
         values.append(value)
@@ -44,6 +44,8 @@ def run_bounded(
             bounds.append(0.0)
         else:
             bounds.append(_rule(operation, x, e, value, numbers))
+        for node in spent:
+            values[node] = bounds[node] = None
     return [(values[node], bounds[node]) for node in program.outputs]
 
 

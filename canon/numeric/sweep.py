@@ -1,20 +1,21 @@
-"""M J Mᵀ − scale J at as many points as wanted, beside its rounding bound, as one compiled loop.
+"""M J Mᵀ − scale J at as many points as wanted, beside its rounding bound, in loops over blocks of points.
 
-A block's points are generated, mapped, differentiated and compared without leaving the processor's registers; what
-comes back of a point is one word of 64 bits. A compiler that is given several results computes what they share several
-times over; hence the one word.
+A loop compares residuals with a part of their bounds that costs next to nothing: the rounding of the products that they
+are sums of, and one rounding of every entry of M. What is no larger than a part of its bound is no larger than its
+bound. A second loop computes the whole running bound, where the first leaves a doubt.
 
-There are two such loops. The first compares residuals with a part of their bounds that costs next to nothing: the
-rounding of the products that they are sums of, and one rounding of every entry of M. What is no larger than a part of
-its bound is no larger than its bound. The second computes the whole running bound, where the first leaves a doubt.
+Of many points the loops are compiled: a block's points are generated, mapped, differentiated and compared without
+leaving the processor's registers. The compiler's time grows slowly up to some thousand operations, and then beyond all
+measure, sooner for the second loop; so long programs, and those of few points, are run by numpy, in parts that stay in
+the processor's cache.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache, reduce
-from typing import Any, Final, NamedTuple
+from functools import lru_cache
+from typing import Any, Final
 
 import numpy as np
 
@@ -22,12 +23,15 @@ from canon.numeric.counter import key_of, rows_of
 from canon.numeric.emit import run
 from canon.numeric.membership import Membership
 from canon.numeric.points import Points
-from canon.numeric.precision import UNIT, double
-from canon.numeric.running_bound import is_zero, rounds, run_bounded
+from canon.numeric.precision import double
+from canon.numeric.running_bound import rounds, run_bounded
 from canon.numeric.sines import VectorSines
+from canon.numeric.sweep_word import Sweep, bracket, quick_bracket, read, word
 from canon.program import Program
 
 Array = np.ndarray
+Loop = Callable[[Sequence[Any], Any], Any]
+"""Takes rows of points, and the module that computes, to words."""
 
 BLOCK: Final = 2**16
 BLOCK_OF_A_GPU: Final = 2**20
@@ -35,40 +39,26 @@ BLOCK_OF_A_GPU: Final = 2**20
 SUSPECTS: Final = 2**13
 """So many points are compared with their whole bounds at once."""
 
-RESOLVED: Final = 1e-2
-"""A bracket {Q,P} whose bound is a larger part of the scale tells nothing."""
+PART: Final = 2**12
+"""So many points numpy takes at once."""
 
-_TINY: Final = 1e-300
-_SIGN: Final = np.uint16(0x8000)
-_SIZE: Final = np.uint16(0x7FFF)
-_INFINITE: Final = np.uint16(0x7F80)
-"""The bits of infinity in the upper half of a float32; nan's are larger."""
+COMPILED: Final = 2500
+BOUNDED: Final = 1000
+"""Loops that are longer than this are not compiled: the first, and the second."""
 
+WORTH_COMPILING: Final = 3e8
+"""So many operations at points take numpy about as long as compiling takes."""
 
-class Sweep(NamedTuple):
-    """What was found at N points, as upper halves of float32, whose order is that of the numbers: (N,) each.
-
-    `ratio` is the largest ratio of a residual to its bound (or the part of it that was computed); `QQ`, `PP` and `QP`
-    the largest residuals of the brackets. `exceeds` (its bound, or that part), `outside`, `undefined`, `rough` (no
-    finite derivative) and `unresolved` (a bound too large to tell anything) are indices of points.
-    """
-
-    ratio: Array
-    QQ: Array
-    PP: Array
-    QP: Array
-    exceeds: Array
-    outside: Array
-    undefined: Array
-    rough: Array
-    unresolved: Array
+OF_A_SINE: Final = 20
+OF_A_PRODUCT: Final = 6
+"""So many operations are made of one: of a sine, and of a product in a bracket with its rounding."""
 
 
 @dataclass(frozen=True)
 class Sweeper:
-    """A map's loops, compiled for `block` points: `generated(start, length)` are points from a counter, `given(points)`
-    an array (N, 2n) of at most as many; both compare with a part of the bounds. `bounded(index)` compares with all
-    of them, for the points of at most `SUSPECTS` indices."""
+    """A map's loops: `generated(start, length)` are points from a counter, `given(points)` an array (N, 2n), of at most
+    `block` points; both compare with a part of the bounds. `bounded(index)` compares with all of them, for the points
+    of at most `SUSPECTS` indices."""
 
     block: int
     generated: Callable[[int, int], Sweep]
@@ -82,32 +72,62 @@ def sweeper(
     seed: int,
     scale: float,
     *,
+    count: float = np.inf,
     admits: Membership | None = None,
     rounded_numbers: bool = False,
 ) -> Sweeper:
-    """The loops of a map whose values and Jacobian are `program`'s outputs, over points of `where`.
+    """The loops of a map whose values and Jacobian are `program`'s outputs, over `count` points of `where`.
 
     `admits` says of points which of them lie in the map's domain; `rounded_numbers`, as in `run_bounded`. A program is
     compiled once, for all boxes and seeds.
     """
-    block, generating, taking, bounding, choosing = _compiled(program, float(scale), admits, rounded_numbers)
+    length = length_of(program)
+    compiled = length <= COMPILED and length * count >= WORTH_COMPILING
     key, low, lengths = key_of(seed), where.low, where.high - where.low
+    first, second = _quick(program, float(scale), admits), _whole(program, float(scale), rounded_numbers)
+
+    def bounded_by_parts(index: Array) -> Sweep:
+        return _by_parts(second, where.at(index, seed).T)
+
+    if not compiled:
+        return Sweeper(
+            BLOCK,
+            lambda start, length: _by_parts(first, _rows(start, length, low, lengths, key)),
+            lambda points: _by_parts(first, points.T),
+            bounded_by_parts,
+        )
+    block, generating, taking = _compiled(program, float(scale), admits)
 
     def generated(start: int, length: int) -> Sweep:
         with double():
-            return _read(np.asarray(generating(np.uint64(start), key, low, lengths))[:length])
+            return read(np.asarray(generating(np.uint64(start), key, low, lengths))[:length])
 
     def given(points: Array) -> Sweep:
         with double():
-            return _read(np.asarray(taking(np.ascontiguousarray(_padded(points, block).T)))[: len(points)])
+            return read(np.asarray(taking(np.ascontiguousarray(_padded(points, block).T)))[: len(points)])
 
     def bounded(index: Array) -> Sweep:
+        bounding, choosing = _compiled_whole(program, float(scale), rounded_numbers)
         full = _padded(index, SUSPECTS)
         with double():
             found = choosing(full, key, low, lengths) if where.given is None else bounding(where.at(full, seed).T)
-            return _read(np.asarray(found)[: len(index)])
+            return read(np.asarray(found)[: len(index)])
 
-    return Sweeper(block, generated, given, bounded)
+    return Sweeper(block, generated, given, bounded if length <= BOUNDED else bounded_by_parts)
+
+
+def length_of(program: Program) -> int:
+    """About how many operations the first loop has at each point."""
+    size = program.inputs
+    sines = sum(operation.name in ("sin", "cos") for operation in program.operations)
+    filled = np.array([program.constant(node) != 0 for node in program.outputs[size:]]).reshape(size, size)
+    with_conjugates = filled.astype(int) @ np.roll(filled, size // 2, axis=1).T
+    products = np.triu(with_conjugates, 1).sum()
+    return len(program.operations) + (OF_A_SINE - 1) * sines + OF_A_PRODUCT * int(products)
+
+
+def _rows(start: int, length: int, low: Array, lengths: Array, key: Any) -> Array:
+    return np.stack(rows_of(np.arange(start, start + length, dtype=np.uint64), low, lengths, key))
 
 
 def _padded(rows: Array, length: int) -> Array:
@@ -115,167 +135,75 @@ def _padded(rows: Array, length: int) -> Array:
     return np.concatenate([rows, np.repeat(rows[-1:], length - len(rows), axis=0)])
 
 
-@lru_cache(maxsize=64)
-def _compiled(
-    program: Program, scale: float, admits: Membership | None, rounded_numbers: bool
-) -> tuple[int, Any, Any, Any, Any]:
-    """The length of a block; the first loop over generated and over given points; the second over given ones and over
-    those of given indices."""
-    import jax
-    import jax.numpy as jnp
+def _by_parts(loop: Loop, rows: Array) -> Sweep:
+    with np.errstate(all="ignore"):
+        parts = [loop(list(rows[:, k : k + PART]), np) for k in range(0, rows.shape[1], PART)]
+    return read(np.concatenate(parts))
 
-    on_processor = jax.default_backend() == "cpu"
-    block = BLOCK if on_processor else BLOCK_OF_A_GPU
 
-    def quick(rows: Sequence[Any]) -> Any:
-        inside = None if admits is None else admits(rows, jnp)
-        sines = VectorSines(jnp)
-        values = run(program, rows, sines if on_processor else jnp)
-        size = program.inputs
-        rounded = [float(rounds(program, node)) for node in program.outputs]
-        weights = [rounded[size + a * size : size + (a + 1) * size] for a in range(size)]
+def _quick(program: Program, scale: float, admits: Membership | None) -> Loop:
+    """The first loop. On a processor its sines are made for vector instructions."""
+    size = program.inputs
+    rounded = [float(rounds(program, node)) for node in program.outputs]
+    weights = [rounded[size + a * size : size + (a + 1) * size] for a in range(size)]
+
+    def loop(rows: Sequence[Any], numbers: Any) -> Any:
+        inside = None if admits is None else admits(rows, numbers)
+        sines = VectorSines(numbers)
+        values = run(program, rows, sines if numbers is not np and _on_processor() else numbers)
         M = [values[size + a * size : size + (a + 1) * size] for a in range(size)]
-        return _word(
-            rows[0],
-            values[:size],
-            lambda a, b: _quick_bracket(M[a], M[b], weights[a], weights[b]),
-            scale,
-            inside,
-            sines.far,
-        )
 
-    def generate(start: Any, key: Any, low: Any, lengths: Any) -> Any:
-        return quick(rows_of(start + jnp.arange(block, dtype=np.uint64), low, lengths, key))
+        def entry(a: int, b: int) -> tuple[Any, Any]:
+            return quick_bracket(M[a], M[b], weights[a], weights[b])
 
-    def bounded(rows: Any) -> Any:
-        size = program.inputs
-        outputs = run_bounded(program, list(rows), jnp, rounded_numbers=rounded_numbers)
+        return word(rows[0], values[:size], entry, scale, inside, sines.far, numbers)
+
+    return loop
+
+
+def _whole(program: Program, scale: float, rounded_numbers: bool) -> Loop:
+    """The second loop."""
+    size = program.inputs
+
+    def loop(rows: Sequence[Any], numbers: Any) -> Any:
+        outputs = run_bounded(program, list(rows), numbers, rounded_numbers=rounded_numbers)
         M = [outputs[size + a * size : size + (a + 1) * size] for a in range(size)]
         values = [value for value, _ in outputs[:size]]
-        return _word(rows[0], values, lambda a, b: _bracket(M[a], M[b]), scale, None)
+        return word(rows[0], values, lambda a, b: bracket(M[a], M[b]), scale, numbers=numbers)
 
-    def choose(index: Any, key: Any, low: Any, lengths: Any) -> Any:
-        return bounded(rows_of(index, low, lengths, key))
-
-    return block, jax.jit(generate), jax.jit(lambda rows: quick(list(rows))), jax.jit(bounded), jax.jit(choose)
+    return loop
 
 
-def _word(
-    like: Any,
-    values: Sequence[Any],
-    bracket: Callable[[int, int], tuple[Any, Any]],
-    scale: float,
-    inside: Any,
-    doubtful: Sequence[Any] = (),
-) -> Any:
-    """What is to be said of each point, in 64 bits. `bracket` gives an entry of M J Mᵀ and its bound.
+def _on_processor() -> bool:
+    import jax
 
-    Where one of the `doubtful` conditions holds, the bounds are said to be exceeded.
-    """
-    import jax.numpy as jnp
-
-    n = len(values) // 2
-    zero = jnp.zeros_like(like)
-    ratio, sizes, loosest = zero, [], zero
-    families = (
-        [(i, j) for i in range(n) for j in range(i + 1, n)],
-        [(i + n, j + n) for i in range(n) for j in range(i + 1, n)],
-        [(i, j + n) for i in range(n) for j in range(n)],
-    )
-    for pairs in families:
-        largest = zero
-        for a, b in pairs:
-            value, bound = bracket(a, b)
-            expected = scale if b == a + n else 0.0
-            residual = abs(value - expected)
-            bound = bound + UNIT * abs(expected)
-            largest = jnp.maximum(largest, residual)
-            ratio = jnp.maximum(ratio, residual / bound)
-            if b == a + n:
-                loosest = jnp.maximum(loosest, bound)
-        sizes.append(largest)
-    if doubtful:
-        ratio = jnp.where(reduce(jnp.logical_or, doubtful), jnp.inf, ratio)
-    furthest = reduce(jnp.maximum, [abs(value) for value in values], zero)
-    undefined = ~jnp.isfinite(furthest)
-    outside = None if inside is None else ~inside
-    word = _half(ratio, ratio > 1.0)
-    flags = (outside, undefined, loosest > RESOLVED * abs(scale))
-    for k, (largest, flag) in enumerate(zip(sizes, flags, strict=True), 1):
-        word = word | (_half(largest, flag) << np.uint64(16 * k))
-    return word
+    return jax.default_backend() == "cpu"
 
 
-def _quick_bracket(
-    f: Sequence[Any], g: Sequence[Any], off_f: Sequence[float], off_g: Sequence[float]
-) -> tuple[Any, Any]:
-    """Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q of two rows of M, with a part of its error's bound: `off` are the roundings (0 or 1)
-    that the bounds of their entries are certain to contain."""
-    n = len(f) // 2
-    value: Any = 0.0
-    bound: Any = _TINY
-    for k in range(n):
-        for i, j, sign in ((k, k + n, 1), (k + n, k, -1)):
-            if is_zero(f[i]) or is_zero(g[j]):
-                continue
-            product = f[i] * g[j]
-            value = value + product if sign > 0 else value - product
-            bound = bound + ((n + 1 + off_f[i] + off_g[j]) * UNIT) * abs(product)
-    return value, bound + UNIT * abs(value)
-
-
-def _bracket(f: Sequence[tuple[Any, Any]], g: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
-    """Σ ∂f/∂q ∂g/∂p − ∂f/∂p ∂g/∂q of two rows of M, with a bound on its error, for (entry, bound) each."""
-    n = len(f) // 2
-    value: Any = 0.0
-    bound: Any = _TINY
-    for k in range(n):
-        for i, j, sign in ((k, k + n, 1), (k + n, k, -1)):
-            (x, ex), (y, ey) = f[i], g[j]
-            if (is_zero(x) and is_zero(ex)) or (is_zero(y) and is_zero(ey)):
-                continue
-            product = x * y
-            value = value + product if sign > 0 else value - product
-            bound = bound + ((n + 1) * UNIT) * abs(product)
-            if not is_zero(ex):
-                bound = bound + ex * (abs(y) + ey)
-            if not is_zero(ey):
-                bound = bound + abs(x) * ey
-    return value, bound + UNIT * abs(value)
-
-
-def _half(x: Any, flag: Any) -> Any:
-    """The upper half of x >= 0 as a float32, its sign taken by a flag, in the lowest bits of a word."""
+@lru_cache(maxsize=64)
+def _compiled(program: Program, scale: float, admits: Membership | None) -> tuple[int, Any, Any]:
+    """The length of a block; the first loop over generated and over given points."""
     import jax
     import jax.numpy as jnp
 
-    bits = jax.lax.bitcast_convert_type(x.astype(jnp.float32), np.uint32) >> np.uint32(16)
-    if flag is not None:
-        bits = bits | (flag.astype(np.uint32) << np.uint32(15))
-    return bits.astype(np.uint64)
+    block = BLOCK if _on_processor() else BLOCK_OF_A_GPU
+    loop = _quick(program, scale, admits)
+
+    def generate(start: Any, key: Any, low: Any, lengths: Any) -> Any:
+        return loop(rows_of(start + jnp.arange(block, dtype=np.uint64), low, lengths, key), jnp)
+
+    return block, jax.jit(generate), jax.jit(lambda rows: loop(list(rows), jnp))
 
 
-def _read(words: Array) -> Sweep:
-    halves = np.ascontiguousarray(words.astype("<u8", copy=False).view("<u2").reshape(-1, 4).T)
-    nothing = np.zeros(0, dtype=np.intp)
-    flags = []
-    for half in halves:
-        flagged = half >= _SIGN
-        flags.append(np.flatnonzero(flagged) if flagged.any() else nothing)
-        if len(flags[-1]):
-            half &= _SIZE
-    exceeds, outside, undefined, unresolved = flags
-    rough = np.flatnonzero(halves.max(axis=0) > _INFINITE) if halves.max() > _INFINITE else nothing
-    if len(outside) or len(undefined) or len(rough):
-        undefined = np.setdiff1d(undefined, outside)
-        rough = np.setdiff1d(rough, np.union1d(outside, undefined))
-        unusable = np.concatenate([outside, undefined, rough])
-        exceeds, unresolved = np.setdiff1d(exceeds, unusable), np.setdiff1d(unresolved, unusable)
-        halves[:, unusable] = 0
-    ratio, QQ, PP, QP = halves
-    return Sweep(ratio, QQ, PP, QP, exceeds, outside, undefined, rough, unresolved)
+@lru_cache(maxsize=64)
+def _compiled_whole(program: Program, scale: float, rounded_numbers: bool) -> tuple[Any, Any]:
+    """The second loop over given points and over those of given indices."""
+    import jax
+    import jax.numpy as jnp
 
+    loop = _whole(program, scale, rounded_numbers)
 
-def number(half: Any) -> float:
-    """The number that an upper half of a float32 stands for."""
-    return float((np.array([half], dtype=np.uint32) << np.uint32(16)).view(np.float32)[0])
+    def choose(index: Any, key: Any, low: Any, lengths: Any) -> Any:
+        return loop(rows_of(index, low, lengths, key), jnp)
+
+    return jax.jit(lambda rows: loop(list(rows), jnp)), jax.jit(choose)

@@ -116,3 +116,14 @@ def test_a_builder_shares_and_stops() -> None:
     builder.apply("sin", x)
     with pytest.raises(TooLong):
         builder.apply("cos", x)
+
+
+def test_what_nothing_needs_any_more_is_told() -> None:
+    """A program's memory can be used again; what comes out is kept, and nothing is given up twice."""
+    program = scalar_program(lambda z: jnp.stack([jnp.sin(z[0]) * z[1] + z[0], z[1] * z[1]]), 2)
+    given_up = [node for nodes in program.spent for node in nodes]
+    assert len(given_up) == len(set(given_up))
+    assert set(given_up) == set(range(len(program.operations))) - set(program.outputs)
+    for place, nodes in enumerate(program.spent):
+        later = program.operations[place + 1 :]
+        assert not any(node in operation.operands for operation in later for node in nodes)

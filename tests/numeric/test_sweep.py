@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ from canon.numeric.precision import double
 from canon.numeric.residuals import brackets
 from canon.numeric.running_bound import run_bounded
 from canon.numeric.scalar_program import values_and_jacobian
-from canon.numeric.sweep import BLOCK, number, sweeper
+from canon.numeric.sweep import BLOCK, COMPILED, length_of, sweeper
+from canon.numeric.sweep_word import number
 
 Array = np.ndarray
 WHERE = Points(-np.ones(4), np.full(4, 2.0))
@@ -48,10 +50,12 @@ def test_points_are_functions_of_their_number() -> None:
     assert many[0].max() < 1
 
 
+@pytest.mark.parametrize("count", [4000, np.inf])
 @pytest.mark.parametrize("function", [coupled, lossy])
-def test_the_loops_agree_with_the_brackets_point_by_point(function: Any) -> None:
+def test_the_loops_agree_with_the_brackets_point_by_point(function: Any, count: float) -> None:
+    """Run by numpy, for few points; and compiled."""
     program = values_and_jacobian(function, 4)
-    loop = sweeper(program, WHERE, 3, 1.0)
+    loop = sweeper(program, WHERE, 3, 1.0, count=count)
     points = WHERE.at(np.arange(4000, dtype=np.uint64), 3)
     pairs = run_bounded(program, list(points.T))[4:]
     M, E = (np.stack([np.broadcast_to(pair[k], 4000) for pair in pairs], axis=1) for k in (0, 1))
@@ -64,6 +68,23 @@ def test_the_loops_agree_with_the_brackets_point_by_point(function: Any) -> None
     for half, residuals in zip((bounded.QQ, bounded.PP, bounded.QP), found, strict=True):
         largest = residuals.sizes.max()
         assert number(half.max()) == pytest.approx(largest, rel=0.02, abs=2e-16)
+
+
+def test_what_would_take_long_to_compile_is_run_by_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
+    def many_times(z: Any) -> Any:
+        for _ in range(60):
+            z = coupled(z)
+        return z
+
+    program = values_and_jacobian(many_times, 4)
+    assert length_of(program) > COMPILED > 5 * length_of(values_and_jacobian(coupled, 4))
+    monkeypatch.setattr(jax, "jit", None)
+    loop = sweeper(program, WHERE, 0, 1.0)
+    found, whole = loop.generated(5, 5000), loop.bounded(np.arange(5, 5005, dtype=np.uint64))
+    assert len(found.ratio) == 5000
+    assert np.array_equal(found.QP, whole.QP)
+    assert np.all(found.ratio >= whole.ratio)
+    assert not len(whole.exceeds)
 
 
 def test_points_without_a_value_are_told_apart() -> None:

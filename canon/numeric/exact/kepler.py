@@ -13,6 +13,7 @@ from canon.numeric.compensated import sum_of_products, two_product, two_sum
 from canon.numeric.exact.stumpff import QUICK_BELOW, stumpff_quickly
 
 MOST_ITERATIONS: Final = 40
+QUICK_ITERATIONS: Final = 5
 FINE: Final = 1e-9
 COARSE: Final = 1e-4
 SLIGHT: Final = 1e-9
@@ -117,17 +118,20 @@ def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
     full = 2 * jnp.pi / jnp.where(bound, root, 1.0)
     first = jnp.clip(_guess(span, r, eta, beta, mu), 0.0, jnp.where(bound, full, jnp.inf))
 
-    def improve(loop: Any) -> Any:
-        count, s, low, high, last, done = loop
+    def laguerre(s: Any) -> tuple[Any, Any]:
         c0, c1, c2, c3 = stumpff_quickly(beta * s * s)
         g1, g2, g3 = s * c1, s * s * c2, s * s * s * c3
         miss = (r * g1 + eta * g2 + mu * g3) - span
         slope = r + eta * g1 + zeta * g2
         bend = eta * c0 + zeta * g1
-        high, low = jnp.where(miss > 0, s, high), jnp.where(miss <= 0, s, low)
         n = _LAGUERRE
         under = jnp.abs((n - 1) ** 2 * slope * slope - n * (n - 1) * miss * bend)
-        new = s - n * miss / (slope + jnp.sqrt(under))
+        return s - n * miss / (slope + jnp.sqrt(under)), miss
+
+    def improve(loop: Any) -> Any:
+        count, s, low, high, last, done = loop
+        new, miss = laguerre(s)
+        high, low = jnp.where(miss > 0, s, high), jnp.where(miss <= 0, s, low)
         middle = jnp.where(jnp.isinf(high), 2 * s + jnp.where(s == 0, span / r, 0.0), (low + high) / 2)
         new = jnp.where((new >= low) & (new <= high), new, middle)
         step = jnp.abs(new - s)
@@ -138,7 +142,13 @@ def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
 
     high = jnp.where(bound, full * 1.0000001, jnp.inf)
     zero = jnp.zeros_like(first)
-    begin = (0, first, zero, jnp.broadcast_to(high, zero.shape), zero + jnp.inf, span + zero == 0)
+    # nearly always a few steps do, and without bounds to keep they are one loop over the orbits
+    quick, before = first, first
+    for _ in range(QUICK_ITERATIONS):
+        quick, before = laguerre(quick)[0], quick
+    settled = (quick >= 0) & (quick <= high) & (jnp.abs(quick - before) <= FINE * quick)
+    first = jnp.where(settled, quick, first)
+    begin = (0, first, zero, jnp.broadcast_to(high, zero.shape), zero + jnp.inf, settled | (span + zero == 0))
     found = lax.while_loop(lambda loop: (loop[0] < MOST_ITERATIONS) & ~jnp.all(loop[5]), improve, begin)[1]
     return jnp.where(span == 0, 0.0, found)
 
@@ -146,6 +156,7 @@ def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
 def _guess(span: Any, r: Any, eta: Any, beta: Any, mu: Any) -> Any:
     """A first s: from the anomaly on an ellipse or hyperbola, from the parabola where that is close."""
     import jax.numpy as jnp
+    from jax import lax
 
     # u, a distance in s from the pericentre, on the parabola with this momentum: r_p u + μ u³/6 = t since pericentre
     attraction = jnp.where(mu > 0, mu, 1.0)
@@ -165,10 +176,14 @@ def _guess(span: Any, r: Any, eta: Any, beta: Any, mu: Any) -> Any:
     start = jnp.arctan2(sine, cosine)
     mean = start - sine + motion
     elliptic = (mean + 0.85 * jnp.minimum(e, 1.0) * jnp.sign(jnp.sin(mean)) - start) / root
-    open_start = jnp.arcsinh(sine / e) * jnp.where(strength > 0, 1.0, -1.0)
-    open_mean = sine - jnp.where(strength > 0, open_start, -open_start) + motion
-    open_end = jnp.arcsinh(open_mean / e) * jnp.where(strength > 0, 1.0, -1.0)
-    hyperbolic = jnp.abs(open_end - open_start) / root
+
+    def on_a_hyperbola(_: Any) -> Any:
+        open_start = jnp.arcsinh(sine / e) * jnp.where(strength > 0, 1.0, -1.0)
+        open_mean = sine - jnp.where(strength > 0, open_start, -open_start) + motion
+        open_end = jnp.arcsinh(open_mean / e) * jnp.where(strength > 0, 1.0, -1.0)
+        return jnp.abs(open_end - open_start) / root
+
+    hyperbolic = lax.cond(jnp.all(beta > 0), lambda _: elliptic, on_a_hyperbola, None)
     guess = jnp.where(beta > 0, elliptic, hyperbolic)
     parabola_serves = (mu > 0) & (jnp.abs(beta) * parabolic * parabolic < 0.5)
     guess = jnp.where(parabola_serves, parabolic, guess)

@@ -15,7 +15,7 @@ from flint import arb
 
 from canon.budget import Budget
 from canon.decide.arbitrary import rational
-from canon.decide.derivative import substitute
+from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
 from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
 from canon.decide.region import Region
@@ -112,6 +112,10 @@ def positive_by_boxes(tape: Tape, node: Node, region: Region, budget: Budget, *,
         box[x] = _outward(interval.low, -1), _outward(interval.high, 1)
     order = tape.reach([node])
     orders = [(c, tape.reach([c])) for c in conditions]
+    try:
+        slopes = {x: derivative(tape, node, x) for x in box if x in tape.support(node)}
+    except Unsupported:
+        slopes = {}
     stack, done = [box], 0
     while stack:
         budget.check()
@@ -123,14 +127,28 @@ def positive_by_boxes(tape: Tape, node: Node, region: Region, budget: Budget, *,
             place = {x: arb(rational(low)).union(arb(rational(high))) for x, (low, high) in box.items()}
             if any((ball := _ball(tape, o, c, place)) is not None and ball < 0 for c, o in orders):
                 continue
-            ball = _ball(tape, order, node, place)
-        if ball is not None and (ball > 0 or (not strict and ball >= 0)):
-            continue
+            if any(
+                ball is not None and (ball > 0 or (not strict and ball >= 0))
+                for ball in (_ball(tape, order, node, place), _mean_value(tape, order, node, slopes, box, place))
+            ):
+                continue
         x = max(box, key=lambda x: box[x][1] - box[x][0])
         low, high = box[x]
         middle = (low + high) / 2
         stack += [{**box, x: (low, middle)}, {**box, x: (middle, high)}]
     return done
+
+
+def _mean_value(
+    tape: Tape, order: Sequence[Node], node: Node, slopes: Mapping[Node, Node], box: Box, place: Mapping[Node, Ball]
+) -> arb | None:
+    """f(c) + Σ ∂f/∂x(box)·(x − c), an enclosure of f on the box that is narrow where the slopes are."""
+    centre = {x: arb(rational((low + high) / 2)) for x, (low, high) in box.items()}
+    total = _ball(tape, order, node, centre) if slopes else None
+    for x, slope in slopes.items():
+        ball = None if total is None else _ball(tape, tape.reach([slope]), slope, place)
+        total = None if ball is None or total is None else total + ball * (place[x] - centre[x])
+    return total
 
 
 def _ball(tape: Tape, order: Sequence[Node], node: Node, place: Mapping[Node, Ball]) -> arb | None:

@@ -21,7 +21,7 @@ from canon.decide.tape import Unsupported
 from canon.domain import Condition, Domain, nonzero
 from canon.errors import InputError
 from canon.expression import Formula
-from canon.mechanics.action_angle import ClosedAction, OneDegree, at_most, linear_edge, one_degree
+from canon.mechanics.action_angle import ClosedAction, NotQuadratic, OneDegree, at_most, linear_edge, one_degree
 from canon.mechanics.residues import by_residues
 from canon.mechanics.standard_actions import cosine, pendulum_like, power_well, rotation
 from canon.sign import known_sign
@@ -64,7 +64,10 @@ Statement = Callable[[Setting, ClosedAction], tuple[str, Any]]
 
 
 def _decided(question: Question, statement: Statement) -> Outcome:
-    setting = _setting(question)
+    try:
+        setting = _setting(question)
+    except NotQuadratic as reason:
+        return Outcome("undecided", note=str(reason))
     branch = _branch(question, setting)
     reasons: list[str] = []
     for closed in _closed_forms(question, setting, branch):
@@ -84,7 +87,10 @@ def _decided(question: Question, statement: Statement) -> Outcome:
         value = question.load(closed.value if slope is None else 1 / slope)
         outcome = outcome.with_detail(value=question.show(value), by=closed.method)
         return outcome if outcome.status == "refuted" else combined([*grounds, outcome])
-    return Outcome("undecided", note="; ".join(reasons) or "no standard integral was recognised")
+    from canon.claims.action_evidence import by_quadrature
+
+    sampled = by_quadrature(question, setting, branch, wants_frequency=question.claim.kind == "frequency")
+    return sampled.with_status(sampled.status, "; ".join(dict.fromkeys(reasons))) if reasons else sampled
 
 
 # -- what is claimed ----------------------------------------------------------------------------------

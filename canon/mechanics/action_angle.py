@@ -11,10 +11,13 @@ from typing import Any
 import sympy as sp
 
 from canon.domain import Condition
-from canon.errors import InputError
 from canon.sign import known_sign
 
 NOT_NEGATIVE = ("positive", "zero", "nonnegative")
+
+
+class NotQuadratic(ValueError):
+    """The Hamiltonian has other branches than the two of a quadratic one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,11 +61,11 @@ def one_degree(
 ) -> OneDegree:
     """The orbits of H(q, p) = energy, where q is restricted by the conditions that are linear in it.
 
-    **Raises:** `InputError` where H isn't a polynomial of degree 2 in p.
+    **Raises:** `NotQuadratic` where H isn't a polynomial of degree 2 in p.
     """
     polynomial = sp.Poly(sp.expand(H - energy), p) if sp.expand(H).is_polynomial(p) else None
     if polynomial is None or polynomial.degree() != 2:
-        raise InputError(f"H isn't quadratic in {p}")
+        raise NotQuadratic(f"H isn't quadratic in {p}")
     a, b, c = polynomial.all_coeffs()
     low, high = coordinate_range(q, conditions)
     square: Any = sp.together((b**2 - 4 * a * c) / (4 * a**2))

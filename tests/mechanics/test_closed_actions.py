@@ -6,7 +6,7 @@ import sympy as sp
 
 from canon.domain import Condition
 from canon.errors import InputError
-from canon.mechanics.action_angle import coordinate_range, one_degree
+from canon.mechanics.action_angle import NotQuadratic, coordinate_range, one_degree
 from canon.mechanics.residues import by_residues
 from canon.mechanics.standard_actions import cosine, pendulum_like, power_well, rotation
 
@@ -98,7 +98,7 @@ def test_what_is_not_recognised():
     assert not found(p**2 * (1 + q**2) / 2 + q**4)
     assert not found(CENTRAL + r**2 + 1 / r, r)
     assert cosine(sp.cos(q) + q, q) is None
-    with pytest.raises(InputError, match="isn't quadratic in p"):
+    with pytest.raises(NotQuadratic, match="isn't quadratic in p"):
         one_degree(p**4 + q**2, q, p, E)
 
 

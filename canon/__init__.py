@@ -76,10 +76,12 @@ if TYPE_CHECKING:
     from canon.mechanics.transformation import Transformation
     from canon.numeric.actions.bounded import Bounded
     from canon.numeric.actions.central import central_actions
+    from canon.numeric.actions.frequency_analysis import Lines, frequency_lines
     from canon.numeric.actions.isochrone import isochrone_actions, isochrone_angle
     from canon.numeric.actions.motion import Motion, motion
     from canon.numeric.actions.orbit import Orbit
     from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
+    from canon.numeric.actions.separable import staeckel_actions
     from canon.verdict import Verdict
 
 __version__ = "0.1.0"
@@ -100,6 +102,8 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claims.verify": ("verify",),
     "canon.numeric.actions.bounded": ("Bounded",),
     "canon.numeric.actions.central": ("central_actions",),
+    "canon.numeric.actions.frequency_analysis": ("Lines", "frequency_lines"),
+    "canon.numeric.actions.separable": ("staeckel_actions",),
     "canon.numeric.actions.isochrone": ("isochrone_actions", "isochrone_angle"),
     "canon.numeric.actions.motion": ("Motion", "motion"),
     "canon.numeric.actions.orbit": ("Orbit",),
@@ -166,6 +170,7 @@ __all__ = [
     "InputError",
     "Invariance",
     "Lagrangian",
+    "Lines",
     "MapRepair",
     "MatrixRepair",
     "Motion",
@@ -190,6 +195,7 @@ __all__ = [
     "conserved",
     "equations_of_motion",
     "extended_by_time",
+    "frequency_lines",
     "hamiltonian_field",
     "identity",
     "identity_transformation",
@@ -211,6 +217,7 @@ __all__ = [
     "pendulum_angle",
     "poisson_bracket",
     "recovered",
+    "staeckel_actions",
     "standard_j",
     "surface_invariant",
     "symplectify",

@@ -11,27 +11,16 @@ from functools import lru_cache
 from typing import Any, Final, NamedTuple
 
 import numpy as np
-import sympy as sp
 
 from canon.errors import InputError
-from canon.expression import read
 from canon.numeric.actions.isochrone import CentralActions
-from canon.numeric.actions.radial import (
-    NEAR_NODES,
-    is_narrow,
-    narrow_ends,
-    narrow_sums,
-    turning_points,
-    wide_sums,
-)
-from canon.numeric.lower import lower
+from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block
+from canon.numeric.actions.radial import narrow, narrow_sums, wide_ends, wide_sums
 from canon.numeric.precision import UNIT, double
-from canon.vocabulary import Vocabulary
 
 COUNTS: Final = (24, 48, 96, 192, 384)
-_SETTLED: Final = 1e-7
-_MARGIN: Final = 1e2
-_BLOCK: Final = 4096
+SETTLED: Final = 1e-7
+MARGIN: Final = 1e2
 
 
 class _Kernels(NamedTuple):
@@ -39,7 +28,7 @@ class _Kernels(NamedTuple):
 
     sort: Any
     near: Any
-    sums: Any
+    wide: Any
 
 
 def central_actions(
@@ -54,54 +43,51 @@ def central_actions(
 ) -> CentralActions:
     """The actions of orbits given by radius r > 0, radial momentum and angular momentum L ≥ 0, arrays of one shape.
 
-    **Arguments:** `V`, the potential energy as a formula (text or sympy) in `variable`; `parameters`, numbers for its
-    other names; `m`, the mass.
+    **Arguments:** `V`, the potential energy as a formula (text or sympy) in `variable`, smooth on the scale of r;
+    `parameters`, numbers for its other names; `m`, the mass.
 
     **Raises:** `InputError` where V is no such formula, or an orbit is not bound, with its index.
     """
-    formula, symbol = _formula(V, variable, parameters or {})
+    formula, symbol = formula_of(V, variable, parameters or {}, "V")
     shape = np.broadcast_shapes(np.shape(r), np.shape(p_r), np.shape(L))
     state = [np.broadcast_to(np.asarray(x, dtype=float), shape).ravel() for x in (r, p_r, L)]
     _check(state)
-    found = np.full((5, state[0].size), np.nan)
+    count = state[0].size
+    found = np.full((4, count), np.nan)
     kernels = _kernels(formula, symbol, float(m))
     with double():
-        narrow = np.empty(state[0].size, dtype=bool)
-        ends = np.empty((2, state[0].size))
-        for block in _blocks(np.arange(state[0].size)):
-            rows = [_padded(x[block]) for x in state]
-            near, low, high = (np.asarray(x)[: block.size] for x in kernels.sort(*rows))
-            narrow[block], ends[0, block], ends[1, block] = near, low, high
-        lost = ~narrow & ~np.isfinite(ends).all(axis=0)
+        is_near, ends = np.zeros(count, dtype=bool), np.empty((2, count))
+        for block in blocks(np.arange(count)):
+            is_near[block], ends[0, block], ends[1, block] = on_block(kernels.sort, block, state)
+        lost = ~is_near & ~np.isfinite(ends).all(axis=0)
         if lost.any():
             raise InputError(_unbound(formula, symbol, int(np.argmax(lost)), state))
-        for block in _blocks(np.flatnonzero(narrow)):
-            found[:, block] = _near(kernels, [x[block] for x in state])
-        _wide(kernels, np.flatnonzero(~narrow), state, ends, found, float(m))
-    action, frequency, azimuthal, bound, _ = found
-    return CentralActions(*(x.reshape(shape) for x in (action, 2 * np.pi * state[2], frequency, azimuthal, bound)))
+        for block in blocks(np.flatnonzero(is_near)):
+            found[:, block] = _row(*on_block(kernels.near, block, state))
+        doubled(kernels.wide, np.flatnonzero(~is_near), [*state, *ends], found, _row)
+    radial, frequency, azimuthal, bound = (row.reshape(shape) for row in found)
+    return CentralActions(radial, 2 * np.pi * state[2].reshape(shape), frequency, azimuthal, bound)
 
 
-def _near(kernels: _Kernels, state: list[Any]) -> Any:
-    size = state[0].size
-    action, time, angle, r, rounding = (np.asarray(x)[:size] for x in kernels.near(*map(_padded, state)))
-    return np.stack([2 * action, 1 / (2 * time), angle / time / (2 * np.pi), rounding, r])
+def _row(action: Any, time: Any, angle: Any, rounding: Any) -> Any:
+    """J_r, both frequencies and the rounding, from what one way between the turning points gives."""
+    return np.stack([2 * action, 1 / (2 * time), angle / time / (2 * np.pi), rounding])
 
 
-def _wide(kernels: _Kernels, todo: Any, state: list[Any], ends: Any, found: Any, m: float) -> None:
-    """The orbits of `todo`, with more and more nodes for those whose action still changes."""
-    before = np.full(state[0].size, np.nan)
+def doubled(kernels: Any, todo: Any, rows: Any, found: Any, row: Any) -> None:
+    """Fill `found`, whose first row is an action and whose last is its rounding, with as many nodes as it takes."""
+    before = np.full(found.shape[1], np.nan)
     for count in COUNTS:
-        for block in _blocks(todo):
-            rows = [_padded(x[block]) for x in (*state, ends[0], ends[1])]
-            action, time, angle, scale = (np.asarray(x)[: block.size] for x in kernels.sums(count)(*rows))
-            change = np.abs(2 * action - before[block])
-            part = change / (2 * np.abs(action))
-            settled = part < _SETTLED if count < COUNTS[-1] else np.ones_like(part, dtype=bool)
-            left = np.where(part < _SETTLED, _MARGIN * part * change, change)
-            row = np.stack([2 * action, 1 / (2 * time), angle / time / (2 * np.pi), left + 32 * UNIT * scale, scale])
-            before[block] = 2 * action
-            found[:, block[settled]] = row[:, settled]
+        for block in blocks(todo):
+            values = row(*on_block(kernels(count), block, rows))
+            change = np.abs(values[0] - before[block])
+            part = change / np.where(values[0] != 0, np.abs(values[0]), np.inf)
+            settled = part < SETTLED
+            values[-1] += np.where(settled, MARGIN * part * change, change)
+            before[block] = values[0]
+            if count == COUNTS[-1]:
+                settled = np.ones_like(settled)
+            found[:, block[settled]] = values[:, settled]
         todo = todo[np.isnan(found[0, todo])]
         if not todo.size:
             return
@@ -112,59 +98,29 @@ def _kernels(formula: Any, symbol: Any, m: float) -> _Kernels:
     import jax
     import jax.numpy as jnp
 
-    lowered = lower((formula,), (symbol,))
-
-    def V(x: Any) -> Any:
-        return jnp.broadcast_to(lowered(x)[0], jnp.shape(x))
+    V = as_function(formula, symbol)
 
     def sort(r: Any, p: Any, L: Any) -> Any:
-        a, b = narrow_ends(V, r, p, L, m)
-        near = is_narrow(V, r, p, L, m, a, b)
-        low, high = turning_points(V, r, p, L, m)
-        return near, low, high
+        return (narrow(V, r, p, L, m).holds, *wide_ends(V, r, p, L, m))
 
     def near(r: Any, p: Any, L: Any) -> Any:
-        low, high = narrow_ends(V, r, p, L, m)
-        sums = narrow_sums(V, r, p, L, m, low, high, NEAR_NODES)
-        # p_r² = p² + y D: D is a difference of two terms of the size of L²/r³
-        off = 8 * UNIT * (L * L / r**3) * jnp.maximum(jnp.abs(low), jnp.abs(high))
-        return sums.action, sums.time, sums.angle, r, 2 * (off * sums.time / m + 16 * UNIT * sums.action)
+        orbit = narrow(V, r, p, L, m)
+        sums = narrow_sums(orbit, r, L, m)
+        # D is a difference of two terms of the size of L²/r³
+        off = 8 * UNIT * (L * L / r**3) * jnp.maximum(-orbit.low, orbit.high)
+        return *sums, 2 * (off * sums.time / m + 16 * UNIT * sums.action)
 
-    def sums(count: int) -> Any:
+    @lru_cache(maxsize=8)
+    def wide(count: int) -> Any:
         @jax.jit
         def run(r: Any, p: Any, L: Any, low: Any, high: Any) -> Any:
-            found = wide_sums(V, r, p, L, m, low, high, count)
+            sums = wide_sums(V, r, p, L, m, low, high, count)
             size = p * p + (L / r) ** 2 + 4 * m * jnp.abs(V(r))
-            return found.action, found.time, found.angle, 2 * (size * found.time / m + 4 * found.action)
+            return *sums, 64 * UNIT * (size * sums.time / m + 4 * sums.action)
 
         return run
 
-    return _Kernels(jax.jit(sort), jax.jit(near), lru_cache(maxsize=8)(sums))
-
-
-def _blocks(indices: Any) -> Any:
-    for start in range(0, indices.size, _BLOCK):
-        yield indices[start : start + _BLOCK]
-
-
-def _padded(x: Any) -> Any:
-    """An array of a whole power of two, or a whole block: few shapes are compiled."""
-    size = max(64, 1 << max(0, x.size - 1).bit_length())
-    return np.pad(x, (0, size - x.size), mode="edge") if x.size < size else x
-
-
-def _formula(V: Any, variable: str, parameters: Mapping[str, Any]) -> tuple[Any, Any]:
-    symbol = sp.Symbol(variable, real=True)
-    if isinstance(V, str):
-        names = {name: sp.Symbol(name, real=True) for name in (variable, *parameters)}
-        V = read(V, Vocabulary(names), "V").expr
-    V = sp.sympify(V)
-    values = {name: sp.Rational(value) if isinstance(value, float) else value for name, value in parameters.items()}
-    V = V.subs({s: symbol if s.name == variable else values.get(s.name, s) for s in V.free_symbols})
-    strange = V.free_symbols - {symbol}
-    if strange:
-        raise InputError(f"no value is given for {', '.join(sorted(map(str, strange)))}", "V")
-    return V, symbol
+    return _Kernels(jax.jit(sort), jax.jit(near), wide)
 
 
 def _check(state: list[Any]) -> None:

@@ -97,12 +97,12 @@ def test_the_pendulum_from_the_bottom_to_beyond_the_separatrix() -> None:
 
 def test_the_pendulum_at_the_bottom_and_on_the_separatrix() -> None:
     with double():
-        small = pendulum_actions(above_bottom=jnp.array([1e-200, 1e-5]))
+        small = jax.jit(pendulum_actions)(above_bottom=jnp.array([1e-200, 1e-5]))
         with mp.workdps(40):
             m = mp.mpf(1e-5)
             assert abs(float(small.action[1]) / (16 * (mp.ellipe(m) - (1 - m) * mp.ellipk(m))) - 1) < 5e-16
         assert float(small.action[0]) == pytest.approx(4 * np.pi * 1e-200, rel=4e-16)
-        edge = pendulum_actions(jnp.array([0.0, 1e-30, -1e-30, 2.0]))
+        edge = jax.jit(pendulum_actions)(jnp.array([0.0, 1e-30, -1e-30, 2.0]))
         assert [float(x) for x in edge.action[:3]] == [16.0, 16.0, 8.0]
         assert float(edge.period[0]) == np.inf
         assert bool(jnp.isnan(edge.action[3]))
@@ -129,8 +129,8 @@ def test_angles_of_the_pendulum(cosine: float, momentum: float, side: int) -> No
         assert abs(w - (exact - mp.floor(exact))) < 5e-16
 
 
-@pytest.mark.parametrize(("b", "V"), [(0.0, "-k/r"), (1.0, "-k/(1 + sqrt(1 + r**2))")])
-def test_any_central_potential(b: float, V: str) -> None:
+def test_any_central_potential() -> None:
+    b, V = 1.0, "-k/(1 + sqrt(1 + r**2))"
     for eccentricity, most in ((0.3, 1e-11), (1e-3, 2e-11), (1e-6, 2e-8)):
         r, p, L = orbits(b, eccentricity)
         with double():

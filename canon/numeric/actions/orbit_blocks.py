@@ -1,0 +1,56 @@
+"""Arrays of orbits in blocks of few sizes, so that little is compiled; formulas of one variable as jax functions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, Final
+
+import numpy as np
+import sympy as sp
+
+from canon.errors import InputError
+from canon.expression import read
+from canon.numeric.actions.oscillation import Scalar
+from canon.numeric.lower import lower
+from canon.vocabulary import Vocabulary
+
+Array = Any  # numpy arrays
+
+BLOCK: Final = 4096
+_LEAST: Final = 64
+
+
+def blocks(indices: Array) -> Iterator[Array]:
+    """The indices, a block at a time."""
+    for start in range(0, indices.size, BLOCK):
+        yield indices[start : start + BLOCK]
+
+
+def on_block(kernel: Any, block: Array, rows: Any) -> list[Array]:
+    """What a kernel finds of the orbits of a block: arrays of a power of two are passed, the last orbit repeated."""
+    size = max(_LEAST, 1 << max(0, block.size - 1).bit_length())
+    padded = [np.pad(row[block], (0, size - block.size), mode="edge") for row in rows]
+    return [np.asarray(x)[: block.size] for x in kernel(*padded)]
+
+
+def formula_of(text: Any, variable: str, parameters: Mapping[str, Any], where: str) -> tuple[Any, sp.Symbol]:
+    """A formula in one variable, with numbers for its parameters, and its symbol. **Raises:** `InputError`."""
+    symbol = sp.Symbol(variable, real=True)
+    if isinstance(text, str):
+        names = {name: sp.Symbol(name, real=True) for name in (variable, *parameters)}
+        text = read(text, Vocabulary(names), where).expr
+    formula = sp.sympify(text)
+    values = {name: sp.Rational(value) if isinstance(value, float) else value for name, value in parameters.items()}
+    formula = formula.subs({s: symbol if s.name == variable else values.get(s.name, s) for s in formula.free_symbols})
+    strange = formula.free_symbols - {symbol}
+    if strange:
+        raise InputError(f"no value is given for {', '.join(sorted(map(str, strange)))}", where)
+    return formula, symbol
+
+
+def as_function(formula: Any, symbol: sp.Symbol) -> Scalar:
+    """The formula as a jax function of arrays."""
+    import jax.numpy as jnp
+
+    lowered = lower((formula,), (symbol,))
+    return lambda x: jnp.broadcast_to(lowered(x)[0], jnp.shape(x))

@@ -1,0 +1,115 @@
+"""Actions of many orbits in a Stäckel potential that is given by its function G: blocks, doubling, and bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.numeric.actions import staeckel
+from canon.numeric.actions.central import doubled
+from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block
+from canon.numeric.precision import double
+
+
+class StaeckelActions(NamedTuple):
+    """J_λ, J_ν and J_φ = 2πL_z of each orbit, in the plane's terms radial, vertical and azimuthal, with two bounds."""
+
+    radial: Any
+    vertical: Any
+    azimuthal: Any
+    radial_bound: Any
+    vertical_bound: Any
+
+
+class _Kernels(NamedTuple):
+    sort: Any
+    near: Any
+    wide: Any
+    across: Any
+
+
+def staeckel_actions(
+    G: Any,
+    delta: float,
+    R: Any,
+    z: Any,
+    p_R: Any,
+    p_z: Any,
+    L_z: Any,
+    *,
+    m: float = 1.0,
+    variable: str = "t",
+    parameters: Mapping[str, Any] | None = None,
+) -> StaeckelActions:
+    """The actions of orbits in V = −[l G(l) − n G(n)]/(l − n), in spheroidal coordinates with foci at z = ±`delta`.
+
+    **Arguments:** `G`, a formula in `variable`: Kuzmin's and Kutuzov's −GM/(√λ + √ν) with ν ≥ c² is GM/(c + √(t + c²));
+    `R` > 0, `z` and their momenta, and `L_z` ≠ 0, arrays of one shape; `m`, the mass.
+
+    **Raises:** `InputError` where G is no such formula, or an orbit is not bound or on the axis, with its index.
+    """
+    formula, symbol = formula_of(G, variable, parameters or {}, "G")
+    if not delta > 0:
+        raise InputError(f"the foci are at a distance above 0 from the centre, not {delta}", "delta")
+    shape = np.broadcast_shapes(*(np.shape(x) for x in (R, z, p_R, p_z, L_z)))
+    state = [np.broadcast_to(np.asarray(x, dtype=float), shape).ravel() for x in (R, z, p_R, p_z, L_z)]
+    wrong = ~((state[0] > 0) & (state[4] != 0) & np.isfinite(np.sum(state, axis=0)))
+    if wrong.any():
+        raise InputError(f"orbit {int(np.argmax(wrong))} has no R > 0 and L_z ≠ 0, or is not finite", "R")
+    count = state[0].size
+    radial, vertical = np.full((2, count), np.nan), np.full((2, count), np.nan)
+    kernels = _kernels(formula, symbol, float(delta), float(m))
+    with double():
+        is_near, ends = np.zeros(count, dtype=bool), np.empty((3, count))
+        for block in blocks(np.arange(count)):
+            is_near[block], ends[0, block], ends[1, block], ends[2, block] = on_block(kernels.sort, block, state)
+        lost = (~is_near & ~np.isfinite(ends[:2]).all(axis=0)) | ~np.isfinite(ends[2])
+        if lost.any():
+            raise InputError(
+                f"orbit {int(np.argmax(lost))} has no turning points on both sides: it is not bound; bound ones have "
+                f"E below the limit of V at infinity, and G + E above 0 in the plane",
+                "E",
+            )
+        for block in blocks(np.flatnonzero(is_near)):
+            radial[:, block] = _twice(*on_block(kernels.near, block, state))
+        doubled(kernels.wide, np.flatnonzero(~is_near), [*state, ends[0], ends[1]], radial, _twice)
+        doubled(kernels.across, np.arange(count), [*state, ends[2]], vertical, lambda *row: np.stack(row))
+    azimuthal = 2 * np.pi * state[4]
+    return StaeckelActions(*(x.reshape(shape) for x in (radial[0], vertical[0], azimuthal, radial[1], vertical[1])))
+
+
+def _twice(action: Any, rounding: Any) -> Any:
+    return np.stack([2 * action, rounding])
+
+
+@lru_cache(maxsize=32)
+def _kernels(formula: Any, symbol: Any, delta: float, m: float) -> _Kernels:
+    import jax
+
+    G, D2 = as_function(formula, symbol), delta * delta
+
+    def place(*state: Any) -> staeckel.Place:
+        return staeckel.place_of(G, delta, m, *state)
+
+    def sort(*state: Any) -> Any:
+        at = place(*state)
+        holds = staeckel.narrow_radial(G, D2, at).holds
+        return holds, *staeckel.wide_ends(G, D2, at), staeckel.vertical_end(G, D2, at)
+
+    def near(*state: Any) -> Any:
+        at = place(*state)
+        return staeckel.narrow_action(staeckel.narrow_radial(G, D2, at), m, at)
+
+    @lru_cache(maxsize=8)
+    def wide(count: int) -> Any:
+        return jax.jit(lambda *row: staeckel.wide_radial(G, D2, m, place(*row[:5]), row[5], row[6], count))
+
+    @lru_cache(maxsize=8)
+    def across(count: int) -> Any:
+        return jax.jit(lambda *row: staeckel.vertical(G, D2, m, place(*row[:5]), row[5], count))
+
+    return _Kernels(jax.jit(sort), jax.jit(near), wide, across)

@@ -1,0 +1,169 @@
+"""Actions of many orbits in a Stäckel potential, in prolate spheroidal coordinates.
+
+With foci at z = ±Δ, R² = (l − Δ²)(Δ² − n)/Δ² and z² = ln/Δ², 0 ≤ n ≤ Δ² ≤ l, and V = −[l G(l) − n G(n)]/(l − n) with
+any function G, the Hamilton–Jacobi equation separates: 2(t − Δ²) t p_t²/m = F(t) = t [G(t) + E − I₂/(t − Δ²)] − I₃ for
+t = l and for t = n, where I₂ = L_z²/2m. I₃ is taken from n, as n [G(n) + E + I₂/(Δ² − n)] + 2(Δ² − n) n p_n²/m: a sum
+of positive terms that are as small as the motion across the plane, none of them a difference. So J_z has all digits
+there. de Zeeuw (1985), Mon. Not. R. Astron. Soc. 216, 273 (with t = τ + γ, l = λ + γ, n = ν + γ).
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from canon.numeric.actions.oscillation import (
+    NARROW_NODES,
+    Scalar,
+    is_narrow,
+    mean_curvature,
+    mean_slope,
+    narrow_ends,
+    quadrature,
+    turning_points,
+    zero_between,
+)
+
+
+class Place(NamedTuple):
+    """A phase point by what separates: l and l − Δ², n and Δ² − n, E, I₂, I₃, F(l), and the size of E's terms."""
+
+    l: Any
+    beyond: Any
+    n: Any
+    within: Any
+    E: Any
+    I2: Any
+    I3: Any
+    F: Any
+    size: Any
+
+
+def place_of(G: Scalar, delta: Any, m: Any, R: Any, z: Any, p_R: Any, p_z: Any, L: Any) -> Place:
+    """The place of R > 0, z and their momenta."""
+    import jax.numpy as jnp
+
+    D2 = delta * delta
+    excess = R * R + (jnp.abs(z) - delta) * (jnp.abs(z) + delta)
+    spread = jnp.sqrt((R * R + (z - delta) ** 2) * (R * R + (z + delta) ** 2))
+    # l − Δ² and Δ² − n have the product R²Δ²; the one that is a sum is taken as such
+    large = (spread + jnp.abs(excess)) / 2
+    small = R * R * D2 / large
+    beyond, within = jnp.where(excess >= 0, large, small), jnp.where(excess >= 0, small, large)
+    l = D2 + beyond
+    n = z * z * D2 / l
+    kinetic = (p_R * p_R + p_z * p_z + (L / R) ** 2) / (2 * m)
+    depth = (l * G(l) - n * G(n)) / spread
+    E, I2 = kinetic - depth, L * L / (2 * m)
+    # √n p_n and √(l − Δ²) p_l, which are finite where n or l − Δ² vanish
+    along = jnp.where(z < 0, -1.0, 1.0)
+    across = along * jnp.sqrt(l) * p_z / (2 * delta) - jnp.sqrt(n) * R * p_R / (2 * within)
+    outward = jnp.sqrt(within) * p_R / (2 * delta) + jnp.sqrt(beyond) * z * p_z / (2 * l)
+    I3 = n * (G(n) + E + I2 / within) + 2 * within * across * across / m
+    return Place(l, beyond, n, within, E, I2, I3, 2 * l * outward * outward / m, kinetic + jnp.abs(depth))
+
+
+def wide_ends(G: Scalar, D2: Any, place: Place) -> tuple[Any, Any]:
+    """The turning points in l, as ln(l − Δ²)."""
+    import jax.numpy as jnp
+
+    def F(u: Any) -> Any:
+        beyond = jnp.exp(u)
+        l = D2 + beyond
+        return beyond * (l * (G(l) + place.E) - place.I3) - place.I2 * l
+
+    return turning_points(F, jnp.log(place.beyond))
+
+
+def wide_radial(G: Scalar, D2: Any, m: Any, place: Place, low: Any, high: Any, count: int) -> tuple[Any, Any]:
+    """∫ p_l dl between the turning points, and the rounding of twice that."""
+    import jax.numpy as jnp
+
+    def term(u: Any, sine: Any) -> tuple[Any, ...]:
+        beyond = jnp.exp(u)
+        l = D2 + beyond
+        F = jnp.maximum(l * (G(l) + place.E - place.I2 / beyond) - place.I3, 0.0)
+        momentum = sine * jnp.sqrt(m * F * beyond / (2 * l))
+        return momentum, momentum * l / jnp.where(F > 0, F, jnp.inf)
+
+    half = (high - low) / 2
+    action, slope = quadrature(term, low, high, count)
+    return half * action, 2.0**-47 * half * (action + slope * place.size)
+
+
+class NarrowRadial(NamedTuple):
+    """An orbit whose l hardly changes: F″ about it, the ends y of l + y, and whether it is one."""
+
+    bend: Scalar
+    low: Any
+    high: Any
+    holds: Any
+
+
+def narrow_radial(G: Scalar, D2: Any, place: Place) -> NarrowRadial:
+    """The orbit as one whose l hardly changes."""
+    import jax
+    import jax.numpy as jnp
+
+    def depth(t: Any) -> Any:
+        return t * G(t)
+
+    def slope(t: Any) -> Any:
+        return jax.jvp(depth, (t,), (jnp.ones_like(t),))[1]
+
+    mean = mean_slope(depth, place.l)
+
+    def D(y: Any) -> Any:
+        return mean(y) + place.E + place.I2 * D2 / ((place.beyond + y) * place.beyond)
+
+    def bend(y: Any) -> Any:
+        t = place.l + y
+        return jax.jvp(slope, (t,), (jnp.ones_like(t),))[1] - 2 * place.I2 * D2 / (place.beyond + y) ** 3
+
+    low, high = narrow_ends(D, place.F)
+    return NarrowRadial(bend, low, high, is_narrow(D, place.F, bend, low, high, place.beyond))
+
+
+def narrow_action(orbit: NarrowRadial, m: Any, place: Place) -> tuple[Any, Any]:
+    """∫ p_l dl of such an orbit, and the rounding of twice that."""
+    import jax.numpy as jnp
+
+    mean = mean_curvature(orbit.bend, orbit.low, orbit.high)
+
+    def term(y: Any, sine: Any) -> tuple[Any, ...]:
+        rate = jnp.sqrt(m / (2 * (place.beyond + y) * (place.l + y)))
+        root = jnp.sqrt(-mean(y))
+        return sine * sine * root * rate, rate / root
+
+    half = (orbit.high - orbit.low) / 2
+    action, slope = quadrature(term, orbit.low, orbit.high, NARROW_NODES)
+    # D is a sum of terms of the size of E's
+    off = 2.0**-48 * place.size * jnp.maximum(-orbit.low, orbit.high)
+    return half * half * action, 2 * (off * slope + 2.0**-48 * half * half * action)
+
+
+def vertical_end(G: Scalar, D2: Any, place: Place) -> Any:
+    """The largest n of the orbit, where n [G(n) + E + I₂/(Δ² − n)] = I₃."""
+    import jax.numpy as jnp
+
+    def left(n: Any) -> Any:
+        return place.I3 - n * (G(n) + place.E + place.I2 / (D2 - n))
+
+    stiffness = G(place.n) + place.E + place.I2 / place.within
+    guess = jnp.clip(place.I3 / stiffness, place.n, (place.n + D2) / 2)
+    end = zero_between(left, place.n, jnp.full_like(place.n, D2), guess)
+    return jnp.where(place.I3 > 0, end, 0.0)
+
+
+def vertical(G: Scalar, D2: Any, m: Any, place: Place, end: Any, count: int) -> tuple[Any, Any]:
+    """4 ∫ p_n dn from 0 to the largest n = `end`, which is ∮ p_n dn across the plane and back, and its rounding."""
+    import jax.numpy as jnp
+
+    def term(half_turn: Any, _: Any) -> tuple[Any]:
+        # nodes u = −cos θ of θ in (0, π): sin²(θ/2) = (1 + u)/2
+        n = end * (1 + half_turn) / 2
+        rest = jnp.maximum(place.I3 - n * (G(n) + place.E + place.I2 / (D2 - n)), 0.0)
+        return (jnp.sqrt((1 - half_turn) / 2) * jnp.sqrt(2 * m * end * rest / (D2 - n)),)
+
+    (sums,) = quadrature(term, -jnp.ones_like(end), jnp.ones_like(end), count)
+    stiffness = G(jnp.zeros_like(end)) + place.E + place.I2 / D2
+    return 2 * sums, 2.0**-47 * 2 * sums * (1 + place.size / jnp.abs(stiffness))

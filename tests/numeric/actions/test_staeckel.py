@@ -1,0 +1,110 @@
+"""Stäckel actions against 40 digits of the same integrals, and against the spherical limit."""
+
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from canon.errors import InputError
+from canon.numeric.actions.separable import staeckel_actions
+
+C, DELTA, M = 0.6, 0.8, 2.0
+KUZMIN_KUTUZOV = "k/(c + sqrt(t + c**2))"
+
+
+def reference(R: float, z: float, p_R: float, p_z: float, L: float, nodes: int = 120) -> tuple[Any, Any]:
+    """(J_λ, J_ν) for V = −1/(√λ + √ν), by Gauss–Chebyshev in l and in n; de Zeeuw (1985)."""
+    with mp.workdps(40):
+        R, z, p_R, p_z, L, c, m = map(mp.mpf, (R, z, p_R, p_z, L, C, M))
+        D2 = mp.mpf(DELTA) ** 2
+        S = R * R + z * z + D2
+        l = (S + mp.sqrt(S * S - 4 * z * z * D2)) / 2
+        n = z * z * D2 / l
+        E = (p_R**2 + p_z**2 + L**2 / R**2) / (2 * m) - 1 / (mp.sqrt(l + c * c) + mp.sqrt(n + c * c))
+        I2 = L * L / (2 * m)
+        p_l = p_R * R / (2 * (l - D2)) + p_z * z / (2 * l)
+
+        def depth(t: Any) -> Any:
+            return t * (1 / (c + mp.sqrt(t + c * c)) + E - I2 / (t - D2))
+
+        I3 = depth(l) - 2 * (l - D2) * l * p_l**2 / m
+
+        def zero(a: Any, b: Any) -> Any:
+            for _ in range(140):
+                half = (a + b) / 2
+                a, b = (half, b) if (depth(half) - I3) * (depth(a) - I3) > 0 else (a, half)
+            return a
+
+        low = high = l
+        while depth(low) >= I3:
+            low = D2 + (low - D2) / 2
+        while depth(high) >= I3:
+            high = D2 + (high - D2) * 2
+        low, high = zero(l, low), zero(l, high)
+        top = zero(n if depth(n) < I3 else n / 2, D2 * (1 - mp.mpf(10) ** -30))
+
+        def over(f: Any) -> Any:
+            angles = [mp.pi * (2 * k + 1) / (2 * nodes) for k in range(nodes)]
+            return mp.pi / nodes * sum(f(mp.cos(x)) * mp.sin(x) for x in angles)
+
+        mid, half = (low + high) / 2, (high - low) / 2
+
+        def along(u: Any) -> Any:
+            t = mid + half * u
+            return half * mp.sqrt(max(m * (depth(t) - I3) / (2 * (t - D2) * t), 0))
+
+        def across(u: Any) -> Any:
+            t = top * (1 + u) / 2
+            return top / 2 * mp.sqrt(max(m * (I3 - depth(t)) / (2 * (D2 - t) * t), 0))
+
+        return 2 * over(along), 4 * over(across)
+
+
+def states(spread: float, height: float, count: int) -> list[np.ndarray]:
+    """Orbits about the circles of the plane, whose radii differ."""
+    rng = np.random.default_rng(8)
+    R = np.exp(0.4 * rng.normal(size=count))
+    a = np.hypot(C, DELTA)
+    s = np.sqrt(R * R + a * a)
+    L = M * R * R / np.sqrt(M * s) / (C + s)
+    p = L / R
+    return [
+        R, height * rng.normal(size=count), spread * p * rng.normal(size=count), height * p * rng.normal(size=count),
+        L * (1 - spread * rng.random(count)),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("spread", "height"), [(0.3, 0.2), (0.3, 1e-5), (1e-6, 1e-9)])
+def test_both_actions_near_the_plane_and_far_from_it(spread: float, height: float) -> None:
+    rows = states(spread, height, 4)
+    found = staeckel_actions(KUZMIN_KUTUZOV, DELTA, *rows, m=M, parameters={"c": C, "k": 1})
+    assert np.array_equal(found.azimuthal, 2 * np.pi * rows[4])
+    for k in range(4):
+        radial, vertical = reference(*(float(row[k]) for row in rows))
+        assert abs(found.radial[k] - radial) <= found.radial_bound[k]
+        assert abs(found.vertical[k] - vertical) <= found.vertical_bound[k]
+        assert abs(found.vertical[k] / vertical - 1) < 3e-15
+    assert np.median(found.radial_bound / found.radial) < 1e-12 / spread
+    assert np.all(found.vertical_bound < 1e-13 * found.vertical)
+
+
+def test_the_vertical_action_does_not_vanish_with_the_height() -> None:
+    """J_z is quadratic in the height, all the way down: galpy's is 0 there."""
+    heights = np.array([1e-3, 1e-6, 1e-12, 1e-30])
+    found = staeckel_actions(KUZMIN_KUTUZOV, DELTA, 1.0, heights, 0.1, 0.0, 1.0, m=M, parameters={"c": C, "k": 1})
+    ratio = found.vertical / heights**2
+    assert np.allclose(ratio, ratio[-1], rtol=1e-5)
+    assert np.allclose(ratio[1:], ratio[-1], rtol=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("state", "message"),
+    [
+        ((1.0, 0.0, 0.1, 0.0, 0.0), "orbit 0 has no R > 0 and L_z ≠ 0"),
+        ((1.0, 0.0, 9.0, 0.0, 1.0), "orbit 0 has no turning points on both sides: it is not bound"),
+    ],
+)
+def test_what_is_refused(state: tuple[float, ...], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        staeckel_actions(KUZMIN_KUTUZOV, DELTA, *state, m=M, parameters={"c": C, "k": 1})

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from canon.claim import Claim
-    from canon.claims.audit import AuditFailed, AuditReport, audit
+    from canon.claims.audit_report import AuditFailed, AuditReport
     from canon.claims.certify import DefectBound, certify
     from canon.claims.implicit_images import ImplicitImages
     from canon.claims.implicit_map import ImplicitMap
@@ -82,6 +82,7 @@ if TYPE_CHECKING:
     from canon.numeric.actions.orbit import Orbit
     from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
     from canon.numeric.actions.separable import staeckel_actions
+    from canon.scenes.audit import audit
     from canon.verdict import Verdict
 
 __version__ = "0.1.0"
@@ -92,7 +93,8 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claim": ("Claim",),
     "canon.domain": ("Condition", "Domain"),
     "canon.expression": ("Formula",),
-    "canon.claims.audit": ("AuditFailed", "AuditReport", "audit"),
+    "canon.claims.audit_report": ("AuditFailed", "AuditReport"),
+    "canon.scenes.audit": ("audit",),
     "canon.claims.implicit_images": ("ImplicitImages",),
     "canon.claims.implicit_map": ("ImplicitMap",),
     "canon.claims.invariance": ("cartan_loop_invariant", "loop_invariant", "surface_invariant"),

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.claims.audit_report import AuditFailed, AuditReport
     from canon.claims.certify import DefectBound, certify
+    from canon.claims.closure import Closure, closure, closure_of_fields
     from canon.claims.implicit_images import ImplicitImages
     from canon.claims.implicit_map import ImplicitMap
     from canon.claims.invariance import cartan_loop_invariant, loop_invariant, surface_invariant
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
         InputError,
     )
     from canon.expression import Formula
+    from canon.mechanics.algebra.from_matrices import MatrixAlgebra, algebra_of_matrices
+    from canon.mechanics.algebra.identify import Identification, identify
+    from canon.mechanics.algebra.lie_algebra import LieAlgebra
     from canon.mechanics.birkhoff import NormalForm, birkhoff_gustavson
     from canon.mechanics.composition import (
         compose,
@@ -100,6 +104,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claims.invariance": ("cartan_loop_invariant", "loop_invariant", "surface_invariant"),
     "canon.claims.invariance_report": ("Invariance", "NotInvariant"),
     "canon.claims.certify": ("DefectBound", "certify"),
+    "canon.claims.closure": ("Closure", "closure", "closure_of_fields"),
     "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
     "canon.claims.verify": ("verify",),
     "canon.numeric.actions.bounded": ("Bounded",),
@@ -115,6 +120,9 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.transformation": ("Transformation",),
     "canon.mechanics.generating_function": ("GeneratingFunction",),
     "canon.mechanics.legendre_conversion": ("recovered",),
+    "canon.mechanics.algebra.from_matrices": ("MatrixAlgebra", "algebra_of_matrices"),
+    "canon.mechanics.algebra.identify": ("Identification", "identify"),
+    "canon.mechanics.algebra.lie_algebra": ("LieAlgebra",),
     "canon.mechanics.composition": ("compose", "extended_by_time", "identity_transformation"),
     "canon.mechanics.point_transformation": ("PointTransformation",),
     "canon.mechanics.hamiltonian": ("Hamiltonian",),
@@ -158,6 +166,7 @@ __all__ = [
     "CanonError",
     "Claim",
     "ClaimFailed",
+    "Closure",
     "CompleteIntegral",
     "Condition",
     "Conventions",
@@ -166,14 +175,17 @@ __all__ = [
     "Formula",
     "GeneratingFunction",
     "Hamiltonian",
+    "Identification",
     "ImplicitImages",
     "ImplicitMap",
     "InfinitesimalTransformation",
     "InputError",
     "Invariance",
     "Lagrangian",
+    "LieAlgebra",
     "Lines",
     "MapRepair",
+    "MatrixAlgebra",
     "MatrixRepair",
     "Motion",
     "NormalForm",
@@ -185,6 +197,7 @@ __all__ = [
     "Transformation",
     "Verdict",
     "__version__",
+    "algebra_of_matrices",
     "audit",
     "birkhoff_gustavson",
     "bracket",
@@ -193,12 +206,15 @@ __all__ = [
     "central_actions",
     "certify",
     "closed_lie_series",
+    "closure",
+    "closure_of_fields",
     "compose",
     "conserved",
     "equations_of_motion",
     "extended_by_time",
     "frequency_lines",
     "hamiltonian_field",
+    "identify",
     "identity",
     "identity_transformation",
     "independent",

@@ -17,10 +17,12 @@ import sympy as sp
 from canon.claims.algebra_identity import identity_outcome
 from canon.claims.algebra_independence import independent_outcome
 from canon.claims.bracket import bracket_of, keys_domain, tensor_of
+from canon.claims.fixed_parameters import unfolded
 from canon.claims.matrix_algebra import Brackets, stated
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.structure_constants import Found, find_constants
 from canon.decide.answer import Witness
+from canon.decide.derivative import substitute
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.algebra.lie_algebra import LieAlgebra, as_sympy
@@ -65,7 +67,7 @@ def algebra(question: Question) -> Outcome:
         words = _label(basis, pair) if pair is not None else ""
         note = f"the structure constants of {words} were not recognised: state them as 'structure'" if words else ""
         return Outcome("undecided", note=note or found.nothing or "no structure constants were found")
-    return _decided(question, region, basis, found, equals)
+    return decided_outcome(question, region, basis, found, equals)[0]
 
 
 def basis_of(question: Question, given: Mapping[str, Formula]) -> Basis:
@@ -98,7 +100,7 @@ def _with_constants(
             terms = [tape.times(c, basis.nodes[position[name]]) for name, c in claimed.items()]
             yield Residual(_label(basis, (a, b)), tape.minus(value, tape.plus(*terms)), value)
 
-    closed = question.decide(residuals(), region)
+    closed = _closed(question, residuals(), region)
     if closed.failed is not None:
         pair = next(pair for pair in basis.brackets if _label(basis, pair) == closed.failed.residual.label)
         return closed.with_detail(value=_true_value(question, region, basis, pair))
@@ -107,7 +109,17 @@ def _with_constants(
         for pair, sign in ((f"{basis.names[a]},{basis.names[b]}", 1), (f"{basis.names[b]},{basis.names[a]}", -1)):
             if pair in brackets:
                 constants[a, b] = {position[name]: sign * v.expr for name, v in brackets[pair].items()}
-    return _conclusion(question, region, basis, closed, constants, equals)
+    return _conclusion(question, region, basis, closed, constants, equals)[0]
+
+
+def _closed(question: Question, residuals: Iterator[Residual], region: Region) -> Outcome:
+    """Do the residuals vanish? On surfaces H = E of every energy E, with H in place of E throughout the space."""
+    graph = unfolded(question, region)
+    if graph is None:
+        return question.decide(residuals, region)
+    images, open_region = graph
+    moved = (Residual(r.label, substitute(question.tape, r.node, images), r.actual) for r in residuals)
+    return question.decide(moved, open_region)
 
 
 def _true_value(question: Question, region: Region, basis: Basis, pair: Pair) -> str:
@@ -121,7 +133,10 @@ def _true_value(question: Question, region: Region, basis: Basis, pair: Pair) ->
 # -- constants that are found -----------------------------------------------------------------------------------
 
 
-def _decided(question: Question, region: Region, basis: Basis, found: Found, equals: str | None) -> Outcome:
+def decided_outcome(
+    question: Question, region: Region, basis: Basis, found: Found, equals: str | None
+) -> tuple[Outcome, LieAlgebra | None]:
+    """Do the brackets have the constants that were found, and what algebra is it?"""
     tape = question.tape
     constants = dict(zip(basis.brackets, found.constants, strict=True))
 
@@ -131,10 +146,10 @@ def _decided(question: Question, region: Region, basis: Basis, found: Found, equ
             value = basis.brackets[a, b]
             yield Residual(_label(basis, (a, b)), tape.minus(value, tape.plus(*terms)), value)
 
-    closed = question.decide(residuals(), region)
+    closed = _closed(question, residuals(), region)
     if closed.status == "refuted":  # of a guess: no bracket of the claim's own is refuted by it
         label = closed.failed.residual.label if closed.failed is not None else "a bracket"
-        return Outcome("undecided", note=f"the structure constants of {label} were not found: state 'structure'")
+        return Outcome("undecided", note=f"the structure constants of {label} were not found: state 'structure'"), None
     return _conclusion(question, region, basis, closed, constants, equals)
 
 
@@ -145,13 +160,13 @@ def _conclusion(
     closed: Outcome,
     constants: Mapping[Pair, Mapping[int, Any]],
     equals: str | None,
-) -> Outcome:
+) -> tuple[Outcome, LieAlgebra | None]:
     """The outcome of the closed brackets, of independence and of the identification together."""
     try:
         value = LieAlgebra(basis.names, {pair: dict(row) for pair, row in constants.items()})
     except InputError as error:
         note = f"the brackets hold, but {error.message}: the basis must be linearly dependent"
-        return Outcome("undecided", note=note, numeric=closed.numeric)
+        return Outcome("undecided", note=note, numeric=closed.numeric), None
     independent = independent_outcome(question, region, basis.nodes, basis.variables, value)
     identity = identity_outcome(question, region, value, equals)
     if identity.status == "refuted" and closed.status != "proved":  # a dependent basis would be no better
@@ -159,8 +174,8 @@ def _conclusion(
     if region.surface:
         closed = closed.with_detail(closes="on the surface alone: brackets are computed first, and restricted then")
     if independent.status == "refuted":
-        return independent
-    return combined([closed, independent, identity])
+        return independent, value
+    return combined([closed, independent, identity]), value
 
 
 def _outside(question: Question, region: Region, basis: Basis, found: Found) -> Outcome:

@@ -187,7 +187,7 @@ class Question:
             nodes = tuple(moved(node) for node in r.nodes)
             requirements.append(r if nodes == r.nodes else Requirement(r.kind, nodes, r.said, " (pulled back)"))
         for variable in (*chart.images, *(images if assumed else ())):
-            requirements.extend(_assumption(tape, tape.symbol_at(variable), moved(variable)))
+            requirements.extend(required_of(tape, tape.symbol_at(variable), moved(variable)))
         if regular and chart.hessian is not None:
             hessian = substitute(tape, chart.hessian, images) if images else chart.hessian
             requirements.append(Requirement("nonzero", (hessian,), "the mixed Hessian is not singular"))
@@ -308,7 +308,7 @@ def _nodes(residuals: Iterable[Residual]) -> list[Node]:
     return [residual.node for residual in residuals]
 
 
-def _assumption(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:
+def required_of(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:
     """What is assumed of a variable must hold of its image: the domain of a map ends where it doesn't."""
     facts = declared(symbol)
     value = tape.value(image)

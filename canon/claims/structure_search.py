@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import sympy as sp
 from flint import acb, arb, arb_mat
 
@@ -127,6 +126,8 @@ def _real_rows(entries: Sequence[Any]) -> list[list[Any]]:
 
 def solve(found: Frame) -> Solution:
     """The coefficients that the points allow."""
+    import numpy as np
+
     size = len(found.basis[0])
     middle = np.array([[float(ball.mid()) for ball in row] for row in found.basis])
     scale = np.max(np.abs(middle), axis=0)
@@ -157,6 +158,8 @@ def solve(found: Frame) -> Solution:
 
 def _independent_rows(values: Any, size: int) -> list[int]:
     """Rows that are independent, the best first, by elimination with pivots."""
+    import numpy as np
+
     rest = values.copy()
     norms = np.linalg.norm(rest, axis=1)
     rest = rest / np.where(norms > 0, norms, 1.0)[:, None]

@@ -55,6 +55,11 @@ class LieAlgebra:
                 f"{self.show(failure[1])}"
             )
 
+    @staticmethod
+    def of(names: Sequence[str], brackets: Mapping[str, Any]) -> LieAlgebra:
+        """The algebra of a table "A,B" = combination, as text, as a sympy expression or as {name: coefficient}."""
+        return structure(names, brackets)
+
     def __hash__(self) -> int:
         return hash((self.names, tuple((pair, tuple(row.items())) for pair, row in self.constants.items())))
 

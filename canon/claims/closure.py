@@ -1,0 +1,168 @@
+"""The algebra that a few functions generate by repeated brackets (the theorem of Jacobi and Poisson).
+
+The bracket of two integrals of the motion is an integral; whether it is a new one, linearly independent of those known,
+is shown at certified points, and that the last set closes is decided exactly. On the surfaces of constant energy, with
+H a number E0 for each of them, coefficients may be functions of H.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import sympy as sp
+
+from canon.budget import Budget
+from canon.claims.algebra import Basis, decided_outcome
+from canon.claims.question import Question
+from canon.claims.structure_constants import Found, find_constants
+from canon.decide.derivative import poisson_bracket
+from canon.decide.region import Region
+from canon.decide.tape import Node
+from canon.domain import Domain
+from canon.errors import InputError
+from canon.mechanics.algebra.lie_algebra import LieAlgebra
+from canon.mechanics.formulas import Expression, as_formula, check_symbols
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.subject import Subject
+from canon.verdict import Status
+
+LARGEST = 40
+
+
+@dataclass(frozen=True, slots=True)
+class Closure:
+    """What functions generate.
+
+    **Arguments:** `basis`, each name with the function or the bracket that it is; `algebra`, where it closes;
+    `status`, of the statement that it does, as that algebra ("undecided" where it doesn't within the steps); `name` of
+    the algebra, "" where there is none; `note`, what is not known.
+    """
+
+    basis: Mapping[str, str]
+    algebra: LieAlgebra | None
+    status: Status
+    name: str
+    note: str = ""
+
+    def __str__(self) -> str:
+        lines = [f"{self.status}: {self.name or 'no algebra'}, of dimension {len(self.basis)}"]
+        lines += [f"  {name} = {text}" for name, text in self.basis.items()]
+        return "\n".join([*lines, *([f"  {self.note}"] if self.note else [])])
+
+
+def closure(
+    space: PhaseSpace,
+    functions: Mapping[str, Expression],
+    *,
+    H: Expression | None = None,
+    energy: sp.Symbol | None = None,
+    steps: int = 4,
+    budget: float = 30.0,
+    seed: int = 0,
+) -> Closure:
+    """The Lie algebra that functions on phase space generate by their Poisson brackets.
+
+    **Arguments:** `functions` by name; `H` with `energy`, a parameter of the space (its sign may be assumed): the
+    algebra is that on the surfaces H = energy, where coefficients may depend on the energy; `steps`, how deep brackets
+    are nested; `budget` in seconds.
+
+    **Returns:** a `Closure`; where brackets nested so deep still make something new, it says so.
+
+    **Raises:** `InputError` for functions that are linearly dependent, or an energy without H.
+    """
+    if (H is None) != (energy is None):
+        raise InputError("closure on surfaces of constant energy needs both H and its value, energy = a symbol")
+    if not functions:
+        raise InputError("no functions to take brackets of")
+    formulas = {name: as_formula(f, name) for name, f in functions.items()}
+    check_symbols(formulas.values(), space.vocabulary)
+    domain = space.domain
+    if H is not None and energy is not None:
+        level = as_formula(H, "H")
+        if energy not in space.parameters:
+            raise InputError(f"{energy} is no parameter of the phase space: declare it there, as negative='{energy}'")
+        domain = domain & Domain(level.conditions, (level.expr - energy,))
+    subject = Subject(space, domain=domain, functions=space.functions)
+    claim = subject.claim("algebra", {"basis": formulas})
+    question = Question(claim, Budget(budget), seed)
+    region = question.region(*formulas.values())
+    grown = _grown(question, region, {n: question.load(f) for n, f in formulas.items()}, steps)
+    texts = {name: str(formulas[name]) if name in formulas else text for name, text in grown.texts.items()}
+    if grown.found is None:
+        return Closure(texts, None, "undecided", "", grown.note)
+    outcome, algebra = decided_outcome(question, region, grown.basis, grown.found, None)
+    name = str(outcome.detail.get("algebra", ""))
+    return Closure(texts, algebra, outcome.status, name, outcome.note)
+
+
+@dataclass(frozen=True)
+class _Grown:
+    basis: Basis
+    texts: dict[str, str]
+    found: Found | None
+    note: str = ""
+
+
+def _grown(question: Question, region: Region, nodes: dict[str, Node], steps: int) -> _Grown:
+    """The functions with all brackets that are new, until none is."""
+    tape, space = question.tape, question.space
+    q, p = question.nodes(space.q), question.nodes(space.p)
+    names = list(nodes)
+    values = [nodes[name] for name in names]
+    texts = dict.fromkeys(names, "")
+    depth = dict.fromkeys(range(len(values)), 0)
+    brackets: dict[tuple[int, int], Node] = {}
+    while True:
+        for a, b in combinations(range(len(values)), 2):
+            if (a, b) not in brackets:
+                brackets[a, b] = poisson_bracket(tape, values[a], values[b], q, p)
+        pairs = sorted(brackets, key=lambda pair: (max(depth[pair[0]], depth[pair[1]]), pair))
+        basis = Basis(tuple(names), tuple(values), {pair: brackets[pair] for pair in pairs}, (*q, *p))
+        found = find_constants(question, region, values, [brackets[pair] for pair in pairs], (*q, *p))
+        if found.outside is None:
+            if found.nothing == "dependent":
+                raise InputError(f"the functions {', '.join(names)} seem to be linearly dependent")
+            known = found.unknown is None and not found.nothing
+            note = found.nothing or "a structure constant was not recognised"
+            return _Grown(basis, texts, found if known else None, "" if known else note)
+        a, b = pairs[found.outside[0]]
+        deeper = 1 + max(depth[a], depth[b])
+        if deeper > steps or len(values) >= LARGEST or found.chosen:
+            note = f"does not close within {steps} steps: {{{names[a]}, {names[b]}}} is new"
+            return _Grown(basis, texts, None, note)
+        depth[len(values)] = deeper
+        name = _unused(f"f{len(values) + 1}", names)
+        names.append(name)
+        texts[name] = f"{{{names[a]}, {names[b]}}}"
+        values.append(brackets[a, b])
+
+
+def _unused(name: str, taken: list[str]) -> str:
+    return name if name not in taken else _unused(name + "_", taken)
+
+
+def closure_of_fields(
+    fields: Mapping[str, list[Expression]], coordinates: list[sp.Symbol], **options: object
+) -> Closure:
+    """The Lie algebra that vector fields generate under [X, Y]^i = X^j ∂_j Y^i − Y^j ∂_j X^i.
+
+    By their momentum functions p·X, for which {p·X, p·Y} = −p·[X, Y]; the sign is turned back.
+    """
+    momenta = [f"p_{x.name}" for x in coordinates]
+    space = PhaseSpace([x.name for x in coordinates], momenta)
+    renamed = dict(zip(coordinates, space.q, strict=True))
+    functions: dict[str, Expression] = {}
+    for name, components in fields.items():
+        if len(components) != len(coordinates):
+            raise InputError(f"{len(components)} components for {len(coordinates)} coordinates", name)
+        functions[name] = sp.Add(
+            *(momentum * sp.sympify(c).xreplace(renamed) for momentum, c in zip(space.p, components, strict=True))
+        )
+    found = closure(space, functions, **options)  # type: ignore[arg-type]
+    if found.algebra is None:
+        return found
+    constants = {pair: {c: -value for c, value in row.items()} for pair, row in found.algebra.constants.items()}
+    turned = {name: text.replace("{", "−[").replace("}", "]") for name, text in found.basis.items()}
+    return replace(found, algebra=LieAlgebra(found.algebra.names, constants), basis=turned)

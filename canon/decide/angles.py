@@ -131,24 +131,32 @@ def _is_whole_turn(tower: Tower, b: Element) -> bool:
 
 
 def _interval(tower: Tower, b: Element) -> Interval:
-    """The exact interval of an angle that is a rational multiple of one bounded symbol, plus a rational."""
+    """The exact interval of an angle a·x + c, with one bounded symbol x, and a in Q or in Q·π, c in Q + Q·π."""
     if b[1]:
         return Interval()
-    slope, shift, symbol = None, Edge(), None
+    slope, shift, symbol, turns = Fraction(1), Edge(), None, False
     for monomial, coefficient in tower.ring.terms(b[0]).items():
-        total = sum(monomial)
-        if total == 0:
-            shift = Edge(coefficient)
-            continue
-        made = tower.generators[monomial.index(1)] if total == 1 else None
-        if made is None or made.kind != "symbol" or symbol is not None:
+        made = [tower.generators[k] for k, e in enumerate(monomial) for _ in range(e)]
+        names = [g.data for g in made if g.kind == "symbol"]
+        halves = sum(g.kind == "pi" for g in made)
+        if halves > 1 or len(names) + halves < len(made) or len(names) > 1 or (names and symbol is not None):
             return Interval()
-        symbol, slope = made.data, coefficient
-    if slope is None:
+        if names:
+            symbol, slope, turns = names[0], coefficient, bool(halves)
+        else:
+            shift = shift.plus(Edge(Fraction(0), coefficient) if halves else Edge(coefficient))
+    if symbol is None:
         return Interval(shift, shift)
     if symbol not in tower.intervals:
         return Interval()
-    return tower.intervals[symbol].affine(slope, shift)
+    interval = tower.intervals[symbol]
+    if not turns:
+        return interval.affine(slope, shift)
+    ends = [interval.low, interval.high]
+    if any(end is not None and end.pi for end in ends):
+        return Interval()
+    low, high = (None if end is None else Edge(Fraction(0), slope * end.rational).plus(shift) for end in ends)
+    return Interval(low, high) if slope > 0 else Interval(high, low)
 
 
 def take_out(tower: Tower, x: Element, kinds: tuple[str, ...]) -> tuple[dict[int, Fraction], Element]:

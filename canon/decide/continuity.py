@@ -116,14 +116,30 @@ def _refuted(tape: Tape, node: Node, point: Sample) -> bool:
 
 
 def _turns(tape: Tape, node: Node, cell: Cell, point: Sample, budget: Budget) -> bool:
-    """cos(k·x) = 1 on the cell puts k·x into 2πZ; a ball within the circle at one point makes it 0."""
+    """cos(k·x) = 1 on the cell puts k·x into 2πZ; a ball within the circle at one point makes it 0.
+
+    Angles that are counted in turns, atan2(y, x)/2π, are multiplied by π first.
+    """
+    at_point, in_turns = point.balls[node], _over_pi(tape, node)
+    larger = 1 if in_turns is None else 4  # 4 > π
+    node = node if in_turns is None else in_turns
     for k in multiples(tape, node):
         turned = tape.add(((tape.call("cos", tape.scaled(node, k)), 1),), -1)
         reduced = _reduce(tape, turned, cell, budget)
         if reduced is not None and reduced[0]:
             with precision(64):
-                return bool(abs(point.balls[node]) * arb(rational(k)) < 2 * arb.pi())
+                return bool(abs(at_point) * larger * arb(rational(k)) < 2 * arb.pi())
     return False
+
+
+def _over_pi(tape: Tape, node: Node) -> Node | None:
+    """π times a sum that has π below a term, term by term; None for other nodes."""
+    op, pi = tape.ops[node], tape.constant("pi")
+    terms = op[2] if op[0] == "+" else ((node, Fraction(1)),)
+    if not any(tape.ops[a][0] == "*" and (pi, -1) in tape.ops[a][1] for a, _ in terms):
+        return None
+    constant = [(pi, op[1])] if op[0] == "+" else []
+    return tape.add([*((tape.times(pi, a), c) for a, c in terms), *constant])
 
 
 def _winds(tape: Tape, node: Node, cell: Cell, point: Sample, budget: Budget) -> bool:

@@ -63,12 +63,18 @@ def _minus_signs(expression: sp.Expr) -> int:
 
 
 def _prepared(known: sp.Symbol, value: sp.Expr) -> sp.Expr:
-    """An expression that vanishes where `known = value`, with an outermost arctangent undone."""
-    if isinstance(value, sp.atan2):
-        y, x = value.args
-        return y * sp.cos(known) - x * sp.sin(known)
-    if isinstance(value, sp.atan):
-        return value.args[0] - sp.tan(known)
+    """An expression that vanishes where `known = value`, with an outermost arctangent undone.
+
+    The arctangent may have a number as factor and a number added, as angles that advance by 1 have.
+    """
+    shift, scaled = value.as_independent(sp.atan2, sp.atan, as_Add=True)
+    factor, turn = scaled.as_independent(sp.atan2, sp.atan, as_Add=False)
+    angle = known if not shift and factor == 1 else (known - shift) / factor
+    if isinstance(turn, (sp.atan2, sp.atan)) and shift.is_number and factor.is_number:
+        if isinstance(turn, sp.atan):
+            return turn.args[0] - sp.tan(angle)
+        y, x = turn.args
+        return y * sp.cos(angle) - x * sp.sin(angle)
     return value - known
 
 

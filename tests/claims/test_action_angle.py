@@ -59,6 +59,15 @@ def test_a_map_given_forward_is_inverted(status, period, expected):
     assert status(_claim(period), space=SPACE, transformation=forward, **OSCILLATOR) == expected
 
 
+def test_a_map_given_forward_with_angles_in_turns(status):
+    sections = {
+        "symbols": 'm = "positive"\nomega = "positive"',
+        "hamiltonian": 'H = "p**2/(2*m) + m*omega**2*q**2/2"',
+        "transformation": 'Q = ["atan2(m*omega*q, p)/(2*pi)"]\nP = ["2*pi*(p**2/(2*m) + m*omega**2*q**2/2)/omega"]',
+    }
+    assert status('kind = "action_angle"', **sections) == "proved"
+
+
 def test_a_generating_function_of_type_1(status):
     section = 'type = 1\nF = "m*omega*q**2*cot(w)/2"'
     assert status(_claim("2*pi"), space=SPACE, generating_function=section, **OSCILLATOR) == "proved"

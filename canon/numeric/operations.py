@@ -28,8 +28,10 @@ def operations_per_step(problem: Any, method: Method, state: State, *, compensat
     with double():
         stepper = method.stepper(problem, compensated=compensated)
         state = jax.tree.map(lambda x: jnp.asarray(x, dtype=float), state)
-        tables = stepper.prepare(0.01)
-        carry = stepper.begin(stepper.initial(state), tables, Time(0.0, 0.01, 0.0))
+        first = Time(0.0, 0.01, 0.0)
+        # shapes alone: computed one by one, what is prepared would be compiled operation by operation
+        tables = jax.eval_shape(stepper.prepare, 0.01)
+        carry = jax.eval_shape(lambda z, made: stepper.begin(stepper.initial(z), made, first), state, tables)
         # the tables are arguments: what is prepared outside the loop is no part of a step
         traced = jax.make_jaxpr(lambda c, made, k: stepper.step(c, made, Time(0.0, 0.01, k)))(carry, tables, 0.0)
     return count_operations(traced.jaxpr)

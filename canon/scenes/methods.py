@@ -46,7 +46,7 @@ def choose(problem: Problem, accuracy: float | None, name: str | None, where: st
     if accuracy is not None and accuracy >= COARSE:
         chosen = known["nystrom4"] if nystrom else known["blanes_moan4"]
     elif accuracy is not None and accuracy < FINE:
-        chosen = known["kahan_li8"]
+        chosen = known["nystrom8"] if nystrom else known["kahan_li8"]
     else:
         chosen = known["nystrom6a"] if nystrom else known["blanes_moan6"]
     plain = chosen.needs == "nystrom" and problem.kind == "T(p) + V(q)"

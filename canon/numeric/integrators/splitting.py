@@ -136,14 +136,25 @@ def _stepper(method: SplittingMethod, problem: Splitting, compensated: bool) -> 
     ends = _ends(method, len(parts))
     count = len(stages.lengths)
 
-    def prepare(h: Any) -> Any:
-        def of(part: int, lengths: Any) -> Any:
-            return _prepared(parts[part], jnp.asarray(lengths) * h)
+    pieces = [(part, stages.lengths[:, j]) for j, part in enumerate(stages.parts)]
+    pieces += [(part, np.array([length])) for part, length in ends]
+    pieces += [(part, np.array([-length])) for part, length in reversed(ends)]
 
-        columns = [of(part, stages.lengths[:, j]) for j, part in enumerate(stages.parts)]
-        opening = [of(part, [length]) for part, length in ends]
-        closing = [of(part, [-length]) for part, length in reversed(ends)]
-        return columns, opening, closing
+    def prepare(h: Any) -> Any:
+        # each part once, for all its lengths: what is prepared is compiled too
+        made: list[Any] = [None] * len(pieces)
+        for part in range(len(parts)):
+            own = [k for k, (other, _) in enumerate(pieces) if other == part]
+            if not own:
+                continue
+            table = _prepared(parts[part], jnp.asarray(np.concatenate([pieces[k][1] for k in own])) * h)
+            first = 0
+            for k in own:
+                last = first + len(pieces[k][1])
+                made[k] = jax.tree.map(lambda rows, first=first, last=last: rows[first:last], table)
+                first = last
+        columns, openings = len(stages.parts), len(stages.parts) + len(ends)
+        return made[:columns], made[columns:openings], made[openings:]
 
     def initial(state: State) -> Any:
         return (state, jax.tree.map(jnp.zeros_like, state) if compensated else None)

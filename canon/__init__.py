@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from canon.claims.implicit_map import ImplicitMap
     from canon.claims.invariance import cartan_loop_invariant, loop_invariant, surface_invariant
     from canon.claims.invariance_report import Invariance, NotInvariant
+    from canon.claims.separability import Separability, separates, separates_here
     from canon.claims.symplectify import MapRepair, MatrixRepair, symplectify
     from canon.claims.verify import verify
     from canon.domain import (
@@ -62,10 +63,16 @@ if TYPE_CHECKING:
         poisson_bracket,
         standard_j,
     )
+    from canon.mechanics.separation.actions import separated_actions
+    from canon.mechanics.separation.coordinates import OrthogonalCoordinates, orthogonal_coordinates
+    from canon.mechanics.separation.levi_civita import levi_civita
+    from canon.mechanics.separation.staeckel import Separation, separation
     from canon.mechanics.statements import (
+        action,
         bracket,
         conserved,
         equations_of_motion,
+        frequency,
         hamiltonian_field,
         identity,
         independent,
@@ -105,6 +112,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claims.invariance_report": ("Invariance", "NotInvariant"),
     "canon.claims.certify": ("DefectBound", "certify"),
     "canon.claims.closure": ("Closure", "closure", "closure_of_fields"),
+    "canon.claims.separability": ("Separability", "separates", "separates_here"),
     "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
     "canon.claims.verify": ("verify",),
     "canon.numeric.actions.bounded": ("Bounded",),
@@ -138,11 +146,17 @@ _HOMES: dict[str, tuple[str, ...]] = {
         "standard_j",
     ),
     "canon.mechanics.lie_series": ("InfinitesimalTransformation", "closed_lie_series", "truncated_lie_series"),
+    "canon.mechanics.separation.actions": ("separated_actions",),
+    "canon.mechanics.separation.coordinates": ("OrthogonalCoordinates", "orthogonal_coordinates"),
+    "canon.mechanics.separation.levi_civita": ("levi_civita",),
+    "canon.mechanics.separation.staeckel": ("Separation", "separation"),
     "canon.mechanics.conventions": ("GOLDSTEIN", "LANDAU_LIFSHITZ", "SICM", "Conventions"),
     "canon.mechanics.statements": (
+        "action",
         "bracket",
         "conserved",
         "equations_of_motion",
+        "frequency",
         "hamiltonian_field",
         "identity",
         "independent",
@@ -191,12 +205,16 @@ __all__ = [
     "NormalForm",
     "NotInvariant",
     "Orbit",
+    "OrthogonalCoordinates",
     "PhaseSpace",
     "PointTransformation",
+    "Separability",
+    "Separation",
     "Subject",
     "Transformation",
     "Verdict",
     "__version__",
+    "action",
     "algebra_of_matrices",
     "audit",
     "birkhoff_gustavson",
@@ -212,6 +230,7 @@ __all__ = [
     "conserved",
     "equations_of_motion",
     "extended_by_time",
+    "frequency",
     "frequency_lines",
     "hamiltonian_field",
     "identify",
@@ -227,14 +246,20 @@ __all__ = [
     "lagrange_bracket",
     "lagrange_matrix",
     "legendre",
+    "levi_civita",
     "lie_series",
     "loop_invariant",
     "motion",
     "normal_form",
+    "orthogonal_coordinates",
     "pendulum_actions",
     "pendulum_angle",
     "poisson_bracket",
     "recovered",
+    "separated_actions",
+    "separates",
+    "separates_here",
+    "separation",
     "staeckel_actions",
     "standard_j",
     "surface_invariant",

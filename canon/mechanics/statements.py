@@ -110,3 +110,57 @@ def normal_form(space: PhaseSpace, H: Expression, order: int, N: Mapping[int, Ex
     """N, by degree, is a Birkhoff–Gustavson normal form of H about the origin to this order."""
     table = {degree: as_formula(part, f"N, degree {degree}") for degree, part in N.items()}
     return _about(space, H).claim("normal_form", {"order": order, "N": table})
+
+
+def action(
+    space: PhaseSpace,
+    H: Expression,
+    coordinate: sp.Symbol,
+    energy: sp.Symbol,
+    equals: Expression,
+    *,
+    branch: str | None = None,
+    period: Expression | None = None,
+    well: Expression | None = None,
+    fixed: Mapping[sp.Symbol, Expression] | None = None,
+) -> Claim:
+    """∮ p d(coordinate) over one period of the motion at that energy is `equals`; options as in claim files."""
+    keys = _of_orbit(coordinate, energy, equals, branch, period, well, fixed)
+    return _about(space, H).claim("action", keys)
+
+
+def frequency(
+    space: PhaseSpace,
+    H: Expression,
+    coordinate: sp.Symbol,
+    energy: sp.Symbol,
+    equals: Expression,
+    *,
+    branch: str | None = None,
+    period: Expression | None = None,
+    well: Expression | None = None,
+    fixed: Mapping[sp.Symbol, Expression] | None = None,
+) -> Claim:
+    """dE/dJ of that motion, in cycles in unit time, is `equals`."""
+    keys = _of_orbit(coordinate, energy, equals, branch, period, well, fixed)
+    return _about(space, H).claim("frequency", keys)
+
+
+def _of_orbit(
+    coordinate: sp.Symbol,
+    energy: sp.Symbol,
+    equals: Expression,
+    branch: str | None,
+    period: Expression | None,
+    well: Expression | None,
+    fixed: Mapping[sp.Symbol, Expression] | None,
+) -> dict[str, object]:
+    keys: dict[str, object] = {"coordinate": coordinate, "energy": energy, "equals": as_formula(equals, "equals")}
+    if branch is not None:
+        keys["branch"] = branch
+    for name, value in (("period", period), ("well", well)):
+        if value is not None:
+            keys[name] = as_formula(value, name)
+    if fixed:
+        keys["fixed"] = {symbol: as_formula(value, f"fixed, {symbol}") for symbol, value in fixed.items()}
+    return keys

@@ -266,6 +266,11 @@ class Transformation:
         """Claims that the map takes Hamilton's equations of H into those of K."""
         return self.subject(H).claim("new_hamiltonian", {"K": as_formula(K)})
 
+    def action_angle(self, H: Expression, angle_period: Expression = 1) -> Claim:
+        """Claims that the new variables are angles and actions of H: canonical, K of the momenta alone, angles that
+        advance by the period once round their cycles."""
+        return self.subject(H).claim("action_angle", {"angle_period": as_formula(angle_period, "angle_period")})
+
     def symmetry(self, H: Expression) -> Claim:
         """Claims that the map leaves H form-invariant."""
         return self.subject(H).claim("symmetry", {})

@@ -3,10 +3,13 @@
 from fractions import Fraction
 
 import pytest
+import sympy as sp
 
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.errors import InputError
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.statements import action, frequency
 
 LINE = 'q = ["q"]\np = ["p"]\n'
 PLANE = 'q = ["r", "theta"]\np = ["p_r", "p_theta"]\n'
@@ -163,3 +166,20 @@ def test_two_wells_are_ambiguous(ask):
     assert verdict.status == "refuted"
     (verdict,) = ask(_claim("1"), space=LINE, domain='where = ["q > 0"]', **sections)
     assert verdict.status == "refuted"
+
+
+def test_the_same_claims_made_in_python():
+    space = PhaseSpace("r theta", "p_r p_theta", positive="r m a M")
+    r, m, a, M, p_theta = space.symbols("r m a M p_theta")
+    E = sp.Symbol("E", real=True)
+    H = (space.p[0] ** 2 + p_theta**2 / r**2) / (2 * m) - a / r
+    J = 2 * sp.pi * (a * sp.sqrt(m / (-2 * E)) - M)
+    assert verify(action(space, H, r, E, J, fixed={p_theta: M})).status == "proved"
+    assert verify(action(space, H, r, E, J + sp.pi, fixed={p_theta: M})).status == "refuted"
+    assert verify(frequency(space, H, r, E, 1 / J.diff(E), fixed={p_theta: M})).status == "proved"
+    rotor = PhaseSpace("q", "p")
+    (momentum,) = rotor.p
+    turn = action(
+        rotor, momentum**2 / 2, rotor.q[0], E, 4 * sp.pi * sp.sqrt(2 * E), branch="rotation", period=4 * sp.pi
+    )
+    assert verify(turn).status == "proved"

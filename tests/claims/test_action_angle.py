@@ -1,9 +1,12 @@
 """Action and angle variables (course section 14.5): canonical, K of the momenta alone, cycles that close once."""
 
 import pytest
+import sympy as sp
 
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.transformation import Transformation
 
 SPACE = 'q = ["q"]\np = ["p"]\nQ = ["w"]\nP = ["J"]\n'
 OSCILLATOR = {
@@ -112,3 +115,12 @@ def test_bad_input(sections, line, words):
     assert not reading.problems
     with pytest.raises(Exception, match=words):
         verify(reading.claims[0])
+
+
+def test_the_same_claim_made_in_python():
+    space = PhaseSpace("q", "p", new=("w", "J"), positive="J")
+    w, J, q, p = space.symbols("w J q p")
+    pair = Transformation(space, q=sp.sqrt(2 * J) * sp.sin(w), p=sp.sqrt(2 * J) * sp.cos(w))
+    assert verify(pair.action_angle((q**2 + p**2) / 2, 2 * sp.pi)).status == "proved"
+    assert verify(pair.action_angle((q**2 + p**2) / 2)).status == "refuted"
+    assert verify(pair.action_angle(q**2 + p**2 + q, 2 * sp.pi)).status == "refuted"

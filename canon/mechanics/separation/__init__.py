@@ -1,0 +1,1 @@
+"""Separation of variables in the Hamilton–Jacobi equation: coordinates, Stäckel's theorem, Levi-Civita's conditions."""

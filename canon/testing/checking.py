@@ -29,8 +29,8 @@ def short_maps(space: PhaseSpace) -> st.SearchStrategy[Transformation]:
 
 
 def elementary_maps(space: PhaseSpace) -> st.SearchStrategy[Transformation]:
-    """Canonical maps of one factor, whose equations have one solution that is found at once."""
-    return canonical_maps(space, max_factors=1, factors=(kick, drift, linear, exchange, hyperbolic))
+    """Canonical maps of at most two factors, whose equations have one solution that is found at once."""
+    return canonical_maps(space, max_factors=2, factors=(kick, drift, linear, exchange, hyperbolic))
 
 
 MAKERS: Mapping[str, Maker] = {

@@ -121,7 +121,7 @@ def _on_grid(surface: Surface, counts: Sequence[int], periodic: Sequence[bool], 
     weights = np.ones(1)
     for g in grids:
         weights = np.multiply.outer(weights, g.weights).ravel()
-    total, own = (weights @ part for part in _pfaffians(tangents, np.zeros_like(tangents)))
+    total, own = (weights @ part for part in _pfaffians(tangents))
     bound = own + _carried(grids, tangents, weights, np.hypot(off, MATRIX_ULPS * unit * np.abs(flat).max(axis=0)))
     return _OnGrid(grids, points, float(total), float(bound))
 
@@ -151,19 +151,25 @@ def _along(values: Array, axis: int, counts: Sequence[int]) -> Array:
     return np.broadcast_to(values.reshape(shape), tuple(counts)).ravel()
 
 
-def _pfaffians(tangents: Array, errors: Array) -> tuple[Array, Array]:
+def _pfaffians(tangents: Array, errors: Array | None = None) -> tuple[Array, Array]:
     """Pf(ω(t_a, t_b)) at each node for tangents (2k, N, 2n), and the error for tangents off by `errors`."""
     size, count, width = tangents.shape
     n = width // 2
+    t = np.ascontiguousarray(np.moveaxis(tangents, 1, 2))
+    large, off = np.abs(t), None if errors is None else np.ascontiguousarray(np.moveaxis(errors, 1, 2))
+
+    def sums(x: Array, y: Array, a: int, b: int) -> tuple[Array, Array]:
+        """Σ p_i q_i and Σ q_i p_i, the first factors of x_a, the second ones of y_b."""
+        return np.einsum("in,in->n", x[a, n:], y[b, :n]), np.einsum("in,in->n", x[a, :n], y[b, n:])
+
     entries: dict[tuple[int, int], tuple[Array, Array]] = {}
     for a in range(size):
         for b in range(a + 1, size):
-            (qa, pa), (qb, pb) = ((t[:, :n], t[:, n:]) for t in (tangents[a], tangents[b]))
-            (dqa, dpa), (dqb, dpb) = ((e[:, :n], e[:, n:]) for e in (errors[a], errors[b]))
-            value = np.sum(pa * qb - pb * qa, axis=1)
-            sizes = np.abs(pa) * dqb + dpa * np.abs(qb) + np.abs(pb) * dqa + dpb * np.abs(qa)
-            rounding = (n + 1) * UNIT * np.sum(np.abs(pa * qb) + np.abs(pb * qa), axis=1)
-            entries[a, b] = value, np.sum(sizes, axis=1) + rounding
+            first, second = sums(t, t, a, b)
+            error = (n + 1) * UNIT * sum(sums(large, large, a, b))
+            if off is not None:
+                error = error + sum(sums(large, off, a, b)) + sum(sums(off, large, a, b))
+            entries[a, b] = first - second, error
     known: dict[tuple[int, ...], tuple[Array, Array]] = {(): (np.ones(count), np.zeros(count))}
     return _pfaffian(tuple(range(size)), entries, known)
 

@@ -196,6 +196,23 @@ def dense() -> dict[str, float]:
     }
 
 
+def longer() -> dict[str, float]:
+    """Seconds of the first audit of 1e5 points of several leapfrog steps: nothing of them is compiled before."""
+    found = {}
+    for steps in (4, 12):
+        step = quartic(jnp)
+
+        def several(z: Any, step: Any = step, steps: int = steps) -> Any:
+            for _ in range(steps):
+                z = step(z)
+            return z
+
+        seconds, report = cpu(lambda several=several: audit(several, dimension=6, samples=100_000))
+        assert report.verdict == "supported", str(report)
+        found[f"{steps} steps"] = seconds
+    return found
+
+
 SMALL = """
 import time
 import numpy as np
@@ -238,6 +255,7 @@ def main() -> None:
         "many_points": many(),
         "maps": [rates("quartic", quartic), rates("chain", chain)],
         "200_degrees_of_freedom": dense(),
+        "first_audit_of_1e5_points": longer(),
         "first_answer": first_answers(),
         "devices": [str(device) for device in jax.devices()],
         "python": platform.python_version(),

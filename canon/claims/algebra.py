@@ -104,12 +104,17 @@ def _with_constants(
     if closed.failed is not None:
         pair = next(pair for pair in basis.brackets if _label(basis, pair) == closed.failed.residual.label)
         return closed.with_detail(value=_true_value(question, region, basis, pair))
+    return _conclusion(question, region, basis, closed, stated_constants(basis, brackets), equals)[0]
+
+
+def stated_constants(basis: Basis, brackets: Brackets) -> dict[Pair, dict[int, Any]]:
+    """The table of a claim by positions."""
+    position = {name: k for k, name in enumerate(basis.names)}
     constants: dict[Pair, dict[int, Any]] = {}
-    for a, b in basis.brackets:
-        for pair, sign in ((f"{basis.names[a]},{basis.names[b]}", 1), (f"{basis.names[b]},{basis.names[a]}", -1)):
-            if pair in brackets:
-                constants[a, b] = {position[name]: sign * v.expr for name, v in brackets[pair].items()}
-    return _conclusion(question, region, basis, closed, constants, equals)[0]
+    for pair, row in brackets.items():
+        a, b = (position[name] for name in pair.split(","))
+        constants[a, b] = {position[name]: v.expr for name, v in row.items()}
+    return constants
 
 
 def _closed(question: Question, residuals: Iterator[Residual], region: Region) -> Outcome:

@@ -56,7 +56,7 @@ class Law:
 
 def group(question: Question) -> Outcome:
     """Identity, associativity near it, and the structure constants of the second-order Taylor coefficients."""
-    law = _law(question)
+    law = law_of(question)
     if question.key("brackets") is None and question.key("equals") is None:
         raise InputError("a claim of kind 'group' needs 'equals', the name of an algebra, or 'structure'")
     coefficients = [v for row in (question.key("brackets") or {}).values() for v in row.values()]
@@ -83,7 +83,8 @@ def group(question: Question) -> Outcome:
     return combined(outcomes).with_detail(structure=found if len(found) <= 20 else f"{len(found)} brackets")
 
 
-def _law(question: Question) -> Law:
+def law_of(question: Question) -> Law:
+    """The claim's composition function; **raises** `InputError` where names don't fit it."""
     tape, names = question.tape, [question.key("first"), question.key("second")]
     composition = question.key("composition")
     for word, given in zip(("first", "second"), names, strict=True):

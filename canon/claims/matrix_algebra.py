@@ -43,8 +43,8 @@ def matrix_algebra(question: Question) -> Outcome:
     entries = [entry for rows in basis.values() for row in rows for entry in row]
     coefficients = [] if brackets is None else [v for row in brackets.values() for v in row.values()]
     region = question.region(*entries, *coefficients)
-    matrices = {name: [[entry.expr for entry in row] for row in rows] for name, rows in basis.items()}
-    scaled = _scaled(matrices)
+    matrices = entries_of(basis)
+    scaled = scaled_matrices(matrices)
     if scaled is None:
         return _with_parameters(question, region, matrices, brackets, equals)
     scales, plain = scaled
@@ -52,11 +52,16 @@ def matrix_algebra(question: Question) -> Outcome:
         found = algebra_of_matrices(plain)
     except (Dependent, NotClosed) as error:
         return question.refuted_exactly(region, error.message, **_failure(error))
-    algebra = _unscaled(found.algebra, scales)
+    algebra = unscaled(found.algebra, scales)
     outcome = identity_outcome(question, region, algebra, equals).with_detail(bracket=_bracket_words(found))
     if brackets is None:
         return outcome
     return combined([compared(question, region, algebra, brackets), outcome])
+
+
+def entries_of(basis: Mapping[str, Any]) -> dict[str, list[list[Any]]]:
+    """The entries of a claim's matrices as sympy expressions."""
+    return {name: [[entry.expr for entry in row] for row in rows] for name, rows in basis.items()}
 
 
 def _failure(error: Dependent | NotClosed) -> dict[str, Any]:
@@ -115,7 +120,9 @@ def _sympy(value: Number) -> sp.Expr:
 # -- a real scale times Gaussian rationals ---------------------------------------------------------------------
 
 
-def _scaled(matrices: Mapping[str, list[list[Any]]]) -> tuple[dict[str, sp.Expr], dict[str, list[list[Entry]]]] | None:
+def scaled_matrices(
+    matrices: Mapping[str, list[list[Any]]],
+) -> tuple[dict[str, sp.Expr], dict[str, list[list[Entry]]]] | None:
     """Each matrix as a scale that is real and never 0 times one of Gaussian rationals; None where one isn't."""
     scales: dict[str, sp.Expr] = {}
     plain: dict[str, list[list[Entry]]] = {}
@@ -161,7 +168,7 @@ def _entry(value: Any) -> Entry | None:
     return None
 
 
-def _unscaled(algebra: LieAlgebra, scales: Mapping[str, sp.Expr]) -> LieAlgebra:
+def unscaled(algebra: LieAlgebra, scales: Mapping[str, sp.Expr]) -> LieAlgebra:
     """The constants of the given matrices s_a X_a, from those of the X_a."""
     if all(scale == 1 for scale in scales.values()):
         return algebra
@@ -180,40 +187,44 @@ def _with_parameters(
     question: Question, region: Region, matrices: Mapping[str, Any], brackets: Brackets | None, equals: str | None
 ) -> Outcome:
     """Coefficients from entries that are independent for all values of the parameters, decided for all entries."""
+    outcomes = []
+    for closed, algebra, words in closings(question, region, matrices):
+        outcomes.append(closed)
+        if algebra is not None:
+            outcome = identity_outcome(question, region, algebra, equals).with_detail(bracket=words)
+            stated_too = [] if brackets is None else [compared(question, region, algebra, brackets)]
+            return combined([closed, *stated_too, outcome])
+    if not outcomes:
+        return Outcome("undecided", note="no entries were found by which the matrices are independent throughout")
+    if all(outcome.status == "refuted" for outcome in outcomes):
+        return outcomes[0]
+    return Outcome("undecided", note="whether the real span closes wasn't decided")
+
+
+def closings(
+    question: Question, region: Region, matrices: Mapping[str, Any]
+) -> Iterator[tuple[Outcome, LieAlgebra | None, str]]:
+    """Whether the real span closes under [A, B], and under −i[A, B], with the algebra where that is proved."""
     names = tuple(matrices)
     basis = [sp.Matrix(rows) for rows in matrices.values()]
     entries = [[entry for row in rows for entry in row] for rows in matrices.values()]
     columns = _independent_entries(entries)
     if columns is None:
-        return Outcome("undecided", note="no entries were found by which the matrices are independent throughout")
+        return
     inverse = sp.Matrix([[row[k] for k in columns] for row in entries]).inv()
-    pairs = list(combinations(range(len(names)), 2))
-    outcomes = []
     for factor, words in ((sp.S.One, COMMUTATOR), (-sp.I, PHYSICISTS)):
-        residuals, constants = [], dict[tuple[int, int], dict[int, Any]]()
-        for a, b in pairs:
+        residuals, constants = list[Residual](), dict[tuple[int, int], dict[int, Any]]()
+        for a, b in combinations(range(len(names)), 2):
             bracket = ((basis[a] * basis[b] - basis[b] * basis[a]) * factor).applyfunc(sp.expand)
             row = (sp.Matrix([[bracket[k] for k in columns]]) * inverse).applyfunc(sp.cancel)
             constants[a, b] = {c: value for c, value in enumerate(row) if value != 0}
             rest = bracket - sum((v * basis[c] for c, v in constants[a, b].items()), start=sp.zeros(*bracket.shape))
             label = f"[{names[a]}, {names[b]}] in the span"
+            unreal = [sp.im(v) for v in constants[a, b].values() if not v.is_real]
             residuals += [Residual(label, question.load(e)) for e in rest if sp.expand(e) != 0]
-            residuals += [
-                Residual(f"{label}, a real coefficient", question.load(sp.im(v)))
-                for v in constants[a, b].values() if not v.is_real
-            ]  # fmt: skip
+            residuals += [Residual(f"{label}, a real coefficient", question.load(v)) for v in unreal]
         closed = question.decide(residuals, region) if residuals else exact("proved", "linear algebra")
-        outcomes.append(closed)
-        if closed.status == "proved":
-            algebra = LieAlgebra(names, constants)
-            outcome = identity_outcome(question, region, algebra, equals).with_detail(bracket=words)
-            parts = [closed, outcome] if brackets is None else [
-                closed, compared(question, region, algebra, brackets), outcome
-            ]  # fmt: skip
-            return combined(parts)
-    if all(outcome.status == "refuted" for outcome in outcomes):
-        return outcomes[0]
-    return Outcome("undecided", note="whether the real span closes wasn't decided")
+        yield closed, LieAlgebra(names, constants) if closed.status == "proved" else None, words
 
 
 def _independent_entries(entries: list[list[Any]]) -> list[int] | None:

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from typing import Final
 
 import canon
-from canon.cli import actions, certificate, scenes, simulate, verify
+from canon.cli import actions, algebra, certificate, scenes, simulate, verify
 from canon.cli.parser import Parser
 
 COMMANDS: Final = {
@@ -21,6 +21,7 @@ COMMANDS: Final = {
     "certificate": certificate,
     "simulate": simulate,
     "actions": actions,
+    "algebra": algebra,
     "scenes": scenes,
 }
 EPILOG: Final = """\
@@ -32,6 +33,7 @@ examples:
   canon certificate check DIR       check them with a small checker of its own
   canon scenes pendulum             print a scene file of a system; without a name, list them all
   canon simulate pendulum.toml      run a scene; --plot, --out, --explain, --json
+  canon algebra kepler.toml         the Lie algebras of its claims: brackets, Killing form, name; --latex, --json
   canon actions pendulum.toml       actions, frequencies and angles of its orbit, with their bounds
 
 exit status of verify:

@@ -20,7 +20,7 @@ _EXCEPTIONAL: Final = {
 """The characters (positive less negative squares of the Killing form), by which the forms are named."""
 
 _USUAL: Final = {
-    ("A1", 3): ("so(3)", "su(2)", "sp(1)"),
+    ("A1", 3): ("so(3)", "su(2)", "usp(2)"),
     ("A1", 1): ("sl(2,R)", "so(2,1)", "sp(2,R)", "su(1,1)"),
     ("B2", 10): ("so(5)", "usp(4)"),
     ("B2", 6): ("so(4,1)", "usp(2,2)"),

@@ -1,0 +1,133 @@
+"""A Lie algebra for people and programs: bracket table, Killing form, identification, as text, LaTeX and data."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from canon.mechanics.algebra import linear
+from canon.mechanics.algebra.ideals import centre, derived_series, lower_central_series
+from canon.mechanics.algebra.lie_algebra import LieAlgebra, as_sympy
+
+if TYPE_CHECKING:
+    from canon.claims.algebra_table import AlgebraTable
+
+WIDEST = 12
+"""The largest dimension whose brackets and Killing form are shown as square tables."""
+
+
+def as_record(table: AlgebraTable, file: str) -> dict[str, Any]:
+    """The algebra as data that JSON can hold."""
+    record: dict[str, Any] = {
+        "file": file,
+        "index": table.claim.index,
+        "kind": table.claim.kind,
+        "title": table.claim.title,
+        "verdict": table.verdict.status,
+        "expected": table.claim.is_met_by(table.verdict.status),
+        "algebra": None,
+        "note": table.note or None,
+    }
+    if table.algebra is not None:
+        record |= {
+            "basis": list(table.algebra.names),
+            "brackets": {f"{a},{b}": value for a, b, value in table.algebra.rows()},
+        }
+    if table.found is not None and table.scaled is not None:
+        found, g = table.found, table.scaled.algebra
+        record |= {
+            "algebra": found.identity.name,
+            "also_called": list(found.identity.aliases),
+            "dimension": g.dimension,
+            "killing_form": [[str(entry) for entry in row] for row in linear.rows(g.killing_form())],
+            "killing_signature": list(found.killing_signature),
+            "levi": [s.names[0] for s in found.identity.levi],
+            "radical_dimension": found.radical.nrows(),
+            "centre_dimension": centre(g).nrows(),
+            "derived_series": [space.nrows() for space in derived_series(g)],
+            "lower_central_series": [space.nrows() for space in lower_central_series(g)],
+            "simple_ideals": [list(basis) for basis in found.ideal_bases()],
+            "scales": {n: str(s) for n, s in zip(g.names, table.scaled.scales, strict=True) if s != 1},
+        }
+    return record
+
+
+def as_text(table: AlgebraTable, file: str) -> list[str]:
+    """The algebra as lines."""
+    title = f" ({table.claim.title})" if table.claim.title else ""
+    lines = [f"{file} #{table.claim.index + 1}{title}: {table.verdict.status}"]
+    g = table.algebra
+    if g is None:
+        return [*lines, f"  {table.note}"]
+    brackets = [[as_text_of(g, a, b) for b in range(g.dimension)] for a in range(g.dimension)]
+    lines += _square("[ , ]", g, brackets) if g.dimension <= WIDEST else [f"  [{a}, {b}] = {v}" for a, b, v in g.rows()]
+    if table.found is None or table.scaled is None:
+        known = table.note or table.verdict.detail.get("algebra") or "not identified for all values of the parameters"
+        return [*lines, "", f"  algebra          {known}"]
+    found, form = table.found, table.scaled.algebra.killing_form()
+    scales = [f"{n} by {s}" for n, s in zip(g.names, table.scaled.scales, strict=True) if s != 1]
+    if g.dimension <= WIDEST:
+        lines += ["", *_square("K", g, [[str(entry) for entry in row] for row in linear.rows(form)])]
+    if scales:
+        lines.append(f"  (of the basis rescaled, {', '.join(scales)})")
+    record = as_record(table, file)
+    names = ", ".join((found.identity.name, *found.identity.aliases))
+    positive, negative, zero = found.killing_signature
+    levi = " + ".join(record["levi"]) or "none"
+    lines += [
+        "",
+        f"  algebra          {names}",
+        f"  Killing form     {positive} positive, {negative} negative, {zero} zero",
+        f"  Levi subalgebra  {levi}; radical of dimension {record['radical_dimension']}",
+        f"  derived series   {_chain(record['derived_series'])}; centre of dimension {record['centre_dimension']}",
+    ]
+    if len(record["simple_ideals"]) > 1:
+        lines += [f"  simple ideal     {', '.join(basis)}" for basis in record["simple_ideals"]]
+    return lines
+
+
+def as_text_of(g: LieAlgebra, a: int, b: int) -> str:
+    """One bracket."""
+    return g.show(g.bracket_of(a, b))
+
+
+def as_latex(table: AlgebraTable) -> str:
+    """The bracket table, and the algebra's name below it, for a paper."""
+    g = table.algebra
+    if g is None:
+        return f"% {table.note}"
+    heads = [_tex_name(name) for name in g.names]
+    rows = []
+    for a in range(g.dimension):
+        values = [sp.latex(as_sympy(g.bracket_of(a, b), g.names)) for b in range(g.dimension)]
+        rows.append(" & ".join([heads[a], *values]))
+    body = " \\\\\n".join([" & ".join(["[\\cdot,\\cdot]", *heads]) + " \\\\ \\hline", *rows])
+    body = body.replace("\\hline \\\\\n", "\\hline\n")
+    name = (
+        f" \\\\[1ex]\n\\multicolumn{{{g.dimension + 1}}}{{l}}{{\\text{{{_tex_words(table)}}}}}" if table.found else ""
+    )
+    return f"\\[\n\\begin{{array}}{{c|{'c' * g.dimension}}}\n{body}{name}\n\\end{{array}}\n\\]"
+
+
+def _tex_words(table: AlgebraTable) -> str:
+    assert table.found is not None
+    name = re.sub(r"\^([0-9]+)", r"$^{\1}$", table.found.identity.name)
+    positive, negative, zero = table.found.killing_signature
+    return f"{name}, Killing form of signature $({positive}, {negative}, {zero})$"
+
+
+def _tex_name(name: str) -> str:
+    return sp.latex(sp.Symbol(name))
+
+
+def _square(corner: str, g: LieAlgebra, cells: list[list[str]]) -> Iterable[str]:
+    table = [[corner, *g.names], *([name, *row] for name, row in zip(g.names, cells, strict=True))]
+    widths = [max(len(row[k]) for row in table) for k in range(len(table[0]))]
+    return ["  " + "  ".join(f"{cell:>{width}}" for cell, width in zip(row, widths, strict=True)) for row in table]
+
+
+def _chain(dimensions: list[int]) -> str:
+    return " > ".join(str(n) for n in dimensions)

@@ -1,0 +1,80 @@
+"""`canon algebra`: bracket tables, Killing forms and names, as text, LaTeX and JSON."""
+
+import json
+
+import pytest
+
+from canon.cli.main import main
+
+FILE = """
+title = "rotations and boosts of a plane"
+[phase_space]
+q = ["x", "y"]
+p = ["px", "py"]
+[symbols]
+k = "positive"
+[[claim]]
+kind = "algebra"
+equals = "e(2)"
+title = "motions of the plane"
+basis = {M = "x*py - y*px", Px = "px", Py = "k*py"}
+[[claim]]
+kind = "bracket"
+f = "x"
+g = "px"
+equals = "1"
+[[claim]]
+kind = "algebra"
+equals = "so(3)"
+expect = "fails"
+basis = {f = "x**3", g = "px"}
+"""
+
+
+@pytest.fixture
+def file(tmp_path):
+    path = tmp_path / "plane.toml"
+    path.write_text(FILE)
+    return str(path)
+
+
+def test_text(file, capsys):
+    assert main(["algebra", file]) == 0
+    out = capsys.readouterr().out
+    assert "#1 (motions of the plane): proved" in out
+    rows = [line.split() for line in out.splitlines()]
+    assert ["M", "0", "Py/k", "-Px*k"] in rows
+    assert "  algebra          e(2)\n" in out
+    assert "  Killing form     0 positive, 1 negative, 2 zero\n" in out
+    assert "  derived series   3 > 2 > 0; centre of dimension 0" in out
+    assert "#3: refuted\n  the basis doesn't close with constant coefficients" in out
+    assert "#2" not in out
+
+
+def test_json(file, capsys):
+    assert main(["algebra", file, "--json"]) == 0
+    record = json.loads(capsys.readouterr().out)
+    first, third = record["algebras"]
+    assert (first["algebra"], first["verdict"], first["killing_signature"]) == ("e(2)", "proved", [0, 1, 2])
+    assert first["brackets"] == {"M,Px": "Py/k", "M,Py": "-Px*k"}
+    assert first["scales"] == {"Py": "1/k"} or first["scales"] == {"Px": "k"}
+    assert (third["algebra"], third["verdict"], third["expected"]) == (None, "refuted", True)
+    assert record["errors"] == []
+
+
+def test_latex(file, capsys):
+    assert main(["algebra", file, "--latex"]) == 0
+    out = capsys.readouterr().out
+    assert r"M & 0 & \frac{Py}{k} & - Px k \\" in out
+    assert "e(2), Killing form of signature $(0, 1, 2)$" in out
+
+
+def test_bad_input_is_named(tmp_path, capsys):
+    empty = tmp_path / "none.toml"
+    empty.write_text(
+        '[phase_space]\nq = ["x"]\np = ["px"]\n[[claim]]\nkind = "bracket"\nf = "x"\ng = "x"\nequals = "0"'
+    )
+    assert main(["algebra", str(empty)]) == 3
+    assert "no claim of kind algebra, matrix_algebra, group is in it" in capsys.readouterr().err
+    assert main(["algebra", str(tmp_path / "absent.toml")]) == 3
+    assert "absent.toml" in capsys.readouterr().err

@@ -47,14 +47,12 @@ def model_of_bodies(surroundings: Surroundings, effects: Sequence[Named]) -> Mod
 
 
 def _check_constrained(effects: Sequence[Named], surroundings: Surroundings) -> None:
-    """Refuse what constraints can't be joined with in this version."""
+    """Refuse what constraints can't be joined with."""
     for kind, part in effects:
-        if part.shift or part.generator != 0 or part.rates or part.resistance is not None:
+        if surroundings.relativistic and (part.rates or part.resistance is not None):
             raise InputError(
-                f"the effect {kind!r} together with a constraint is not available in this version", "effect"
+                f"the effect {kind!r} together with a constraint is not available in relativistic dynamics", "effect"
             )
-    if surroundings.relativistic:
-        raise InputError("constraints in relativistic dynamics are not available in this version", "dynamics")
 
 
 def model_of_system(model: Model, effects: Sequence[Named]) -> Model:

@@ -6,7 +6,7 @@ from typing import Any, Final, NamedTuple
 
 from canon.errors import InputError
 from canon.numeric.integrators import catalogue
-from canon.numeric.integrators.rattle import Constrained
+from canon.numeric.integrators.constrained import Held
 from canon.scenes.problem import Problem
 
 COARSE: Final = 1e-4
@@ -28,7 +28,7 @@ def choose(problem: Problem, accuracy: float | None, name: str | None, where: st
         except InputError as error:
             raise error.at(where) from None
     known: dict[str, Any] = {method.name: method for method in catalogue.METHODS}
-    if isinstance(problem.value, Constrained):
+    if isinstance(problem.value, Held):
         order = (
             4 if accuracy is not None and accuracy >= COARSE else 8 if accuracy is not None and accuracy < FINE else 6
         )

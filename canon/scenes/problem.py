@@ -7,11 +7,11 @@ from typing import Any, Final
 
 import sympy as sp
 
-from canon.numeric.constrained_formula import constrained
+from canon.numeric.constrained_formula import constrained, drag_of
 from canon.numeric.friction import friction_part
 from canon.numeric.hamilton_equations import hamilton_equations
+from canon.numeric.integrators.constrained import Held
 from canon.numeric.integrators.problem import Field, Part, Splitting
-from canon.numeric.integrators.rattle import Constrained
 from canon.numeric.pair_sum import PairSum
 from canon.numeric.split_hamiltonian import SplitHamiltonian, quadratic_in, shear, split_hamiltonian, with_clock
 from canon.scenes.model import Model
@@ -30,7 +30,7 @@ class Problem:
     `exact`: it is one part, whose closed flow is the motion, by `source`. `kind` says how it was split.
     """
 
-    value: Splitting | Field | Constrained
+    value: Splitting | Field | Held
     kind: str
     parts: tuple[tuple[str, str], ...] = ()
     exact: bool = False
@@ -90,11 +90,14 @@ def _large(model: Model) -> Problem | None:
 
 def constrained_problem(model: Model) -> Problem:
     """The problem of a model with constraints, for which the whole motion is one part."""
-    potential = sp.Add(*(term.expr for term in model.terms if not term.expr.free_symbols & {*model.p}))
     surfaces = [g for _, g in model.constraints]
-    value = constrained([float(m) for m in model.mass], potential, surfaces, model.q, model.t)
-    shown = (*((effect, f"{_text(g)} = 0") for effect, g in model.constraints), ("potential", _text(potential)))
-    return Problem(value, "holonomic constraints, by their multipliers", shown)
+    drag = drag_of(*_drag(model), model.q, model.t) if model.frictions else None
+    masses = [float(m) for m in model.mass]
+    value = constrained(masses, model.H, surfaces, model.q, model.p, model.t, drag)
+    shown = [*((effect, f"{_text(g)} = 0") for effect, g in model.constraints), ("H", _text(model.H))]
+    if drag is not None:
+        shown.append(("damping", "linear friction, before and after each step"))
+    return Problem(value, "holonomic constraints, by their multipliers", tuple(shown))
 
 
 def skate_problem(model: Model) -> Problem:
@@ -134,14 +137,19 @@ def _best(found: tuple[SplitHamiltonian, ...]) -> SplitHamiltonian | None:
     return exact[0] if exact else found[0] if found else None
 
 
-def _with_friction(splitting: Splitting, model: Model) -> Splitting:
-    """The same with the frictions as one further part, before the last."""
+def _drag(model: Model) -> tuple[Any, tuple[Any, ...]]:
+    """D and s of all frictions, −D (p − s)."""
     matrix: Any = sp.zeros(model.n, model.n)
     for friction in model.frictions:
         matrix += friction.matrix
     rests = {f.rest for f in model.frictions if f.rest}
-    rest = rests.pop() if rests else (sp.S.Zero,) * model.n
-    part = friction_part(matrix.tolist(), rest, model.q, model.t)
+    return matrix.tolist(), rests.pop() if rests else (sp.S.Zero,) * model.n
+
+
+def _with_friction(splitting: Splitting, model: Model) -> Splitting:
+    """The same with the frictions as one further part, before the last."""
+    matrix, rest = _drag(model)
+    part = friction_part(matrix, rest, model.q, model.t)
     parts: tuple[Part, ...] = (*splitting.parts[:-1], part, splitting.parts[-1])
     clock = splitting.clock
     if clock is None:

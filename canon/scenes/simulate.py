@@ -11,7 +11,7 @@ import numpy as np
 from canon.errors import InputError
 from canon.numeric.constrained_formula import faults_at
 from canon.numeric.gradient import gradient
-from canon.numeric.integrators.rattle import Constrained
+from canon.numeric.integrators.constrained import Held
 from canon.numeric.observe import observe
 from canon.numeric.operations import operations_per_step
 from canon.numeric.planner import Planned, run_for_accuracy, run_with_step
@@ -67,7 +67,7 @@ def simulate(
     begun = time.process_time()
     problem = problem_of(scene.model)
     settings = scene.settings
-    if isinstance(problem.value, Constrained):
+    if isinstance(problem.value, Held):
         faults = faults_at(problem.value, scene.q, scene.p, settings.start)
         if faults:
             raise InputError(f"the initial state is not on its constraints: {'; '.join(faults)}")

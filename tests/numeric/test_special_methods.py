@@ -15,11 +15,12 @@ from canon.numeric.integrators.boris import METHODS as PUSHES
 from canon.numeric.integrators.boris import Charge
 from canon.numeric.integrators.composed import OneStep, composed
 from canon.numeric.integrators.compositions import SUZUKI_4_GAMMA
+from canon.numeric.integrators.constrained import Constrained, check_on_surface, onto_surface, reactions
 from canon.numeric.integrators.extended import extend, extended, project, separation
 from canon.numeric.integrators.fields import hamiltonian_field
 from canon.numeric.integrators.measure import errors, jacobian, measure_step
 from canon.numeric.integrators.parts import damping_part, rayleigh_part
-from canon.numeric.integrators.rattle import RATTLE, Constrained, check_on_surface, onto_surface, reactions
+from canon.numeric.integrators.rattle import RATTLE
 from canon.numeric.integrators.rigid_body import rigid_body
 from canon.numeric.integrators.yoshida import VERLET, YOSHIDA_4
 from canon.numeric.precision import double

@@ -99,8 +99,10 @@ monitor = ["energy"]
         (ROD.replace("length = 2.0", "length = 2.1"), "the initial state is not on its constraints"),
         (ROD.replace("[0.4, 0.3]", "[0.4, 0.4]"), "the velocity leaves constraint 1"),
         (ROD.replace("length = 2.0", "length = -2.0"), "the length of a rod"),
-        (ROD.replace('"reversibility"', '"loop"'), "on a constraint surface is not available"),
-        (ROD + "[[effect]]\nkind = 'damping'\nrate = 1\n", "together with a constraint is not available"),
+        (
+            "dynamics = 'relativistic'\nconstants = {c = 30}\n" + ROD + "[[effect]]\nkind = 'damping'\nrate = 1\n",
+            "together with a constraint is not available in relativistic dynamics",
+        ),
         (ROD + "[[body]]\nmass=1\nposition=[5,5]\n[[body]]\nmass=1\nposition=[6,5]\n", "a rod joins two bodies"),
     ],
 )

@@ -1,107 +1,167 @@
-"""RATTLE: H = Σ p²/2m + V(q, t) on a constraint surface g(q, t) = 0, with the constraint and its rate kept to rounding.
+"""RATTLE: a Hamiltonian on a constraint surface g(q, t) = 0, with the constraint and its rate kept to rounding.
 
-Symplectic on the constraint's cotangent bundle, symmetric, of order 2; `composed` makes higher orders of it. Andersen
-(1983), J. Comput. Phys. 52, 24; Hairer, Lubich and Wanner (2006), VII.1.4; Jay (1996), SIAM J. Numer. Anal. 33, 368.
+Symplectic on the constraint's cotangent bundle, symmetric, of order 2; `composed` makes higher orders of it. It is
+explicit but for the multipliers for H = Σ p²/2m + V(q, t), and iterates for any other H. Linear friction acts for half
+a step before and after, and makes it conformal symplectic where there is one rate for all. Andersen (1983), J. Comput.
+Phys. 52, 24; Hairer, Lubich and Wanner (2006), VII.1.4; Jay (1996), SIAM J. Numer. Anal. 33, 368.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Any, Final
+
+import numpy as np
 
 from canon.errors import InputError
 from canon.numeric.integrators.composed import OneStep, StepMap
+from canon.numeric.integrators.constrained import (
+    MOST_ITERATIONS,
+    Constrained,
+    ConstrainedHamiltonian,
+    Drag,
+    Held,
+    combined,
+    dot,
+    gradients,
+    newton_turns,
+    tangent_momentum,
+)
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.traits import Traits
 from canon.numeric.small_systems import solve
 
-MOST_ITERATIONS: Final = 40
-
-
-@dataclass(frozen=True)
-class Constrained:
-    """A mechanical system with holonomic constraints, on slots (q, p), arrays (n, …).
-
-    `mass` has n entries; `force(q, t)` returns an array (n, …); `constraints(q, t)` a tuple of scalars (…), at least
-    one, that vanish on the surface. `moving`: the constraints depend on t.
-    """
-
-    mass: tuple[float, ...]
-    force: Callable[[Any, Any], Any]
-    constraints: Callable[[Any, Any], tuple[Any, ...]]
-    moving: bool = False
-
-
-def _masses(problem: Constrained, like: Any) -> Any:
-    import numpy as np
-
-    return np.asarray(problem.mass).reshape(-1, *(1,) * (like.ndim - 1))
-
-
-def gradients(problem: Constrained, q: Any, t: Any) -> tuple[list[Any], list[Any], list[Any]]:
-    """The constraints' values, their gradients (n, …), and their partial derivatives by time."""
-    import jax
-    import jax.numpy as jnp
-
-    values = [*problem.constraints(q, t)]
-    # every orbit's constraint depends on its own coordinates alone, so the gradient of the sum is all gradients
-    rows = [jax.grad(lambda x, k=k: jnp.sum(problem.constraints(x, t)[k]))(q) for k in range(len(values))]
-    rates = [0.0 * value for value in values]
-    if problem.moving:
-        moment = jnp.asarray(t, dtype=float)
-        rates = [*jax.jvp(lambda s: problem.constraints(q, s), (moment,), (jnp.ones_like(moment),))[1]]
-    return values, rows, rates
-
-
-def _dot(a: Any, b: Any) -> Any:
-    import jax.numpy as jnp
-
-    return jnp.sum(a * b, axis=0)
+CLOSE: Final = 1e-9
+"""From a change of this part on Newton's method leaves nothing but rounding."""
+ROUNDING: Final = 1e-14
+"""A change of this part is rounding, where each is a part of the one before."""
 
 
 def _step(problem: Constrained) -> StepMap:
     import jax.numpy as jnp
-    from jax import lax
 
     def step(state: State, t: Any, h: Any) -> State:
         q, p, *others = state
-        m = _masses(problem, q)
+        m = problem.masses(q)
         _, rows, _ = gradients(problem, q, t)
         free = q + h / m * (p + h / 2 * problem.force(q, t))
         pulls = [row / m for row in rows]
 
-        def improve(loop: Any) -> Any:
-            count, moved, last, _ = loop
+        def improve(moved: Any) -> tuple[Any, Any]:
             missed, here, _ = gradients(problem, moved, t + h)
-            shift = solve([[_dot(new, pull) for pull in pulls] for new in here], missed)
-            change = sum((s * pull for s, pull in zip(shift[1:], pulls[1:], strict=True)), shift[0] * pulls[0])
-            moved = moved - change
-            size = jnp.max(jnp.abs(change))
-            # Newton's steps shrink until they are rounding
-            return count + 1, moved, size, (size > 0) & ((size < last) | (size > 1e-9 * jnp.max(jnp.abs(q))))
+            shift = solve([[dot(new, pull) for pull in pulls] for new in here], missed)
+            change = combined(shift, pulls)
+            return moved - change, _size(change, q)
 
-        begin = (0, free, jnp.asarray(jnp.inf), jnp.asarray(True))
-        count, moved, size, _ = lax.while_loop(lambda loop: (loop[0] < MOST_ITERATIONS) & loop[3], improve, begin)
+        moved, good = _solved(improve, free, CLOSE)
         # the multipliers' pull is what moved the coordinates: p at half the step is M times the chord
-        half = m * (moved - q) / h
-        pushed = half + h / 2 * problem.force(moved, t + h)
-        _, here, rates = gradients(problem, moved, t + h)
-        matrix = [[_dot(a, b / m) for b in here] for a in here]
-        multipliers = solve(matrix, [_dot(row / m, pushed) + rate for row, rate in zip(here, rates, strict=True)])
-        after = pushed - sum(
-            (x * row for x, row in zip(multipliers[1:], here[1:], strict=True)), multipliers[0] * here[0]
-        )
-        good = (count < MOST_ITERATIONS) | (size <= 1e-9 * jnp.max(jnp.abs(q)))
+        pushed = m * (moved - q) / h + h / 2 * problem.force(moved, t + h)
+        after = tangent_momentum(problem, moved, pushed, t + h)
         return (jnp.where(good, moved, jnp.nan), jnp.where(good, after, jnp.nan), *others)
 
     return step
 
 
+def _general_step(problem: ConstrainedHamiltonian) -> StepMap:
+    """The pair of Lobatto IIIA and IIIB with two stages. Hairer, Lubich and Wanner (2006), VII (1.26)."""
+    import jax.numpy as jnp
+
+    def step(state: State, t: Any, h: Any) -> State:
+        q, p, *others = state
+        _, rows, _ = gradients(problem, q, t)
+        pulls = problem.pulls(q, p, t, rows)
+
+        def improve(now: Any) -> tuple[Any, Any]:
+            moved, half, multipliers = now
+            first, force = problem.rates(q, half, t)
+            new_half = p + h / 2 * force - combined([*multipliers], rows)
+            last, _ = problem.rates(moved, half, t + h)
+            new = q + h / 2 * (first + last)
+            missed, here, _ = gradients(problem, new, t + h)
+            shift = solve([[h * dot(a, b) for b in pulls] for a in here], missed)
+            new_half = new_half - combined(shift, rows)
+            new = new - h * combined(shift, pulls)
+            after = (new, new_half, multipliers + jnp.stack(shift))
+            return after, jnp.maximum(_size(new - moved, q), _size(new_half - half, p))
+
+        begin = (q, p, jnp.zeros((len(rows), *q.shape[1:])))
+        (moved, half, _), good = _solved(improve, begin, ROUNDING)
+        pushed = half + h / 2 * problem.rates(moved, half, t + h)[1]
+        after = tangent_momentum(problem, moved, pushed, t + h, newton_turns(problem))
+        return (jnp.where(good, moved, jnp.nan), jnp.where(good, after, jnp.nan), *others)
+
+    return step
+
+
+def _size(change: Any, whole: Any) -> Any:
+    """The largest entry of a change beside the largest one of what changes."""
+    import jax.numpy as jnp
+
+    return jnp.max(jnp.abs(change)) / jnp.maximum(jnp.max(jnp.abs(whole)), 1e-300)
+
+
+def _solved(improve: Callable[[Any], tuple[Any, Any]], begin: Any, enough: float) -> tuple[Any, Any]:
+    """Improved until changes are rounding, and whether they became small at all: what still shrinks goes on, and so
+    does what is above `enough`.
+    """
+    import jax.numpy as jnp
+    from jax import lax
+
+    def turn(loop: Any) -> Any:
+        count, now, last, _ = loop
+        after, size = improve(now)
+        return count + 1, after, size, (size > 0) & ((size < last) | (size > enough))
+
+    start = (0, begin, jnp.asarray(jnp.inf), jnp.asarray(True))
+    count, found, size, _ = lax.while_loop(lambda loop: (loop[0] < MOST_ITERATIONS) & loop[3], turn, start)
+    return found, (count < MOST_ITERATIONS) | (size <= CLOSE)
+
+
+def dragged(problem: Held, drag: Drag) -> StepMap:
+    """The flow of friction along the surface at a frozen place: half the decay, the reaction, the other half.
+
+    Exact for one rate for all; else of order 2 and symmetric.
+    """
+    matrix = np.array(drag.matrix)
+    values, vectors = np.linalg.eig(matrix)
+    left, right = np.real_if_close(vectors), np.real_if_close(np.linalg.inv(vectors))
+    uniform = bool(np.all(matrix == matrix[0, 0] * np.eye(len(matrix))))
+
+    def flow(state: State, t: Any, h: Any) -> State:
+        import jax.numpy as jnp
+
+        q, p, *others = state
+        rest = 0.0 if drag.rest is None else drag.rest(q, t)
+
+        def decayed(momentum: Any) -> Any:
+            if uniform:
+                return jnp.exp(-h / 2 * matrix[0, 0]) * momentum
+            factor = jnp.real((left * jnp.exp(-h / 2 * values)) @ right)
+            return jnp.tensordot(factor, momentum, axes=1)
+
+        moving = decayed(p - rest)
+        _, rows, rates = gradients(problem, q, t)
+        pulls = problem.pulls(q, p, t, [decayed(row) for row in rows])
+        velocity = problem.rates(q, rest + decayed(moving), t)[0]
+        missed = [dot(row, velocity) + rate for row, rate in zip(rows, rates, strict=True)]
+        shift = solve([[dot(a, b) for b in pulls] for a in rows], missed)
+        return (q, rest + decayed(moving - combined(shift, rows)), *others)
+
+    return flow
+
+
 def _build(problem: Any) -> StepMap:
-    if not isinstance(problem, Constrained):
+    if not isinstance(problem, Held):
         raise InputError(f"rattle takes a system with holonomic constraints, not {type(problem)}")
-    return _step(problem)
+    step = _step(problem) if isinstance(problem, Constrained) else _general_step(problem)
+    if problem.drag is None:
+        return step
+    slow = dragged(problem, problem.drag)
+
+    def slowed(state: State, t: Any, h: Any) -> State:
+        return slow(step(slow(state, t, h / 2), t, h), t + h, h / 2)
+
+    return slowed
 
 
 RATTLE: Final = OneStep(
@@ -110,58 +170,3 @@ RATTLE: Final = OneStep(
     _build,
     "Andersen (1983), J. Comput. Phys. 52, 24; Hairer, Lubich and Wanner (2006), VII.1.4",
 )
-
-
-def reactions(problem: Constrained, q: Any, p: Any, t: Any) -> list[Any]:
-    """The multipliers λ of ṗ = F − Σ λ_k ∂g_k/∂q at a state on the surface: the reaction forces are −λ_k ∂g_k/∂q.
-
-    From d²g/dt² = 0 along the motion.
-    """
-    import jax
-    import jax.numpy as jnp
-
-    m = _masses(problem, q)
-    velocity, force = p / m, problem.force(q, t)
-    _, rows, _ = gradients(problem, q, t)
-    moment = jnp.asarray(t, dtype=float)
-    still = jnp.zeros_like(moment)
-
-    def rate(x: Any, s: Any) -> tuple[Any, ...]:
-        return jax.jvp(problem.constraints, (x, s), (velocity, still + float(problem.moving)))[1]
-
-    bends = jax.jvp(rate, (q, moment), (velocity, still + float(problem.moving)))[1]
-    matrix = [[_dot(a, b / m) for b in rows] for a in rows]
-    return solve(matrix, [_dot(row, force / m) + bend for row, bend in zip(rows, bends, strict=True)])
-
-
-def onto_surface(problem: Constrained, q: Any, p: Any, t: Any) -> tuple[Any, Any]:
-    """The nearest state, by masses, on the surface and tangent to it: Newton's method, then a projection of p."""
-    m = _masses(problem, q)
-    for _ in range(MOST_ITERATIONS):
-        values, rows, _ = gradients(problem, q, t)
-        shift = solve([[_dot(a, b / m) for b in rows] for a in rows], values)
-        for s, row in zip(shift, rows, strict=True):
-            q = q - s * row / m
-    _, rows, rates = gradients(problem, q, t)
-    matrix = [[_dot(a, b / m) for b in rows] for a in rows]
-    shift = solve(matrix, [_dot(row / m, p) + rate for row, rate in zip(rows, rates, strict=True)])
-    for s, row in zip(shift, rows, strict=True):
-        p = p - s * row
-    return q, p
-
-
-def check_on_surface(problem: Constrained, q: Any, p: Any, t: Any, *, tolerance: float = 1e-8) -> Sequence[str]:
-    """What is wrong with a state's constraints: messages, none where it lies on the surface and moves along it."""
-    import jax.numpy as jnp
-
-    values, rows, rates = gradients(problem, q, t)
-    m = _masses(problem, q)
-    found = []
-    for k, (value, row, rate) in enumerate(zip(values, rows, rates, strict=True), 1):
-        length = jnp.sqrt(_dot(row, row))
-        if bool(jnp.any(jnp.abs(value) > tolerance * length * jnp.maximum(1.0, jnp.max(jnp.abs(q))))):
-            found.append(f"constraint {k} is missed by {float(jnp.max(jnp.abs(value))):.3g}")
-        speed = _dot(row, p / m) + rate
-        if bool(jnp.any(jnp.abs(speed) > tolerance * length * jnp.maximum(1.0, jnp.max(jnp.abs(p / m))))):
-            found.append(f"the velocity leaves constraint {k} at the rate {float(jnp.max(jnp.abs(speed))):.3g}")
-    return found

@@ -40,7 +40,6 @@ AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
 }
 """The monitors of this version: (flow, times, q, p) to a reading."""
 
-_FREE_ONLY: Final = ("symplecticity", "volume", "loop", "cartan")
 _NEEDS: Final = {
     "momentum": "a scene of bodies, or a system that names its momenta",
     "angular_momentum": "positions in a plane or in space",
@@ -52,8 +51,6 @@ _NEEDS: Final = {
 def check_monitors(names: Sequence[str], model: Any, where: str) -> None:
     """Refuse monitors that this scene, or this version, has not got. **Raises:** `InputError`."""
     for name in names:
-        if model.constraints and name in _FREE_ONLY:
-            raise InputError(f"the monitor {name!r} on a constraint surface is not available in this version", where)
         if name == "constraint" and not model.constraints:
             raise InputError("the monitor 'constraint' needs a constraint: a rod or a surface", where)
         quantities = {

@@ -1,7 +1,7 @@
 """What a flow's derivative is measured in: tangent vectors at a state, and the structure that the flow keeps there.
 
 In canonical variables it is the bracket J; of rigid bodies the Lie–Poisson bracket, in turns of the body and changes of
-M.
+M; on a constraint surface the form Σ dp∧dq, restricted to it.
 """
 
 from __future__ import annotations
@@ -10,24 +10,42 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from canon.numeric.constraint_tangents import tangents
+from canon.numeric.integrators.constrained import Held
 from canon.numeric.observe import observe
 from canon.scenes.model import Model
 
 
 @dataclass(frozen=True)
 class Frame:
-    """Tangent vectors, the columns of `basis` (N, d); their `dual` (d, N); the brackets (d, d) of these coordinates.
+    """Tangent vectors, the columns of `basis` (N, d); their `dual` (d, N); the `structure` (d, d) of these coordinates,
+    their brackets, or the `form`.
 
-    Phase volume is that of the coordinates.
+    `density` is that of phase volume.
     """
 
     basis: np.ndarray
     dual: np.ndarray
-    bracket: np.ndarray
+    structure: np.ndarray
+    form: bool = False
+    density: float = 1.0
 
-    def kept(self, T: np.ndarray) -> np.ndarray:
-        """T B Tᵀ: what a map with the derivative T (d, d) makes of the brackets."""
-        return T @ self.bracket @ T.T
+
+def carried(before: Frame, after: Frame, T: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What a map with the derivative T (d, d) makes of the structure, and what it should be: T B Tᵀ and B of brackets,
+    Tᵀ ω T and ω of forms.
+    """
+    if before.form:
+        return T.T @ after.structure @ T, before.structure
+    return T @ before.structure @ T.T, after.structure
+
+
+def frame_on_surface(problem: Held, state: np.ndarray, t: float) -> Frame:
+    """The frame at a state on a constraint surface."""
+    n = len(state) // 2
+    basis = tangents(problem, state[:n], state[n:], t)
+    form = basis[n:].T @ basis[:n] - basis[:n].T @ basis[n:]
+    return Frame(basis, basis.T, form, True, float(np.sqrt(abs(np.linalg.det(form)))))
 
 
 def frame_at(model: Model, state: np.ndarray) -> Frame:

@@ -9,6 +9,7 @@ from typing import Final
 
 import numpy as np
 
+from canon.numeric.constraint_tangents import put_on
 from canon.numeric.loops import LoopIntegral, loop_integral
 from canon.numeric.observe import observe
 from canon.numeric.transport import shifted, transported
@@ -24,6 +25,8 @@ SAFETY: Final = 20.0
 SHIFT: Final = 0.02
 """Of the times of a loop of Cartan's, beside the run's duration, in steps of the run at most `SHIFT_STEPS`."""
 SHIFT_STEPS: Final = 16
+PHASE: Final = 0.5
+"""With which no node of the loop is at the same time, as steps of length 0 are no steps."""
 
 
 def read_loop(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
@@ -49,7 +52,7 @@ def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
     for radius, nodes in product(RADII, NODES):
         before = _small_loop(flow, q, p, nodes, radius)
         steps = min(max(int(SHIFT * flow.steps), 1), SHIFT_STEPS)
-        late = steps * run.step * np.sin(2 * np.pi * np.arange(nodes) / nodes)
+        late = steps * run.step * np.sin(2 * np.pi * np.arange(nodes) / nodes + PHASE)
         carried = _carried(flow, before)
         if not np.isfinite(carried).all():
             continue
@@ -67,8 +70,13 @@ def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
 
 
 def _small_loop(flow: Flow, q: np.ndarray, p: np.ndarray, nodes: int, radius: float) -> np.ndarray:
-    """A loop of states that are possible: unit quaternions for the attitudes of rigid bodies."""
-    return onto_attitudes(flow.model, small_loop(q, p, nodes, radius))
+    """A loop of states that are possible: with unit quaternions for the attitudes of rigid bodies, and on a constraint
+    surface where there is one.
+    """
+    loop = small_loop(q, p, nodes, radius)
+    if flow.model.constraints:
+        return put_on(flow.problem, loop, flow.run.t0)
+    return onto_attitudes(flow.model, loop)
 
 
 def small_loop(q: np.ndarray, p: np.ndarray, nodes: int, radius: float) -> np.ndarray:

@@ -1,7 +1,8 @@
 """Symplecticity ‖M J Mᵀ − J‖ and volume det M − 1 of the flow's Jacobian M, from the beginning to the end of the run.
 
 With one friction rate λ for all, M J Mᵀ = exp(−2λt) J; det M = exp ∫ tr ∂F/∂p dt always. Of rigid bodies M is the
-derivative in turns of the body and changes of its angular momentum, and J their Lie–Poisson bracket.
+derivative in turns of the body and changes of its angular momentum, and J their Lie–Poisson bracket. On a constraint
+surface M takes tangent vectors to tangent vectors, and the form that is induced there is compared.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import numpy as np
 
 from canon.numeric.transport import flow_differences
 from canon.scenes.monitors.flow import Flow
-from canon.scenes.monitors.geometry import Frame, frame_at, onto_attitudes
+from canon.scenes.monitors.geometry import Frame, carried, frame_at, frame_on_surface, onto_attitudes
 from canon.scenes.monitors.predicted import conformal_rate, contracting, not_hamiltonian, volume_exponent
 from canon.scenes.monitors.reading import Reading, judged
 
@@ -26,7 +27,7 @@ def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarr
     """How far M J Mᵀ is from J, or from exp(−2λt) J."""
     before, after = _frames(flow, q, p)
     M, rounding, error = _tangent(flow, q, p, before, after)
-    kept, J = before.kept(M), after.bracket
+    kept, J = carried(before, after, M)
     value = float(np.abs(kept - J).max())
     if not not_hamiltonian(flow.model):
         return _judged("symplecticity", "conserved", value, value, rounding, error)
@@ -41,15 +42,19 @@ def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarr
 
 def read_volume(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
     """det M − 1, and what friction makes of it."""
-    M, rounding, error = _tangent(flow, q, p, *_frames(flow, q, p))
+    before, after = _frames(flow, q, p)
+    M, rounding, error = _tangent(flow, q, p, before, after)
     sign, log = np.linalg.slogdet(M)
+    if before.form:
+        # the bases of two tangent spaces have no common orientation
+        sign, log = 1.0, log + np.log(after.density / before.density)
     value = float(sign * np.exp(log) - 1)
     # a determinant's relative error grows with the condition of M; the steps' errors are in the other bound
     rounding = len(M) * SAFETY * ROUNDING * float(np.linalg.cond(M)) * np.sqrt(max(flow.steps, 1))
     error *= len(M)
     if not contracting(flow.model):
         return _judged("volume", "conserved", value, abs(value), rounding, error)
-    exponent, off = volume_exponent(flow.model, times, q, p)
+    exponent, off = volume_exponent(flow, times, q, p)
     predicted = float(np.expm1(exponent))
     drift = abs(float(sign * np.exp(log - exponent)) - 1)
     error += 4 * off
@@ -69,7 +74,12 @@ def _judged(
 
 def _frames(flow: Flow, q: np.ndarray, p: np.ndarray) -> tuple[Frame, Frame]:
     """At the first state and at the last one."""
-    first, last = (frame_at(flow.model, np.concatenate([q[k], p[k]])) for k in (0, -1))
+    states = [np.concatenate([q[k], p[k]]) for k in (0, -1)]
+    if flow.model.constraints:
+        times = flow.run.times[0], flow.run.times[flow.good - 1]
+        first, last = (frame_on_surface(flow.problem, z, float(t)) for z, t in zip(states, times, strict=True))
+    else:
+        first, last = (frame_at(flow.model, z) for z in states)
     return first, last
 
 

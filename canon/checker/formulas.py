@@ -287,7 +287,7 @@ class Formulas:
         for b in self.reach(a):
             op, parts = self.ops[b], [texts[x] for x in self.parts(b)]
             if not parts:
-                texts[b] = str(op[1])
+                texts[b] = str(op[1]) if op[0] == "s" or op[1].denominator == 1 else f"({op[1]})"
             elif op[0] != "f" or op[1] == "power":
                 sign = {"^": "**", "f": "**"}.get(op[0], op[0])
                 texts[b] = f"({sign.join([*parts, *([str(op[2])] if op[0] == '^' else [])])})"

@@ -9,11 +9,15 @@ from typing import Final
 
 from canon.cli.parser import BAD_INPUT, Parser
 
-HELP: Final = "check certificates of proofs and refutations"
+HELP: Final = "check certificates of proofs and refutations, or put them in Coq"
 DESCRIPTION: Final = "Works with certificates that `canon verify --certificate DIR` has written."
 CHECK: Final = (
     "Derives from each claim's own text what must vanish, and checks the certificate's identities or its witness. "
     "It shares no code with what has made the certificate."
+)
+EXPORT: Final = (
+    "Writes theorems that each residual of the claim is 0 over the reals (or isn't, at a witness), with proofs that "
+    "`coqc` checks."
 )
 STATUS: Final = {"confirmed": 0, "confirmed in part": 2, "not confirmed": 2, "rejected": 1, "unreadable": BAD_INPUT}
 """The exit status of each answer; of several files, the gravest: unreadable, rejected, in part, confirmed."""
@@ -25,15 +29,43 @@ def declare(parser: argparse.ArgumentParser) -> None:
     actions = parser.add_subparsers(title="actions", dest="action", metavar="ACTION", parser_class=Parser)
     check = actions.add_parser("check", help="check certificates", description=CHECK)
     check.add_argument("files", nargs="+", metavar="FILE", help="a certificate, or a folder: every *.json below it")
+    export = actions.add_parser("export", help="write a certificate as a file of Coq", description=EXPORT)
+    export.add_argument("file", metavar="CERTIFICATE", help="a certificate")
+    export.add_argument("--coq", required=True, metavar="FILE.v", help="the file to be written")
     check.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
 
 
 def execute(arguments: argparse.Namespace) -> int:
     """Do what is asked for, and return the exit status."""
     if arguments.action is None:
-        print("canon certificate: say what to do: `canon certificate check FILE`", file=sys.stderr)
+        print("canon certificate: say what to do: `check FILE…`, or `export FILE --coq FILE.v`", file=sys.stderr)
         return BAD_INPUT
-    return _check(arguments)
+    return _check(arguments) if arguments.action == "check" else _export(arguments)
+
+
+def _export(arguments: argparse.Namespace) -> int:
+    from canon.checker.check import check
+    from canon.checker.files import load
+    from canon.checker.formulas import Unreadable
+    from canon.errors import InputError
+    from canon.report.coq import coq_of
+
+    try:
+        data = load(arguments.file)
+        if (answer := check(data)).status == "rejected":
+            raise InputError(f"this certificate is {answer}")
+        text = coq_of(data)
+        with open(arguments.coq, "w", encoding="utf-8") as file:
+            file.write(text)
+    except (InputError, Unreadable) as error:
+        print(f"canon certificate: {arguments.file}: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except OSError as error:
+        print(f"canon certificate: {arguments.coq} can't be written: {error.strerror}", file=sys.stderr)
+        return BAD_INPUT
+    count = text.count("\nTheorem ")
+    print(f"{arguments.coq}: {count} theorem{'s' * (count > 1)}; check with `coqc {arguments.coq}`")
+    return 0
 
 
 def _check(arguments: argparse.Namespace) -> int:

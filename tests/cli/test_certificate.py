@@ -97,3 +97,16 @@ def test_certificates_stay_in_their_folder(file: str, expected: str) -> None:
     path = str(certificate_path("out", Entry(file, 2, None)))
     assert path.startswith(expected)
     assert os.path.normpath(path).startswith("out/")
+
+
+def test_a_certificate_is_exported_to_coq(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["certificate", "export", str(folder / "two.1.json"), "--coq", "two.v"]) == 0
+    assert capsys.readouterr().out == "two.v: 1 theorem; check with `coqc two.v`\n"
+    assert "Theorem residual_1 :" in Path("two.v").read_text(encoding="utf-8")
+    proof = folder / "two.1.json"
+    proof.write_text(proof.read_text().replace('"2*q"', '"4*q"'), encoding="utf-8")
+    assert main(["certificate", "export", str(proof), "--coq", "other.v"]) == 3
+    assert "rejected: the checksum is wrong" in capsys.readouterr().err
+    assert not Path("other.v").exists()
+    assert main(["certificate", "export", str(folder / "two.2.json"), "--coq", "no/two.v"]) == 3
+    assert "can't be written" in capsys.readouterr().err

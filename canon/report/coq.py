@@ -1,0 +1,238 @@
+"""Certificates as files of Coq: each residual of the claim is 0 over the reals, with a proof that coqc checks.
+
+A theorem states a residual with its square roots, sines and so on as Coq's own functions; a function that Coq's library
+lacks is any real number that satisfies its relation. It is proved by writing the residual as numerator / denominator
+(`field`), the numerator as Σ cofactor · relation (`ring`), and each relation by a lemma of the library.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any, Final
+
+from canon.checker.check import VERSION
+from canon.checker.formulas import Formulas, Unknown, Unreadable
+from canon.checker.obligations import obligations
+from canon.checker.statement import Statement
+from canon.decide.ring import TooCostly
+from canon.errors import InputError
+from canon.report.coq_field import Fractions, scaled
+from canon.report.coq_kernels import Kernel, kernel_of
+from canon.report.coq_text import identifiers, number, polynomial, term
+
+HEAD: Final = """\
+From Coq Require Import Reals Lra.
+Open Scope R_scope.
+
+(* What isn't 0: by a hypothesis, perhaps in another form, by its sign, or factor by factor. *)
+Ltac other_form :=
+  match goal with
+  | H : ?b <> 0 |- ?a <> 0 =>
+      let E := fresh in intro E; apply H; first [ replace b with a by field | replace b with (- a) by field ]; lra
+  end.
+Ltac nonzero_factor := first [ assumption | apply Rgt_not_eq; lra | apply Rlt_not_eq; lra | other_form ].
+Ltac nonzero :=
+  repeat split;
+  first [ nonzero_factor
+        | repeat apply Rmult_integral_contrapositive_currified; try apply pow_nonzero; nonzero_factor ].
+"""
+RATIONAL: Final = re.compile(r"-?\d+(/\d+)?")
+SIGNS: Final = {"positive": "0 < {}", "negative": "{} < 0", "nonzero": "{} <> 0"}
+
+
+def coq_of(certificate: Mapping[str, Any]) -> str:
+    """The text of a file of Coq for a certificate.
+
+    **Raises:** `InputError` where the certificate isn't one of identities over the reals, or of a rational witness
+    against one: it says why.
+    """
+    if not isinstance(certificate, Mapping) or certificate.get("certificate") != VERSION:
+        raise InputError(f"this is no certificate of version {VERSION}")
+    try:
+        statement = Statement(certificate["tables"], certificate["known"], certificate["verdict"])
+        cases = obligations(statement)
+        if statement.surface:
+            raise Unknown("a claim on a surface")
+        if certificate["verdict"] == "refuted":
+            body = [_refutation(statement, cases[0].zeros, certificate["witness"])]
+        else:
+            pairs = zip(cases, certificate["cases"], strict=True)
+            body = [text for case, data in pairs for text in _proofs(statement, case.zeros, data)]
+    except (Unknown, Unreadable, TooCostly, KeyError, TypeError, ValueError) as reason:
+        raise InputError(f"this certificate can't be put in Coq: {reason}") from None
+    numbered = [text.replace("RESIDUAL", f"residual_{k}") for k, text in enumerate(body, 1)]
+    return "\n".join([_comment(certificate), HEAD, *numbered])
+
+
+def _comment(certificate: Mapping[str, Any]) -> str:
+    """The claim, for people. What would end a comment, or begin a string in it, is written otherwise."""
+    tables = certificate["tables"]
+    lines = [f"{certificate['verdict'].capitalize()}: a claim of kind {tables['claim']['kind']}"]
+    for section, table in tables.items():
+        entries = table.items() if isinstance(table, Mapping) else [("", table)]
+        lines += [f"  {section}{'.' if key else ''}{key} = {value}" for key, value in entries]
+    text = "\n   ".join(lines).replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+    return (
+        f"(* {text}\n\n   What must vanish follows from these formulas by differentiation; below it is shown to. *)\n"
+    )
+
+
+def _proofs(s: Statement, zeros: Sequence[int], data: Mapping[str, Any]) -> list[str]:
+    """A theorem for each residual; one that is the number 0 as it stands needs none."""
+    if any("1j" in str(kernel["stands for"]) for kernel in data["kernels"]):
+        raise Unknown("complex numbers")
+    found = []
+    for target, entry in zip(zeros, data["residuals"], strict=True):
+        if "cofactors" not in entry:
+            raise Unknown(f"the argument {entry['argument']!r} is no identity")
+        if s.f.value(target) is None:
+            found.append(_theorem(s, target, data, entry))
+    return found or ["Theorem RESIDUAL : 0 = 0.\nProof. reflexivity. Qed.\n"]
+
+
+def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[str, Any]) -> str:
+    f, leaves = s.f, s.f.rational([target])[1]
+    atoms = {a: data["atoms"].get(f.text(a), [{f.text(a): "1"}, {"": "1"}]) for a in leaves}
+    used = {name for pair in atoms.values() for p in pair for name in _names(p)}
+    used |= {name for k, c in entry["cofactors"].items() for name in (k, *_names(c))}
+    kernels = _used_kernels(f, data["kernels"], used)
+    free = sorted(used - {kernel["name"] for kernel in kernels})
+    words = identifiers([*free, *(kernel["name"] for kernel in kernels)])
+    made = [kernel_of(f, kernel, words) for kernel in kernels]
+    words |= {kernel.name: kernel.word for kernel in made}
+    fractions = Fractions(f, list(words), atoms)
+    value, factor = _value(fractions, target, entry)
+    signs = [(name, sign) for name in free for sign in SIGNS if sign in s.words.get(name, ())]
+    assumed = [SIGNS[sign].format(words[name]) for name, sign in signs]
+    known = {name for name, _ in signs} | {kernel.name for kernel in made if kernel.positive}
+    facts, hypotheses = _denominators(fractions, words, known, made)
+    hypotheses = [*assumed, *(h for kernel in made for h in kernel.hypotheses), *hypotheses]
+    residual = term(f, target, {a: _fraction(pair, words) for a, pair in atoms.items()})
+    variables = [words[name] for name in free] + [kernel.word for kernel in made if kernel.word != "PI"]
+    statement = [
+        f"  forall {' '.join(variables)} : R,",
+        *(f"  {h} ->" for h in dict.fromkeys(hypotheses)),
+        f"  {residual} = 0.",
+    ]
+    steps = ["intros.", *(step for kernel in made for step in kernel.steps), *facts]
+    shown = {a: _fraction(pair, words) for a, pair in atoms.items()}
+    steps += _factored(fractions, shown, words)
+    residual = term(f, target, shown)
+    if not value[0]:
+        steps.append("field; nonzero.")
+    else:
+        over, under = polynomial(fractions.table(value[0]), words), _product(fractions, Fraction(1), value[1], words)
+        relations = {kernel.name: kernel for kernel in made}
+        terms = [
+            f"({polynomial(scaled(c, factor), words)}) * ({relations[k].relation})"
+            for k, c in entry["cofactors"].items()
+        ]
+        rewrites = "".join(f" rewrite {relations[k].lemma}." for k in entry["cofactors"])
+        steps += [
+            f"assert (numerator' : {over} = 0).",
+            f"{{ replace ({over})\n      with ({' + '.join(terms)}) by field.\n   {rewrites} ring. }}",
+            f"replace ({residual})\n    with (({over}) / ({under})) by (field; nonzero).",
+            "rewrite numerator'. unfold Rdiv. apply Rmult_0_l.",
+        ]
+    return "\n".join(["Theorem RESIDUAL :", *statement, "Proof.", *(f"  {step}" for step in steps), "Qed.", ""])
+
+
+def _names(table: Mapping[str, str]) -> set[str]:
+    return {factor.partition("^")[0] for monomial in table for factor in monomial.split()}
+
+
+def _fraction(pair: Sequence[Mapping[str, str]], words: Mapping[str, str]) -> str:
+    over = polynomial(pair[0], words)
+    return over if pair[1] == {"": "1"} else f"(({over}) / ({polynomial(pair[1], words)}))"
+
+
+def _used_kernels(f: Formulas, kernels: Sequence[Mapping[str, Any]], used: set[str]) -> list[Mapping[str, Any]]:
+    """The kernels in use, and those that they are made of; names that they need are added to `used`."""
+    found = []
+    for kernel in reversed(kernels):
+        if kernel["name"] in used:
+            node = f.read(kernel["stands for"], {})
+            used |= {f.ops[a][1] for a in f.reach(node) if f.ops[a][0] == "s" and f.ops[a][1] != "pi"}
+            used |= _names(kernel.get("relation", {}))
+            found.append(kernel)
+    return found[::-1]
+
+
+def _value(fractions: Fractions, target: int, entry: Mapping[str, Any]) -> tuple[Any, Fraction]:
+    """The residual as a fraction, and its numerator over the certificate's, which is a number."""
+    value = fractions.value(target)
+    stated = fractions.polynomial(entry["numerator"])
+    if not value[0] or not stated:
+        if value[0] or stated:
+            raise Unknown("a numerator that isn't the residual's")
+        return value, Fraction(1)
+    factor = fractions.ring.leading(value[0]) / fractions.ring.leading(stated)
+    if value[0] != fractions.ring.scaled(stated, factor):
+        raise Unknown("a numerator that isn't the residual's")
+    return value, factor
+
+
+def _denominators(
+    fractions: Fractions, words: Mapping[str, str], known: set[str], kernels: Sequence[Kernel]
+) -> tuple[list[str], list[str]]:
+    """Why the factors of what is divided by aren't 0: steps of the proof, or hypotheses where nothing says so."""
+    steps: list[str] = []
+    hypotheses: list[str] = []
+    radicands = [fractions.polynomial(dict(kernel.radicand)) for kernel in kernels if kernel.radicand]
+    for k in dict.fromkeys(k for _, product in fractions.products() for k in product):
+        factor = fractions.field.factors[k]
+        shown, name = polynomial(fractions.table(factor), words), fractions.name_of(k)
+        if name is not None and name in known:
+            continue
+        if any(factor in (radicand, -radicand) for radicand in radicands):
+            steps.append(f"assert ({shown} <> 0) by (first [apply Rgt_not_eq; lra | apply Rlt_not_eq; lra]).")
+        else:
+            hypotheses.append(f"{shown} <> 0")
+    return steps, hypotheses
+
+
+def _factored(fractions: Fractions, leaves: dict[int, str], words: Mapping[str, str]) -> list[str]:
+    """Steps that write what is divided by as a fraction of products, inner ones first; `leaves` gets these texts."""
+    steps: list[str] = []
+    for a in sorted(set(fractions.divisors) - leaves.keys()):
+        over, under = fractions.values[a]
+        content, product = fractions.field.split_denominator(over)
+        if not under and (len(fractions.ring.terms(over)) == 1 or (sum(product.values()) == 1 and abs(content) == 1)):
+            continue  # `field` sees by itself what a product is made of
+        name, value = f"factored'{len(steps)}", f"{_product(fractions, content, product, words)}"
+        value = f"{value} / ({_product(fractions, Fraction(1), under, words)})"
+        steps.append(f"assert ({name} : {term(fractions.f, a, leaves)} = {value}) by (field; nonzero). rewrite {name}.")
+        leaves[a] = value
+    return steps
+
+
+def _product(fractions: Fractions, content: Fraction, product: Mapping[int, int], words: Mapping[str, str]) -> str:
+    """constant * factor ^ exponent * …"""
+    factors = [f"({polynomial(fractions.table(fractions.field.factors[k]), words)}) ^ {e}" for k, e in product.items()]
+    return " * ".join([number(content), *factors])
+
+
+def _refutation(s: Statement, zeros: Sequence[int], witness: Mapping[str, Any] | None) -> str:
+    """A residual that is a rational function isn't 0 at the witness."""
+    f = s.f
+    if witness is None:
+        raise Unknown("a refutation without a point")
+    values = {name: f.number(value) for name, value in witness.items() if RATIONAL.fullmatch(str(value))}
+    for target in zeros:
+        leaves = f.rational([target])[1]
+        names = sorted({f.ops[a][1] for a in leaves if f.ops[a][0] == "s"})
+        if all(f.ops[a][0] == "s" and f.ops[a][1] in values for a in leaves):
+            value = f.value(f.substitute(target, values))
+            if value:
+                words = identifiers(names)
+                shown = term(f, target, {a: words[f.ops[a][1]] for a in leaves})
+                equations = [f"  {words[n]} = {number(f.value(values[n]) or Fraction(0))} ->" for n in names]
+                proof = (
+                    f"  intros. assert (value' : {shown} = {number(value)}) by (subst; field).\n  rewrite value'. lra."
+                )
+                proof = proof if names else "  lra."
+                head = ["Theorem RESIDUAL :", *([f"  forall {' '.join(words.values())} : R,"] if names else [])]
+                return "\n".join([*head, *equations, f"  {shown} <> 0.", "Proof.", proof, "Qed.", ""])
+    raise Unknown("no residual is a rational function of the witness's coordinates")

@@ -1,0 +1,73 @@
+"""Formulas and polynomials as terms of Coq over the reals, and names that Coq can read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import Any, Final
+
+from canon.checker.formulas import Formulas
+
+RESERVED: Final = frozenset((
+    "R", "Q", "Z", "N", "I", "O", "S", "C", "D", "E", "INR", "IZR", "as", "at", "cofix", "else", "end", "exists",
+    "fix", "for", "forall", "fun", "if", "in", "let", "match", "mod", "return", "then", "using", "where", "with",
+    "Prop", "Set", "Type", "SProp", "sqrt", "sin", "cos", "tan", "exp", "ln", "atan", "PI", "Rabs", "sinh", "cosh",
+    "tanh", "Rinv", "Rmult", "Rplus", "pow", "nonzero", "other_form", "nonzero_factor", "T", "V",
+))  # fmt: skip
+"""Words of Coq, and names of its library that a variable must not hide."""
+
+
+def identifiers(names: Iterable[str]) -> dict[str, str]:
+    """A name in Coq for each of these, itself where that can be."""
+    found: dict[str, str] = {}
+    for name in names:
+        word = name if re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", name) else "x" + "_".join(f"{ord(c):x}" for c in name)
+        while word in RESERVED or word in found.values():
+            word += "_"
+        found[name] = word
+    return found
+
+
+def number(value: Fraction) -> str:
+    """A rational number."""
+    text = str(abs(value.numerator)) if value.denominator == 1 else f"({abs(value.numerator)} / {value.denominator})"
+    return f"(- {text})" if value < 0 else text
+
+
+def polynomial(terms: Mapping[str, str], words: Mapping[str, str]) -> str:
+    """The polynomial of a table monomial = coefficient, as in certificates."""
+    parts = []
+    for monomial, coefficient in terms.items():
+        factors = [] if coefficient == "1" and monomial else [number(Fraction(coefficient))]
+        for factor in monomial.split():
+            name, _, exponent = factor.partition("^")
+            factors.append(f"{words[name]} ^ {int(exponent)}" if exponent else words[name])
+        parts.append(" * ".join(factors))
+    return " + ".join(parts) or "0"
+
+
+def term(f: Formulas, target: int, leaves: Mapping[int, str]) -> str:
+    """A formula as a term; `leaves` are the texts of its names and functions."""
+    texts: dict[int, tuple[str, int]] = {a: (text, 3 if text.isidentifier() else 0) for a, text in leaves.items()}
+    for a in f.rational([target])[0]:
+        if a not in texts:
+            texts[a] = _operation(f.ops[a], [texts[b] for b in f.parts(a)])
+    return texts[target][0]
+
+
+def _operation(op: tuple[Any, ...], parts: list[tuple[str, int]]) -> tuple[str, int]:
+    """The text of an operation, and how tightly it binds: a sum 0, a product 1, an inverse 2, a name or a number 3."""
+
+    def bound(k: int, level: int) -> str:
+        text, own = parts[k]
+        return text if own >= level else f"({text})"
+
+    if op[0] == "n":
+        return number(op[1]), 3
+    if op[0] == "+":
+        return f"{bound(0, 0)} + {bound(1, 0)}", 0
+    if op[0] == "*":
+        return f"{bound(0, 1)} * {bound(1, 2)}", 1
+    power = bound(0, 3) if abs(op[2]) == 1 else f"{bound(0, 3)} ^ {abs(op[2])}"
+    return (f"{power}", 2) if op[2] > 0 else (f"/ {power}" if op[2] == -1 else f"/ ({power})", 2)

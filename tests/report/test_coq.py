@@ -1,0 +1,138 @@
+"""Certificates in Coq: what the theorems say, what is refused; and where coqc is installed, that it accepts them."""
+
+import shutil
+import subprocess
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from canon.catalogue import files
+from canon.claims import document
+from canon.claims.certificate_data import certificate, statement_tables
+from canon.claims.reader import read_tables
+from canon.claims.verify import verify
+from canon.errors import InputError
+from canon.report.coq import HEAD, coq_of
+from canon.report.coq_text import identifiers
+
+COQC = shutil.which("coqc")
+needs_coqc = pytest.mark.skipif(COQC is None, reason="coqc is not installed: apt-get install coq")
+PATHS = {(Path(str(file)).parent.name, Path(str(file)).stem): Path(str(file)) for file in files()}
+CLAIMS = [
+    ("transformations", "oscillator-type-1", 0),
+    ("transformations", "oscillator-type-1", 1),
+    ("transformations", "polar-coordinates", 0),
+    ("transformations", "shear-with-coupling", 0),
+    ("transformations", "phase-space-rotation", 0),
+    ("transformations", "linear-symplectic-family", 0),
+    ("transformations", "henon-map", 0),
+    ("course", "angular-momentum", 4),
+    ("course", "kepler-so4", 0),
+    ("brackets", "jacobi-identity-examples", 0),
+    ("errata", "valence", 0),
+    ("transformations", "henon-map", 2),
+]
+
+
+@cache
+def data(room: str, name: str, index: int) -> Any:
+    return of_tables(document.load(PATHS[room, name]), index)
+
+
+def of_tables(tables: Any, index: int = 0) -> Any:
+    claim = read_tables(tables).claims[index]
+    return certificate(claim, verify(claim), statement_tables(tables, index))
+
+
+def of_text(keys: str, extra: str = "") -> Any:
+    return of_tables(document.parse(f'[phase_space]\nq = ["x"]\np = ["p"]\n{extra}\n[[claim]]\n{keys}'))
+
+
+def coqc(folder: Path, text: str) -> str:
+    """What coqc says; nothing where it accepts the file."""
+    (folder / "claims.v").write_text(text, encoding="utf-8")
+    done = subprocess.run([str(COQC), "-q", "claims.v"], cwd=folder, capture_output=True, text=True, timeout=240)
+    return "" if done.returncode == 0 else done.stderr or "refused"
+
+
+@needs_coqc
+def test_coqc_accepts_the_catalogue(tmp_path: Path) -> None:
+    """The oscillator, polar coordinates, families, SO(3), Kepler's SO(4), Jacobi's identity, refutations, in a file."""
+    nested = of_text('kind = "bracket"\nf = "1/(x + 1/(p**2 + 1))"\ng = "p"\nequals = "-1/(x + 1/(p**2 + 1))**2"')
+    texts = [coq_of(found).replace(HEAD, "") for found in (nested, *(data(*claim) for claim in CLAIMS))]
+    modules = [f"Module claim_{k}.\n{text}\nEnd claim_{k}.\n" for k, text in enumerate(texts)]
+    assert coqc(tmp_path, "\n".join([HEAD, *modules])) == ""
+
+
+@needs_coqc
+def test_coqc_refuses_what_is_false(tmp_path: Path) -> None:
+    text = coq_of(data("transformations", "polar-coordinates", 0))
+    false = text.replace("+ (- 1) = 0.\nProof", "+ (- 2) = 0.\nProof")
+    assert false != text
+    assert "Error" in coqc(tmp_path, false)
+
+
+def test_a_theorem_says_what_the_functions_are() -> None:
+    text = coq_of(
+        of_text('kind = "bracket"\nf = "sqrt(x)*sin(x)"\ng = "p"\nequals = "sin(x)/(2*sqrt(x)) + sqrt(x)*cos(x)"')
+    )
+    statement = text[text.index("Theorem residual_1") : text.index("Proof.")]
+    for part in ("= sqrt (x) ->", "= cos (x) ->", "= sin (x) ->", "0 < x ->"):
+        assert part in statement
+    assert "admit" not in text.lower()
+    assert "axiom" not in text.lower()
+
+
+def test_other_functions_are_any_number_with_their_relation() -> None:
+    text = coq_of(
+        of_text(
+            'kind = "bracket"\nf = "x*cbrt(a)**3 + atan2(a, x**2 + 1)"\ng = "x"\nequals = "0"',
+            '[symbols]\na = "positive"',
+        )
+    )
+    assert "atan2" not in text[text.index("Theorem") :]
+
+
+@pytest.mark.parametrize(
+    ("keys", "extra", "reason"),
+    [
+        ('kind = "bracket"\nf = "1j*x"\ng = "p"\nequals = "1j"', "", "complex"),
+        ('kind = "bracket"\nf = "x"\ng = "p"\nequals = "0"', '[domain]\non = ["x*p"]', "surface"),
+        ('kind = "identity"\nlhs = "sin(x)"\nrhs = "x"', "", "rational function"),
+        (
+            'kind = "identity"\nlhs = "asin(sin(x))"\nrhs = "pi - x"',
+            '[domain]\nwhere = ["pi/2 < x < 3*pi/2"]',
+            "no identity",
+        ),
+    ],
+)
+def test_what_cannot_be_put_in_coq_is_refused(keys: str, extra: str, reason: str) -> None:
+    with pytest.raises(InputError, match=reason):
+        coq_of(of_text(keys, extra))
+
+
+def test_a_title_is_no_code() -> None:
+    """A comment that a title would end, and names that are Coq's words or letters that Coq doesn't know."""
+    title = 'title = "*) Admitted. (* \\" "\n'
+    text = coq_of(
+        of_text(
+            title + 'kind = "bracket"\nf = "x*Set*θ"\ng = "p"\nequals = "Set*θ"',
+            '[symbols]\nSet = "real"\n"θ" = "real"',
+        )
+    )
+    comment = text[: text.index(HEAD)]
+    assert comment.count("(*") == comment.count("*)") == 1
+    assert '"' not in comment
+    assert "forall Set_ x3b8 : R" in text.replace("x3b8 Set_", "Set_ x3b8") or "Set_" in text
+    assert identifiers(["R", "x", "Set", "θ"]) == {"R": "R_", "x": "x", "Set": "Set_", "θ": "x3b8"}
+
+
+def test_a_changed_numerator_is_refused() -> None:
+    changed = {**data("transformations", "polar-coordinates", 0)}
+    entry = changed["cases"][0]["residuals"][3]
+    case = {**changed["cases"][0], "residuals": list(changed["cases"][0]["residuals"])}
+    case["residuals"][3] = {**entry, "numerator": {"r": "1"}}
+    with pytest.raises(InputError, match="isn't the residual's"):
+        coq_of({**changed, "cases": [case]})

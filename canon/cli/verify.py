@@ -14,7 +14,8 @@ from canon.cli.files import ClaimFile, claim_files
 from canon.cli.parser import BAD_INPUT, count, seconds, whole
 
 if TYPE_CHECKING:
-    from canon.claims.worker import Entry, Recorder, Settings
+    from canon.claims.remembered import Memory
+    from canon.claims.worker import Entry, Settings
 
 HELP: Final = "check the claims of files, of folders, or of the built-in catalogue"
 DESCRIPTION: Final = (
@@ -34,6 +35,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
         "--coverage",
         action="store_true",
         help="show what checks every statement of the course (of the catalogue)",
+    )
+    parser.add_argument(
+        "--fresh", action="store_true", help="answer the catalogue's claims anew, whatever is remembered of them"
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     parser.add_argument(
@@ -56,6 +60,9 @@ def execute(arguments: argparse.Namespace) -> int:
         print("canon verify: error: --coverage speaks of the built-in catalogue: leave out the files", file=sys.stderr)
         return BAD_INPUT
     start = time.monotonic()
+    from canon.claims.remembered import memory
+    from canon.cli.verify_run import run_claims
+
     if arguments.certificate is not None and (reason := _not_a_folder(arguments.certificate)):
         print(f"canon verify: --certificate: {reason}", file=sys.stderr)
         return BAD_INPUT
@@ -65,11 +72,17 @@ def execute(arguments: argparse.Namespace) -> int:
     order: dict[str, int] = {}
     terminal = not arguments.json and sys.stdout.isatty()
     interrupted = False
+    settings = _settings(arguments)
+    kept = memory(settings) if not (arguments.files or arguments.fresh) else None
+    recalled: set[str] = set()
     try:
-        _read(arguments.files, entries, errors, order)
-        _run(arguments, entries, results, terminal=terminal)
+        _read(arguments.files, entries, errors, order, results, kept, recalled)
+        quiet = arguments.json or arguments.coverage
+        run_claims(entries, settings, arguments.jobs, results, terminal=terminal, quiet=quiet)
     except KeyboardInterrupt:
         interrupted = True
+    if kept is not None:
+        _remember(kept, entries, results, recalled | {error["file"] for error in errors})
     from canon.report.record import exit_status, run_record
 
     answers = [results[position] for position in sorted(results)]
@@ -95,12 +108,22 @@ def _coverage(entries: list[Entry], record: Record) -> list[str]:
     return as_text(rows)
 
 
-def _read(names: list[str], entries: list[Entry], errors: list[Record], order: dict[str, int]) -> None:
+def _read(
+    names: list[str],
+    entries: list[Entry],
+    errors: list[Record],
+    order: dict[str, int],
+    results: dict[int, Record],
+    kept: Memory | None,
+    recalled: set[str],
+) -> None:
     """Read the files into `entries` and `errors`, and number them in `order`.
 
-    All three are filled as reading goes on, so that an interruption loses nothing.
+    What is remembered goes to `results`, the names of its files to `recalled`. All are filled as reading goes on, so
+    that an interruption loses nothing.
     """
     from canon.claims.reader import read_file
+    from canon.claims.remembered import recall
     from canon.claims.worker import Entry
     from canon.report.record import error_record
 
@@ -108,6 +131,12 @@ def _read(names: list[str], entries: list[Entry], errors: list[Record], order: d
     errors += [error_record(absent.name, "", absent.message) for absent in missing]
     for file in files:
         order.setdefault(file.name, len(order))
+        known = None if kept is None else recall(kept, file.path, file.name)
+        if known is not None:
+            recalled.add(file.name)
+            results |= {len(entries) + k: {"claim": record} for k, record in enumerate(known[1])}
+            entries += [Entry(file.name, claim.index, claim, str(file.path)) for claim in known[0]]
+            continue
         try:
             claims, problems = read_file(file.path)
         except Exception as error:  # a flaw of the reader must not keep the other files from being checked
@@ -118,6 +147,22 @@ def _read(names: list[str], entries: list[Entry], errors: list[Record], order: d
         errors += [error_record(file.name, problem["where"], problem["message"]) for problem in problems]
 
 
+def _remember(kept: Memory, entries: list[Entry], results: dict[int, Record], others: set[str]) -> None:
+    """Keep the answers about each file, but for `others`."""
+    from canon.claims.remembered import forget_the_oldest, remember
+
+    files: dict[str, list[int]] = {}
+    for position, entry in enumerate(entries):
+        if entry.file not in others:
+            files.setdefault(entry.file, []).append(position)
+    for positions in files.values():
+        claims = [claim for k in positions if (claim := entries[k].claim) is not None]
+        records = [results[k]["claim"] for k in positions if "claim" in results.get(k, {})]
+        remember(kept, entries[positions[0]].path, claims, records)
+    if files:
+        forget_the_oldest(kept)
+
+
 def _catalogue() -> list[ClaimFile]:
     """Return the files of the built-in catalogue, named by their room in it and their file's name."""
     from canon.catalogue import files
@@ -126,19 +171,12 @@ def _catalogue() -> list[ClaimFile]:
     return [ClaimFile(f"{path.parent.name}/{path.name}", path) for path in paths]
 
 
-def _run(arguments: argparse.Namespace, entries: list[Entry], results: dict[int, Record], *, terminal: bool) -> None:
-    """Verify the claims and collect the answers by position; show lines or a progress bar meanwhile."""
+def _settings(arguments: argparse.Namespace) -> Settings:
     from canon.claims.worker import Settings
 
-    settings = Settings(
+    return Settings(
         budget=arguments.budget, seed=arguments.seed, method=arguments.method, certificates=arguments.certificate
     )
-    if terminal:
-        _run_with_bar(entries, settings, arguments.jobs, results)
-    elif arguments.json or arguments.coverage:
-        _collect(entries, settings, arguments.jobs, results)
-    else:
-        _run_with_lines(entries, settings, arguments.jobs, results)
 
 
 def _not_a_folder(name: str) -> str:
@@ -148,63 +186,6 @@ def _not_a_folder(name: str) -> str:
     except OSError as error:
         return f"{name!r} is no folder and can't be made one: {error.strerror}"
     return "" if os.access(name, os.W_OK) else f"{name!r} can't be written to"
-
-
-def _recorder(settings: Settings) -> Recorder:
-    """What makes the record of a verdict, with a certificate where they are asked for."""
-    from canon.report.record import claim_record
-
-    if settings.certificates is None:
-        return claim_record
-    from functools import partial
-
-    from canon.report.certificate_file import record_with_certificate
-
-    return partial(record_with_certificate, settings.certificates)
-
-
-def _collect(
-    entries: list[Entry], settings: Settings, jobs: int | None, results: dict[int, Record], watch: Any = None
-) -> None:
-    from canon.claims.run import run
-
-    for position, answer in run(entries, settings, _recorder(settings), jobs=jobs, watch=watch):
-        results[position] = answer
-
-
-def _run_with_bar(entries: list[Entry], settings: Settings, jobs: int | None, results: dict[int, Record]) -> None:
-    from rich.console import Console
-
-    from canon.report.console import progress
-
-    console = Console(stderr=True)
-    if not (console.is_terminal and entries):
-        _collect(entries, settings, jobs, results)
-        return
-    with progress(len(entries), console) as bar:
-        _collect(
-            entries,
-            settings,
-            jobs,
-            results,
-            lambda done, running: bar.update(done, entries[running[0]].file if running else ""),
-        )
-
-
-def _run_with_lines(entries: list[Entry], settings: Settings, jobs: int | None, results: dict[int, Record]) -> None:
-    from canon.claims.run import run
-    from canon.report.plain import Columns
-    from canon.report.words import name
-
-    heads = [{"title": entry.claim.title, "kind": entry.claim.kind} for entry in entries if entry.claim is not None]
-    columns = Columns.of([(entry.file, entry.index) for entry in entries], [name(head) for head in heads])
-    printed = 0
-    for position, answer in run(entries, settings, _recorder(settings), jobs=jobs):
-        results[position] = answer
-        while printed in results:
-            if "claim" in results[printed]:
-                print(columns.line(results[printed]["claim"]), flush=True)
-            printed += 1
 
 
 def _print(record: Record, *, json: bool, terminal: bool, seconds: float, interrupted: int) -> None:

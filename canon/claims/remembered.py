@@ -1,0 +1,128 @@
+"""Verdicts of the catalogue that are remembered: by the content of a file, of the deciders, and of the settings.
+
+An entry holds what a file's claims were answered, as JSON with a checksum. It is written whole or not at all, never
+unpickled, and ignored when it is damaged. Whatever may change an answer is in its name: the file, every module of the
+package, the versions of what computes, the seed, budget and method. What stayed undecided is asked again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import platform
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, Final
+
+from canon.claim import Claim
+from canon.claims.worker import Settings
+
+Record = dict[str, Any]
+FORMAT: Final = 1
+LARGEST: Final = 4_000_000
+KEPT: Final = 3
+"""So many states of the deciders have their verdicts kept."""
+
+
+@dataclass(frozen=True)
+class Memory:
+    """Where the verdicts of one state of the deciders are kept, and what they depend on besides the file."""
+
+    folder: Path
+    settings: str
+
+    def entry(self, content: bytes) -> Path:
+        """The place of the verdicts about a file with this content."""
+        return self.folder / (hashlib.sha256(self.settings.encode() + b"\0" + content).hexdigest() + ".json")
+
+
+def memory(settings: Settings) -> Memory | None:
+    """The memory of this state of the deciders; None where there is no folder for it, or certificates are asked for."""
+    root = cache_folder()
+    if root is None or settings.certificates is not None:
+        return None
+    words = f"{settings.budget!r} {settings.seed} {settings.method}"
+    return Memory(root / "verdicts" / fingerprint(), words)
+
+
+def cache_folder() -> Path | None:
+    """The user's folder for caches of this program; None where there is no home."""
+    given = os.environ.get("XDG_CACHE_HOME", "")
+    if given and os.path.isabs(given):
+        return Path(given) / "canon"
+    with contextlib.suppress(RuntimeError):
+        return Path.home() / ".cache" / "canon"
+    return None
+
+
+def fingerprint() -> str:
+    """A name for the state of the deciders: every module of the package, and the versions of what they compute with."""
+    package = Path(__file__).resolve().parents[1]
+    digest = hashlib.sha256(f"{FORMAT} {platform.python_version()} {platform.machine()}".encode())
+    for name in ("sympy", "python-flint", "mpmath", "numpy"):
+        with contextlib.suppress(Exception):
+            digest.update(f"{name} {version(name)}".encode())
+    for path in sorted(package.rglob("*.py")):
+        digest.update(str(path.relative_to(package)).encode() + b"\0" + path.read_bytes() + b"\0")
+    return digest.hexdigest()[:32]
+
+
+def recall(kept: Memory, path: str | os.PathLike[str], name: str) -> tuple[list[Claim], list[Record]] | None:
+    """The claims of a file, by what a report needs of them, and their records; None where they aren't remembered."""
+    try:
+        place = kept.entry(Path(path).read_bytes())
+        if place.stat().st_size > LARGEST:
+            return None
+        whole = json.loads(place.read_bytes())
+        body = whole["body"]
+        if whole["checksum"] != _checksum(body) or body["format"] != FORMAT:
+            return None
+        claims = [
+            Claim(c["kind"], None, title=c["title"], source=c["source"], expect=c["expect"], index=c["index"])
+            for c in body["claims"]
+        ]
+        records = [{**record, "file": name} for record in body["records"]]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return None
+    return (claims, records) if len(claims) == len(records) else None
+
+
+def remember(kept: Memory, path: str | os.PathLike[str], claims: Sequence[Claim], records: Sequence[Record]) -> None:
+    """Keep what a file's claims were answered, where all of them were and it can be written; else nothing happens."""
+    if len(records) != len(claims) or any(record["verdict"] == "undecided" for record in records):
+        return
+    shown = [
+        {"kind": c.kind, "title": c.title, "source": c.source, "expect": c.expect, "index": c.index} for c in claims
+    ]
+    body = {"format": FORMAT, "claims": shown, "records": list(records)}
+    text = json.dumps({"checksum": _checksum(body), "body": body}, allow_nan=False)
+    with contextlib.suppress(OSError, ValueError):
+        place = kept.entry(Path(path).read_bytes())
+        kept.folder.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(dir=kept.folder, prefix=".new-")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8") as file:
+                file.write(text)
+            os.replace(name, place)
+        except OSError:
+            with contextlib.suppress(OSError):
+                os.unlink(name)
+
+
+def forget_the_oldest(kept: Memory) -> None:
+    """Remove the verdicts of all but the last few states of the deciders."""
+    with contextlib.suppress(OSError):
+        states = sorted(kept.folder.parent.iterdir(), key=lambda folder: folder.stat().st_mtime, reverse=True)
+        for folder in [state for state in states if state != kept.folder][KEPT - 1 :]:
+            for file in folder.iterdir():
+                file.unlink()
+            folder.rmdir()
+
+
+def _checksum(body: Any) -> str:
+    return hashlib.sha256(json.dumps(body, sort_keys=True).encode()).hexdigest()

@@ -22,6 +22,7 @@ from canon.domain import Condition, Domain, nonzero
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, OneDegree, at_most, linear_edge, one_degree
+from canon.mechanics.quartic_wells import quartic_wells
 from canon.mechanics.residues import by_residues
 from canon.mechanics.standard_actions import cosine, pendulum_like, power_well, rotation
 from canon.sign import known_sign
@@ -160,6 +161,7 @@ def _closed_forms(question: Question, setting: Setting, branch: str) -> Iterator
     yield from by_residues(motion)
     yield from pendulum_like(motion)
     yield from power_well(motion)
+    yield from quartic_wells(motion)
 
 
 # -- where it is claimed ------------------------------------------------------------------------------
@@ -200,7 +202,8 @@ def _not_implied(question: Question, setting: Setting, region: Region, closed: C
     whole = _along(question, setting, region)
     leading = nonzero(motion.leading) if motion.leading.has(setting.q) else ()
     found = []
-    kink = (setting.q, sp.Abs(setting.q)) if closed.passes_zero else ()
+    passes = closed.passes_zero and question.hamiltonian().expr.has(sp.Abs)
+    kink = (setting.q, sp.Abs(setting.q)) if passes else ()
     passed = [c for c in setting.conditions if c.terms[0] not in kink]
     for condition in (*passed, *leading):
         names = set().union(*(term.free_symbols for term in condition.terms))

@@ -7,6 +7,7 @@ import sympy as sp
 from canon.domain import Condition
 from canon.errors import InputError
 from canon.mechanics.action_angle import NotQuadratic, coordinate_range, one_degree
+from canon.mechanics.quartic_wells import quartic_wells
 from canon.mechanics.residues import by_residues
 from canon.mechanics.standard_actions import cosine, pendulum_like, power_well, rotation
 
@@ -14,6 +15,7 @@ m, w, a, b, L, D, k = sp.symbols("m w a b L D k", positive=True)
 E, q, p = sp.symbols("E q p", real=True)
 r = sp.Symbol("r", positive=True)
 VALUES = {m: sp.Rational(7, 5), w: sp.Rational(3, 2), a: 2, b: sp.Rational(1, 2), L: sp.Rational(1, 3), D: 3, k: 1}
+WAYS = (by_residues, pendulum_like, power_well, quartic_wells)
 CENTRAL = (p**2 + L**2 / r**2) / 2
 
 
@@ -46,12 +48,16 @@ def _within(low, high):
         (p**2 / 2 + k * sp.cos(2 * q), q, (), 0, 1.5),
         (p**2 / 2 + D * sp.sin(q / 2) ** 2, q, (), 1, 0),
         (p**2 / 2 + k * q**6, q, (), 2, 0),
+        (p**2 / 2 + k * q**2 + D * q**4, q, (), 2, 0),
+        (p**2 / 2 + k * q**2 - a * q**4 / 100, q, (), 2, 0),
+        (p**2 / 2 - D * r**2 + k * r**4, r, (), sp.Rational(-3, 2), 1),
+        (p**2 / (2 * m * (1 + a**2 * q**2)) + m * w * q**2, q, (), 2, 0),
         (p**2 / 2 + k * sp.Abs(q), q, (), 2, 0),
     ],
 )
 def test_closed_forms_are_the_integrals(H, x, conditions, energy, near):
     motion = one_degree(H, x, p, E, conditions)
-    closed = next(form for way in (by_residues, pendulum_like, power_well) for form in way(motion))
+    closed = next(form for way in WAYS for form in way(motion))
     at = VALUES | {E: sp.sympify(energy)}
     assert all(value.xreplace(at).evalf() > 0 for value in closed.exists)
     square = sp.lambdify(x, motion.square.xreplace(at), "mpmath")
@@ -90,9 +96,10 @@ def test_a_rotation_and_the_separatrix():
 def test_what_is_not_recognised():
     def found(H, x=q):
         motion = one_degree(H, x, p, E)
-        return [*by_residues(motion), *pendulum_like(motion), *power_well(motion)]
+        return [form for way in WAYS for form in way(motion)]
 
-    assert not found(p**2 / 2 + q**4 + q**2)
+    assert not found(p**2 / 2 + q**4 + q**3 + q**2)
+    assert not found(p**2 / 2 + q**4 - q**2)  # below the barrier there are two wells
     assert not found(p**2 / 2 + q**3)
     assert not found(p**2 / 2 + 1 / q**2 + q**2)  # a pole inside of the range: two wells
     assert not found(p**2 * (1 + q**2) / 2 + q**4)

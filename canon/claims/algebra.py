@@ -191,7 +191,7 @@ def _outside(question: Question, region: Region, basis: Basis, found: Found) -> 
     tape = question.tape
     point = dict(place.point.items())
     sample = Witness.of(tape, place, place.balls[next(iter(place.balls))]).as_table()
-    sample |= {str(tape.symbol_at(x)): v for x, v in found.values.items() if x not in point}
+    sample |= {str(tape.symbol_at(x)): str(v) for x, v in found.values.items() if x not in point}
     value = multiple_of_the_basis(question, region, basis, pair) or question.show(basis.brackets[pair])
     theorem = "no constant coefficients satisfy the linear equations at certified points of the domain"
     label = f"{_label(basis, pair)} in the span of the basis"

@@ -1,5 +1,7 @@
 """`algebra` and `group`: Kepler's hidden symmetry, mutants of it, surfaces, parameters, tensors, composition laws."""
 
+import json
+
 import pytest
 
 KEPLER = {
@@ -65,6 +67,8 @@ def test_laplaces_vector_closes_on_surfaces_of_constant_energy_alone(ask):
         **KEPLER,
     )
     assert (free.status, free.detail["value"]) == ("refuted", "-2*H*Mz*m")
+    witness = json.loads(json.dumps(dict(free.certificate)))["witness"]
+    assert witness.keys() == {"x", "y", "z", "px", "py", "pz", "m", "a"}
     assert free.detail["fails"] == "{Ax, Ay} in the span of the basis"
     assert (sign.status, tables.status) == ("refuted", "refuted")
     bound, wrong, factor = ask(

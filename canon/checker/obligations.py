@@ -151,7 +151,8 @@ def bracketed(s: Statement) -> Callable[[int, int], int]:
     f, claim = s.f, s.claim
     if "tensor" not in claim and "structure" not in claim:
         return lambda a, b: f.bracket(a, b, f.pairs)
-    x = claim["coordinates"]
+    listed = [name.strip() for pair in claim.get("structure", ()) for name in pair.split(",")]
+    x = claim.get("coordinates") or list(dict.fromkeys(listed))
     if "tensor" in claim:
         entries = {(i, j): f.read(claim["tensor"][i][j], s.names) for i, j in combinations(range(len(x)), 2)}
     else:

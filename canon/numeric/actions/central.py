@@ -15,10 +15,10 @@ import numpy as np
 from canon.errors import InputError
 from canon.numeric.actions.isochrone import CentralActions
 from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block
-from canon.numeric.actions.radial import narrow, narrow_sums, wide_ends, wide_sums
+from canon.numeric.actions.radial import narrow, narrow_sums, perhaps_narrow, wide_ends, wide_sums
 from canon.numeric.precision import UNIT, double
 
-COUNTS: Final = (24, 48, 96, 192, 384)
+COUNTS: Final = (16, 32, 64, 128, 256, 512)
 SETTLED: Final = 1e-7
 MARGIN: Final = 1e2
 
@@ -26,8 +26,9 @@ MARGIN: Final = 1e2
 class _Kernels(NamedTuple):
     """Compiled once for a formula: blocks of orbits in, arrays out."""
 
-    sort: Any
+    guess: Any
     near: Any
+    ends: Any
     wide: Any
 
 
@@ -56,15 +57,11 @@ def central_actions(
     found = np.full((4, count), np.nan)
     kernels = _kernels(formula, symbol, float(m))
     with double():
-        is_near, ends = np.zeros(count, dtype=bool), np.empty((2, count))
-        for block in blocks(np.arange(count)):
-            is_near[block], ends[0, block], ends[1, block] = on_block(kernels.sort, block, state)
-        lost = ~is_near & ~np.isfinite(ends).all(axis=0)
+        wide, ends = sorted_out(kernels, state, found, _row)
+        lost = ~np.isfinite(ends).all(axis=0)
         if lost.any():
-            raise InputError(_unbound(formula, symbol, int(np.argmax(lost)), state))
-        for block in blocks(np.flatnonzero(is_near)):
-            found[:, block] = _row(*on_block(kernels.near, block, state))
-        doubled(kernels.wide, np.flatnonzero(~is_near), [*state, *ends], found, _row)
+            raise InputError(_unbound(formula, symbol, int(wide[np.argmax(lost)]), state))
+        doubled(kernels.wide, wide, [*state, *spread(ends, wide, count)], found, _row)
     radial, frequency, azimuthal, bound = (row.reshape(shape) for row in found)
     return CentralActions(radial, 2 * np.pi * state[2].reshape(shape), frequency, azimuthal, bound)
 
@@ -72,6 +69,25 @@ def central_actions(
 def _row(action: Any, time: Any, angle: Any, rounding: Any) -> Any:
     """J_r, both frequencies and the rounding, from what one way between the turning points gives."""
     return np.stack([2 * action, 1 / (2 * time), angle / time / (2 * np.pi), rounding])
+
+
+def sorted_out(kernels: Any, state: Any, found: Any, row: Any) -> tuple[Any, Any]:
+    """Fill `found` for the narrow orbits; return the indices of all others, with their turning points (2, …)."""
+    everything = np.arange(found.shape[1])
+    guessed = np.concatenate([on_block(kernels.guess, block, state)[0] for block in blocks(everything)])
+    for block in blocks(np.flatnonzero(guessed)):
+        holds, *values = on_block(kernels.near, block, state)
+        found[:, block[holds]] = row(*values)[:, holds]
+    wide = np.flatnonzero(np.isnan(found[0]))
+    ends = [np.stack(on_block(kernels.ends, block, state)) for block in blocks(wide)]
+    return wide, np.concatenate([np.empty((2, 0)), *ends], axis=1)
+
+
+def spread(rows: Any, indices: Any, count: int) -> Any:
+    """Rows of some orbits as rows of all."""
+    found = np.full((len(rows), count), np.nan)
+    found[:, indices] = rows
+    return found
 
 
 def doubled(kernels: Any, todo: Any, rows: Any, found: Any, row: Any) -> None:
@@ -100,15 +116,12 @@ def _kernels(formula: Any, symbol: Any, m: float) -> _Kernels:
 
     V = as_function(formula, symbol)
 
-    def sort(r: Any, p: Any, L: Any) -> Any:
-        return (narrow(V, r, p, L, m).holds, *wide_ends(V, r, p, L, m))
-
     def near(r: Any, p: Any, L: Any) -> Any:
         orbit = narrow(V, r, p, L, m)
         sums = narrow_sums(orbit, r, L, m)
         # D is a difference of two terms of the size of L²/r³
         off = 8 * UNIT * (L * L / r**3) * jnp.maximum(-orbit.low, orbit.high)
-        return *sums, 2 * (off * sums.time / m + 16 * UNIT * sums.action)
+        return orbit.holds, *sums, 2 * (off * sums.time / m + 16 * UNIT * sums.action)
 
     @lru_cache(maxsize=8)
     def wide(count: int) -> Any:
@@ -120,7 +133,8 @@ def _kernels(formula: Any, symbol: Any, m: float) -> _Kernels:
 
         return run
 
-    return _Kernels(jax.jit(sort), jax.jit(near), wide)
+    guess = jax.jit(lambda *state: (perhaps_narrow(V, *state, m),))
+    return _Kernels(guess, jax.jit(near), jax.jit(lambda *state: wide_ends(V, *state, m)), wide)
 
 
 def _check(state: list[Any]) -> None:

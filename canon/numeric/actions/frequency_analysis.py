@@ -67,7 +67,7 @@ def frequency_lines(signal: Array, step: float, count: int = 1, *, power: int = 
             found[k] = grid.climbed(rest, found[k])
             amplitudes = grid.amplitudes(values, found)
         change = np.abs(found - before)
-        if np.all(change <= _SETTLED):
+        if np.all(change <= 4 * _SETTLED):
             break
     order = np.argsort(-np.abs(amplitudes), kind="stable")
     left = values - grid.sum(found, amplitudes)

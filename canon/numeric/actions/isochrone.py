@@ -79,7 +79,10 @@ def isochrone_angle(r: Any, p_r: Any, L: Any, *, m: Any = 1.0, a: Any = 1.0, b: 
 def _scales(r: Any, p: Any, L: Any, m: Any, a: Any, b: Any) -> _Scales:
     """Of each root and quotient, what its rounding lost is put back to first order where differences are taken."""
     import jax.numpy as jnp
+    from jax import lax
 
+    # XLA takes (x + c) − c for x where c is a constant, which is what error-free sums must not be: it may not know one
+    m, a, b = lax.optimization_barrier(tuple(jnp.asarray(value, float) for value in (m, a, b)))
     k, k_lost = two_product(a, m)
     s = jnp.sqrt(b * b + r * r)
     s_lost = _sum([(b, b), (r, r), (s, -s)]) / (2 * s)

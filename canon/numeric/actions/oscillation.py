@@ -99,6 +99,22 @@ def mean_curvature(bend: Scalar, a: Any, b: Any, order: int = GAUSS) -> Scalar:
     return lambda y: jnp.tensordot(products, bend(a + t[:, None] * ((b - a) + tau[:, None] * (y - b))), axes=1)
 
 
+def of_parabola(F0: Any, first: Any, second: Any) -> tuple[Any, Any]:
+    """The zeros y of F0 + first y + second y², the farther one first; the nearer follows from their product."""
+    import jax.numpy as jnp
+
+    spread = jnp.sqrt(jnp.maximum(first * first - 4 * second * F0, 0.0))
+    far = -(first + jnp.where(first >= 0, spread, -spread)) / (2 * second)
+    return far, jnp.where(far != 0, F0 / (second * jnp.where(far != 0, far, 1.0)), 0.0)
+
+
+def may_be_narrow(F0: Any, first: Any, second: Any, scale: Any) -> Any:
+    """Whether the parabola's zeros are as near to each other as those of a narrow oscillation."""
+    import jax.numpy as jnp
+
+    return (second < 0) & (jnp.abs(of_parabola(F0, first, second)[0]) < 2 * NARROW * scale)
+
+
 def narrow_ends(D: Scalar, F0: Any) -> tuple[Any, Any]:
     """The two zeros y of F0 + y D(y) about 0: by its parabola, then by Newton's method."""
     import jax
@@ -106,10 +122,7 @@ def narrow_ends(D: Scalar, F0: Any) -> tuple[Any, Any]:
     from jax import lax
 
     zero = jnp.zeros_like(F0)
-    first, second = jax.jvp(D, (zero,), (jnp.ones_like(F0),))
-    spread = jnp.sqrt(jnp.maximum(first * first - 4 * second * F0, 0.0))
-    far = -(first + jnp.where(first >= 0, spread, -spread)) / (2 * second)
-    near = jnp.where(far != 0, F0 / (second * jnp.where(far != 0, far, 1.0)), 0.0)
+    far, near = of_parabola(F0, *jax.jvp(D, (zero,), (jnp.ones_like(F0),)))
 
     def improve(_: Any, y: Any) -> Any:
         value, slope = jax.jvp(D, (y,), (jnp.ones_like(y),))

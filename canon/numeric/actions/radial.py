@@ -8,6 +8,7 @@ from canon.numeric.actions.oscillation import (
     NARROW_NODES,
     Scalar,
     is_narrow,
+    may_be_narrow,
     mean_curvature,
     mean_slope,
     narrow_ends,
@@ -63,6 +64,19 @@ def wide_sums(V: Scalar, r: Any, p: Any, L: Any, m: Any, low: Any, high: Any, co
     half = (high - low) / 2
     action, time, angle = quadrature(term, low, high, count)
     return Sums(half * action, half * m * time, half * L * angle)
+
+
+def perhaps_narrow(V: Scalar, r: Any, p: Any, L: Any, m: Any) -> Any:
+    """Whether it is worth looking at the orbit as a nearly circular one, by two derivatives of V."""
+    import jax
+    import jax.numpy as jnp
+
+    def slope(x: Any) -> Any:
+        return jax.jvp(V, (x,), (jnp.ones_like(x),))[1]
+
+    first, second = jax.jvp(slope, (r,), (jnp.ones_like(r),))
+    square = (L / (r * r)) ** 2
+    return may_be_narrow(p * p, 2 * square * r - 2 * m * first, -3 * square - m * second, r)
 
 
 def narrow(V: Scalar, r: Any, p: Any, L: Any, m: Any) -> Narrow:

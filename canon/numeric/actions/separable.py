@@ -10,7 +10,7 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.numeric.actions import staeckel
-from canon.numeric.actions.central import doubled
+from canon.numeric.actions.central import doubled, sorted_out, spread
 from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block
 from canon.numeric.precision import double
 
@@ -26,9 +26,11 @@ class StaeckelActions(NamedTuple):
 
 
 class _Kernels(NamedTuple):
-    sort: Any
+    guess: Any
     near: Any
+    ends: Any
     wide: Any
+    top: Any
     across: Any
 
 
@@ -64,20 +66,18 @@ def staeckel_actions(
     radial, vertical = np.full((2, count), np.nan), np.full((2, count), np.nan)
     kernels = _kernels(formula, symbol, float(delta), float(m))
     with double():
-        is_near, ends = np.zeros(count, dtype=bool), np.empty((3, count))
-        for block in blocks(np.arange(count)):
-            is_near[block], ends[0, block], ends[1, block], ends[2, block] = on_block(kernels.sort, block, state)
-        lost = (~is_near & ~np.isfinite(ends[:2]).all(axis=0)) | ~np.isfinite(ends[2])
+        wide, ends = sorted_out(kernels, state, radial, _twice)
+        top = np.concatenate([on_block(kernels.top, block, state)[0] for block in blocks(np.arange(count))])
+        lost = ~np.isfinite(top)
+        lost[wide] |= ~np.isfinite(ends).all(axis=0)
         if lost.any():
             raise InputError(
                 f"orbit {int(np.argmax(lost))} has no turning points on both sides: it is not bound; bound ones have "
                 f"E below the limit of V at infinity, and G + E above 0 in the plane",
                 "E",
             )
-        for block in blocks(np.flatnonzero(is_near)):
-            radial[:, block] = _twice(*on_block(kernels.near, block, state))
-        doubled(kernels.wide, np.flatnonzero(~is_near), [*state, ends[0], ends[1]], radial, _twice)
-        doubled(kernels.across, np.arange(count), [*state, ends[2]], vertical, lambda *row: np.stack(row))
+        doubled(kernels.wide, wide, [*state, *spread(ends, wide, count)], radial, _twice)
+        doubled(kernels.across, np.arange(count), [*state, top], vertical, lambda *row: np.stack(row))
     azimuthal = 2 * np.pi * state[4]
     return StaeckelActions(*(x.reshape(shape) for x in (radial[0], vertical[0], azimuthal, radial[1], vertical[1])))
 
@@ -95,14 +95,10 @@ def _kernels(formula: Any, symbol: Any, delta: float, m: float) -> _Kernels:
     def place(*state: Any) -> staeckel.Place:
         return staeckel.place_of(G, delta, m, *state)
 
-    def sort(*state: Any) -> Any:
-        at = place(*state)
-        holds = staeckel.narrow_radial(G, D2, at).holds
-        return holds, *staeckel.wide_ends(G, D2, at), staeckel.vertical_end(G, D2, at)
-
     def near(*state: Any) -> Any:
         at = place(*state)
-        return staeckel.narrow_action(staeckel.narrow_radial(G, D2, at), m, at)
+        orbit = staeckel.narrow_radial(G, D2, at)
+        return orbit.holds, *staeckel.narrow_action(orbit, m, at)
 
     @lru_cache(maxsize=8)
     def wide(count: int) -> Any:
@@ -112,4 +108,7 @@ def _kernels(formula: Any, symbol: Any, delta: float, m: float) -> _Kernels:
     def across(count: int) -> Any:
         return jax.jit(lambda *row: staeckel.vertical(G, D2, m, place(*row[:5]), row[5], count))
 
-    return _Kernels(jax.jit(sort), jax.jit(near), wide, across)
+    guess = jax.jit(lambda *state: (staeckel.perhaps_narrow(G, D2, place(*state)),))
+    ends = jax.jit(lambda *state: staeckel.wide_ends(G, D2, place(*state)))
+    top = jax.jit(lambda *state: (staeckel.vertical_end(G, D2, place(*state)),))
+    return _Kernels(guess, jax.jit(near), ends, wide, top, across)

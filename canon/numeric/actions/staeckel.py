@@ -15,6 +15,7 @@ from canon.numeric.actions.oscillation import (
     NARROW_NODES,
     Scalar,
     is_narrow,
+    may_be_narrow,
     mean_curvature,
     mean_slope,
     narrow_ends,
@@ -97,6 +98,19 @@ class NarrowRadial(NamedTuple):
     low: Any
     high: Any
     holds: Any
+
+
+def perhaps_narrow(G: Scalar, D2: Any, place: Place) -> Any:
+    """Whether it is worth looking at the orbit as one whose l hardly changes, by two derivatives of t G."""
+    import jax
+    import jax.numpy as jnp
+
+    def slope(t: Any) -> Any:
+        return jax.jvp(lambda x: x * G(x), (t,), (jnp.ones_like(t),))[1]
+
+    first, second = jax.jvp(slope, (place.l,), (jnp.ones_like(place.l),))
+    pull = place.I2 * D2 / place.beyond**2
+    return may_be_narrow(place.F, first + place.E + pull, second / 2 - pull / place.beyond, place.beyond)
 
 
 def narrow_radial(G: Scalar, D2: Any, place: Place) -> NarrowRadial:

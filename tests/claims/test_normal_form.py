@@ -1,9 +1,17 @@
 """Claims of normal forms, unique or not: decided both ways, exactly."""
 
-import pytest
+import random
 
+import pytest
+import sympy as sp
+
+from canon.claims.reached import compared
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
+from canon.mechanics.birkhoff import birkhoff_gustavson, equilibrium, exponential, normalised
+from canon.mechanics.homological import kernel, monomials
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.taylor_polynomial import homogeneous_parts
 
 LINE = 'q = ["q"]\np = ["p"]\n'
 PLANE = 'q = ["x", "y"]\np = ["px", "py"]\n'
@@ -44,11 +52,6 @@ def test_one_to_one_resonance(status, order, N, expected):
 
 def test_a_true_normal_form_of_higher_order_that_isnt_the_computed_one(ask):
     """exp{., k} of the computed one up to order 8: the correction found in degree 6 must fit in degree 8 too."""
-    import sympy as sp
-
-    from canon.mechanics.birkhoff import birkhoff_gustavson, exponential
-    from canon.mechanics.phase_space import PhaseSpace
-
     space = PhaseSpace("x y", "px py")
     x, y, px, py = space.symbols("x y px py")
     found = birkhoff_gustavson(space, (px**2 + py**2 + x**2 + y**2) / 2 + x**2 * y - y**3 / 3, 8)
@@ -132,3 +135,24 @@ def test_faults_of_the_file(line, words):
     order = "" if "order" in line else "order = 4\n"
     reading = read_text(f'[phase_space]\n{LINE}[hamiltonian]\nH = "p"\n[[claim]]\nkind = "normal_form"\n{order}{line}')
     assert words in reading.problems[0]["message"]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_search_among_all_maps_agrees_with_that_among_those_that_commute(seed, monkeypatch):
+    """Two ways to the same answer: κ in the kernel of {., H₂}, and any κ at all."""
+    rng = random.Random(seed)
+    x, y, px, py = variables = sp.symbols("x y px py", real=True)
+    H2 = rng.choice([(px**2 + x**2 + py**2 + y**2) / 2, (px**2 + x**2 - py**2 - y**2) / 2, x * px + y * py])
+    cubic = [sp.Mul(*rng.choices(variables, k=3)) for _ in range(3)]
+    H = H2 + sum(rng.choice((-2, -1, 1, 2)) * term for term in cubic)
+    algebra, (parts,) = homogeneous_parts(H, variables, 5)
+    normal = normalised(algebra, equilibrium(algebra, parts), 5)
+    basis = kernel(algebra, normal.parts[2], [*monomials(algebra, 4), *monomials(algebra, 3)])
+    moved = exponential(algebra, dict(normal.parts), rng.choice(basis) + rng.choice(basis) * 2, 5)
+    N = {degree: algebra.expression(f) for degree, f in moved.items() if degree > 2}
+    changed = {**N, 4: N.get(4, sp.S.Zero) + sp.sympify(H2) ** 2 / 1000}
+    answers = [compared(variables, H, claimed, 5, lambda: None) for claimed in (N, changed)]
+    monkeypatch.setattr("canon.claims.reached.semisimple", lambda algebra, H2: False)
+    again = [compared(variables, H, claimed, 5, lambda: None) for claimed in (N, changed)]
+    assert [a.holds for a in answers] == [a.holds for a in again] == [True, False]
+    assert [a.fails_at for a in answers] == [a.fails_at for a in again]

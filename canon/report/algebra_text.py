@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from canon.mechanics.algebra import linear
+from canon.mechanics.algebra.casimirs import casimirs
 from canon.mechanics.algebra.ideals import centre, derived_series, lower_central_series
 from canon.mechanics.algebra.lie_algebra import LieAlgebra, as_sympy
 
@@ -45,6 +46,8 @@ def as_record(table: AlgebraTable, file: str) -> dict[str, Any]:
             "killing_form": [[str(entry) for entry in row] for row in linear.rows(g.killing_form())],
             "killing_signature": list(found.killing_signature),
             "levi": [s.names[0] for s in found.identity.levi],
+            "levi_types": [f"{s.type}(C)" if s.is_complex else str(s.type) for s in found.identity.levi],
+            "casimirs": [str(f) for f in casimirs(g)] if g.dimension <= WIDEST else None,
             "radical_dimension": found.radical.nrows(),
             "centre_dimension": centre(g).nrows(),
             "derived_series": [space.nrows() for space in derived_series(g)],
@@ -77,13 +80,15 @@ def as_text(table: AlgebraTable, file: str) -> list[str]:
     names = ", ".join((found.identity.name, *found.identity.aliases))
     positive, negative, zero = found.killing_signature
     levi = " + ".join(record["levi"]) or "none"
+    types = f" (type {' + '.join(record['levi_types'])})" if record["levi_types"] else ""
     lines += [
         "",
         f"  algebra          {names}",
         f"  Killing form     {positive} positive, {negative} negative, {zero} zero",
-        f"  Levi subalgebra  {levi}; radical of dimension {record['radical_dimension']}",
+        f"  Levi subalgebra  {levi}{types}; radical of dimension {record['radical_dimension']}",
         f"  derived series   {_chain(record['derived_series'])}; centre of dimension {record['centre_dimension']}",
     ]
+    lines += [f"  Casimir          {formula}" for formula in record["casimirs"] or ()]
     if len(record["simple_ideals"]) > 1:
         lines += [f"  simple ideal     {', '.join(basis)}" for basis in record["simple_ideals"]]
     return lines

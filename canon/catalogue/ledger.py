@@ -44,10 +44,14 @@ class Erratum:
 
 @dataclass(frozen=True, slots=True)
 class Elsewhere:
-    """What no claim checks: `tests` by id, as "tests/file.py::name"; `open`, ids without a check, with the reason."""
+    """What no claim checks: `tests` by id, as "tests/file.py::name"; `open`, ids without a check, with the reason.
+
+    `limits` says of some that claims check how far these go.
+    """
 
     tests: Mapping[str, str]
     open: Mapping[str, str]
+    limits: Mapping[str, str]
 
 
 @cache
@@ -74,7 +78,7 @@ def errata() -> tuple[Erratum, ...]:
 def elsewhere() -> Elsewhere:
     """What is checked by tests, and what is open."""
     table = tomllib.loads(files("canon.catalogue").joinpath("elsewhere.toml").read_text(encoding="utf-8"))
-    return Elsewhere(table.get("tests", {}), table.get("open", {}))
+    return Elsewhere(table.get("tests", {}), table.get("open", {}), table.get("limits", {}))
 
 
 def cited(source: str | None) -> tuple[str, ...]:

@@ -103,11 +103,39 @@ def as_markdown(rows: list[Row]) -> str:
             if isinstance(row.item, kind):
                 methods = dict.fromkeys(m for c in row.claims for m in c["method"].split(", ") if m)
                 check = _checks(row, limit=6).replace("|", "\\|") or row.reason
-                title = row.title.replace("|", "\\|")
+                limit = elsewhere().limits.get(row.id, "")
+                title = (row.title + (f" (limit: {limit})" if limit else "")).replace("|", "\\|")
                 time = f"{1000 * row.seconds:.0f}" if row.claims else ""
                 lines.append(f"| {row.id} | {title} | {check} | {row.status} | {', '.join(methods)} | {time} |")
         lines.append("")
     return "\n".join(lines)
+
+
+def errata_page(rows: list[Row]) -> str:
+    """The course's errata: each line as printed and corrected, with the claims that refute and prove them."""
+    lines: list[str] = []
+    for row in rows:
+        erratum = row.item
+        if not isinstance(erratum, Erratum):
+            continue
+        lines += [f"## {erratum.id}: {erratum.where}", "", f"*{erratum.type}*, at {', '.join(erratum.entries)}", ""]
+        lines += [f"- **Printed:** {_plain(erratum.printed)}", f"- **Corrected:** {_plain(erratum.corrected)}"]
+        for claim in row.claims:
+            title, place = claim["title"] or claim["kind"], f"{claim['file']}, claim {claim['index'] + 1}"
+            point = ", ".join(f"{name} = {value}" for name, value in (claim["witness"] or {}).items())
+            at = f", as at {point}" if point and len(point) < 160 else ""
+            lines.append(f"- {claim['verdict']}: {_plain(title)} (`{place}`{_plain(at)})")
+        if not row.claims:
+            lines.append(f"- no claim: {_plain(row.reason)}")
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _plain(text: str) -> str:
+    """Text without accidental Markdown."""
+    for sign in "\\*_[]<>{}$`":
+        text = text.replace(sign, "\\" + sign)
+    return text
 
 
 def as_records(rows: list[Row]) -> list[Record]:

@@ -200,7 +200,7 @@ def exact(value: Any) -> Number:
     if isinstance(value, fmpq):
         return fraction(value)
     expression: Any = sp.Integer(value) if isinstance(value, int) else value
-    if not isinstance(expression, sp.Basic) or not hasattr(expression, "expand") or expression.has(sp.Float):
+    if not hasattr(expression, "is_commutative") or not hasattr(expression, "expand") or expression.has(sp.Float):
         raise InputError(f"{value!r} is no exact number: give a whole number, a fraction or an expression")
     return Fraction(int(expression.p), int(expression.q)) if expression.is_Rational else expression
 

@@ -71,8 +71,12 @@ def _decided(question: Question, statement: Statement) -> Outcome:
         return Outcome("undecided", note=str(reason))
     branch = _branch(question, setting)
     reasons: list[str] = []
-    for closed in _closed_forms(question, setting, branch):
-        region = _region(question, setting, closed)
+    for unsigned in _closed_forms(question, setting, branch):
+        region = _region(question, setting, unsigned)
+        closed = _oriented(question, setting, unsigned, region, branch)
+        if closed is None:
+            reasons.append(f"the sign of {setting.motion.leading}, with which the orbit is run through, isn't known")
+            continue
         gaps = _not_implied(question, setting, region, closed)
         if gaps:
             reasons.append(f"the orbit may leave the domain: {gaps[0]}")
@@ -183,6 +187,19 @@ def _region(question: Question, setting: Setting, closed: ClosedAction) -> Regio
         inside: Any = setting.motion.square.xreplace({setting.q: well.expr})
         wanted.append((inside, f"{well} lies inside"))
     return region.also(*(Requirement("positive", (tape.load(e),), f"{e} > 0 ({why})") for e, why in wanted))
+
+
+def _oriented(
+    question: Question, setting: Setting, closed: ClosedAction, region: Region, branch: str
+) -> ClosedAction | None:
+    """The action with the motion's own sense: dq/dt has the sign of ∂H/∂p, so that ∮ p dq < 0 for a negative mass."""
+    if branch == "rotation":
+        return closed  # p > 0 by convention
+    leading = setting.motion.leading
+    sign = _sign_in_range(question, setting.motion, leading, _along(question, setting, region))
+    if sign not in ("positive", "negative"):
+        return None
+    return closed if sign == "positive" else replace(closed, value=-closed.value)
 
 
 def _along(question: Question, setting: Setting, region: Region) -> Region:

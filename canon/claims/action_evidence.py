@@ -171,7 +171,10 @@ def _value(question: Question, setting: Setting, place: Place, branch: str, want
         return None
     if question.key("well") is None:
         _check_one_well(question, integrand, orbit)
-    return action(integrand, orbit) if energy is None else period(integrand, orbit, energy)
+    value = action(integrand, orbit) if energy is None else period(integrand, orbit, energy)
+    with precision(BITS):
+        leading = integrand.at(question.load(setting.motion.leading), arb(rational(place.inside)))
+    return value if value is None or leading > 0 else -value
 
 
 def _turn_length(question: Question, setting: Setting, integrand: Integrand) -> Fraction | None:

@@ -180,3 +180,20 @@ def test_the_same_claims_made_in_python():
         rotor, momentum**2 / 2, rotor.q[0], E, 4 * sp.pi * sp.sqrt(2 * E), branch="rotation", period=4 * sp.pi
     )
     assert verify(turn).status == "proved"
+
+
+@pytest.mark.parametrize("H", ["(p**2 + q**2)/2", "-(p**2 + q**2)/2"])
+def test_the_orbit_is_run_through_in_the_sense_of_the_motion(ask, H):
+    """A negative mass turns the sense round: J = 2 pi E < 0, and dE/dJ stays positive."""
+    claims = (_claim("2*pi*E"), _claim("-2*pi*E"), _claim("1/(2*pi)", kind="frequency"))
+    assert [v.status for v in ask(*claims, space=LINE, hamiltonian=f'H = "{H}"')] == ["proved", "refuted", "proved"]
+    domain = 'where = ["p > -3"]'
+    inside = ask(*claims, space=LINE, hamiltonian=f'H = "{H}"', domain=domain)
+    assert [v.status for v in inside] == ["supported", "refuted", "supported"]
+
+
+def test_a_mass_of_unknown_sign_leaves_the_sense_open(ask):
+    sections = {"symbols": 'w = "nonzero"', "hamiltonian": 'H = "w*(p**2 + q**2)/2"'}
+    right, wrong = ask(_claim("2*pi*E/abs(w)"), _claim("2*pi*E/w"), space=LINE, **sections)
+    assert (right.status, wrong.status) == ("supported", "refuted")
+    assert Fraction(wrong.witness["w"]) < 0

@@ -26,7 +26,7 @@ from canon.cli.main import main
 from canon.cli.parser import Parser
 from canon.domain import ConditionKind
 from canon.errors import InputError
-from canon.scenes.effects import EFFECTS, LATER
+from canon.scenes.effects import EFFECTS
 from canon.scenes.scene import MONITORS
 from canon.scenes.settings import KEYS as KEYS_OF_RUN
 from canon.vocabulary import CALLABLE
@@ -204,7 +204,7 @@ def test_every_option_is_in_the_reference() -> None:
 
 def test_every_effect_parameter_and_monitor_is_in_the_reference() -> None:
     text = reference("scenes.md")
-    words = [*EFFECTS, *LATER, *MONITORS, *KEYS_OF_RUN, *(word for e in EFFECTS.values() for word in e.parameters)]
+    words = [*EFFECTS, *MONITORS, *KEYS_OF_RUN, *(word for e in EFFECTS.values() for word in e.parameters)]
     assert not [word for word in words if f"`{word}`" not in text]
 
 

@@ -21,8 +21,10 @@ def constrained(
     p: Sequence[sp.Symbol],
     t: sp.Symbol,
     drag: Drag | None = None,
+    strings: tuple[int, ...] = (),
 ) -> Held:
-    """H(q, p, t) on the surface where all `constraints` g(q, t) vanish, with friction.
+    """H(q, p, t) on the surface where all `constraints` g(q, t) vanish, with friction; those in `strings` may also be
+    negative.
 
     Where H is Σ p²/2m + V(q, t), with the `mass` of every coordinate, it is taken so.
     """
@@ -41,6 +43,7 @@ def constrained(
             lambda x, now: surfaces(*x, now),
             moving,
             drag,
+            strings,
         )
     velocity, force = gradient(H, tuple(p)), [-slope for slope in gradient(H, tuple(q))]
     rates = lower((*velocity, *force), (*q, *p, t))
@@ -53,7 +56,7 @@ def constrained(
         return jnp.stack(found[:n]), jnp.stack(found[n:])
 
     linear = all(rate.is_polynomial(*p) and sp.Poly(rate, *p).total_degree() <= 1 for rate in velocity)
-    return ConstrainedHamiltonian(hamilton, lambda x, now: surfaces(*x, now), moving, drag, linear)
+    return ConstrainedHamiltonian(hamilton, lambda x, now: surfaces(*x, now), moving, drag, linear, strings)
 
 
 def drag_of(matrix: Any, rest: Sequence[sp.Expr], q: Sequence[sp.Symbol], t: sp.Symbol) -> Drag:

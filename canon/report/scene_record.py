@@ -8,6 +8,7 @@ from typing import Any, Final
 from canon.scenes.monitors import Reading
 from canon.scenes.simulate import Result
 from canon.scenes.states import named_states, own_states
+from canon.scenes.string_events import Event
 from canon.scenes.values import text_of
 
 FORMAT: Final = 1
@@ -37,6 +38,7 @@ def scene_record(result: Result) -> Record:
         "accuracy": {"asked": scene.settings.accuracy, "reached": planned.reached},
         "monitors": {reading.name: monitor_record(reading) for reading in result.monitors},
         **({"scattering": scattering_record(result)} if result.scattering else {}),
+        **({"events": [event_record(event) for event in result.events]} if result.scene.model.strings else {}),
         "messages": list(result.messages),
         "coordinates": {"q": [str(x) for x in scene.model.q], "p": [str(x) for x in scene.model.p]},
         "times": result.times.tolist(),
@@ -61,6 +63,16 @@ def scattering_record(result: Result) -> Record:
             "cross_section": seen.cross_section,
         }
         for name, seen in result.scattering.items()
+    }
+
+
+def event_record(event: Event) -> Record:
+    """What became of a string as data."""
+    return {
+        "time": event.time,
+        "string": event.index,
+        "becomes": "taut" if event.taut else "slack",
+        "energy_lost": event.lost,
     }
 
 

@@ -28,6 +28,7 @@ def run_lines(result: Result) -> list[str]:
     times, t = result.times, result.scene.model.t
     lines.append(f"  states      {len(times)}, from {t} = {times[0]:.6g} to {times[-1]:.6g}")
     lines.append(f"  final       {', '.join(_state(result))}")
+    lines += list(_strings(result))
     width = max((len(reading.name) for reading in result.monitors), default=0)
     for reading in result.monitors:
         drift = "" if reading.max_drift is None else f", largest drift {reading.max_drift:.1e}"
@@ -56,6 +57,16 @@ def scattering_lines(result: Result) -> Iterator[str]:
         yield f"  scattering  … ({len(result.scattering)} bodies: --json has them all)"
 
 
+def _strings(result: Result) -> Iterator[str]:
+    """When strings went slack and became taut."""
+    several = len(result.scene.model.strings) > 1
+    for event in result.events[:_SHOWN]:
+        what = f"taut, {event.lost:.4g} of energy lost" if event.taut else "slack"
+        yield f"  string{f' {event.index}' if several else '':<6}{what} at t = {event.time:.10g}"
+    if len(result.events) > _SHOWN:
+        yield f"  string      … ({len(result.events)} times slack or taut)"
+
+
 def _state(result: Result) -> Iterator[str]:
     model = result.scene.model
     shown = [*zip(model.q, result.q[-1], strict=True), *zip(model.p, result.p[-1], strict=True)]
@@ -75,7 +86,8 @@ def explanation_lines(result: Result) -> list[str]:
     for friction in model.frictions:
         forces = ", ".join(text_of(force) for force in friction.force)
         lines.append(f"  {friction.effect:<18} no part of it: the force ({forces})")
-    lines += [f"  {effect:<18} no part of it: {text_of(g)} = 0" for effect, g in model.constraints]
+    for k, (effect, g) in enumerate(model.constraints):
+        lines.append(f"  {effect:<18} no part of it: {text_of(g)} {'≤' if k in model.strings else '='} 0")
     lines += ["", f"Splitting: {problem.kind}"]
     lines += [f"  {name or 'part':<18} {formula}" for name, formula in problem.parts]
     source = problem.source if problem.exact else choice.method.source

@@ -43,7 +43,9 @@ def model_of_bodies(surroundings: Surroundings, effects: Sequence[Named]) -> Mod
     mass = tuple(body.mass for body in bodies for _ in body.x)
     scatters = {name: V for _, part in effects for name, V in part.scatters.items()}
     turning = angular_momenta(places, momenta)
-    return Model(q, p, surroundings.t, tuple(terms), frictions, total, turning, lrl, held, mass, scatters)
+    slack = [part.unilateral for _, part in effects for _ in part.constraints]
+    strings = tuple(k for k, unilateral in enumerate(slack) if unilateral)
+    return Model(q, p, surroundings.t, tuple(terms), frictions, total, turning, lrl, held, strings, mass, scatters)
 
 
 def _check_constrained(effects: Sequence[Named], surroundings: Surroundings) -> None:
@@ -53,6 +55,8 @@ def _check_constrained(effects: Sequence[Named], surroundings: Surroundings) -> 
             raise InputError(
                 f"the effect {kind!r} together with a constraint is not available in relativistic dynamics", "effect"
             )
+        if surroundings.relativistic and part.unilateral:
+            raise InputError("a string is not available in relativistic dynamics", "effect")
 
 
 def model_of_system(model: Model, effects: Sequence[Named]) -> Model:

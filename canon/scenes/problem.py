@@ -93,11 +93,17 @@ def constrained_problem(model: Model) -> Problem:
     surfaces = [g for _, g in model.constraints]
     drag = drag_of(*_drag(model), model.q, model.t) if model.frictions else None
     masses = [float(m) for m in model.mass]
-    value = constrained(masses, model.H, surfaces, model.q, model.p, model.t, drag)
-    shown = [*((effect, f"{_text(g)} = 0") for effect, g in model.constraints), ("H", _text(model.H))]
+    value = constrained(masses, model.H, surfaces, model.q, model.p, model.t, drag, model.strings)
+    signs = ["≤" if k in model.strings else "=" for k in range(len(surfaces))]
+    shown = [(effect, f"{_text(g)} {sign} 0") for (effect, g), sign in zip(model.constraints, signs, strict=True)]
+    shown.append(("H", _text(model.H)))
     if drag is not None:
         shown.append(("damping", "linear friction, before and after each step"))
-    return Problem(value, "holonomic constraints, by their multipliers", tuple(shown))
+    return Problem(
+        value,
+        "constraints, by their multipliers" + ("; strings by their events" if model.strings else ""),
+        tuple(shown),
+    )
 
 
 def skate_problem(model: Model) -> Problem:

@@ -14,7 +14,7 @@ from canon.claims.document import Table, key
 from canon.errors import InputError
 from canon.scenes.assemble import Named, initial_state, model_of_bodies, model_of_system
 from canon.scenes.bodies import read_bodies
-from canon.scenes.effects import EFFECTS, LATER
+from canon.scenes.effects import EFFECTS
 from canon.scenes.effects.effect import Contribution, Given, Particle, Surroundings
 from canon.scenes.identity import digest_of
 from canon.scenes.model import Model
@@ -194,10 +194,8 @@ def read_effects(value: Any, surroundings: Surroundings) -> Sequence[Named]:
 
 
 def _contribution(kind: str, table: Table, surroundings: Surroundings, where: str) -> Contribution:
-    if kind in LATER:
-        raise InputError(f"the effect {kind!r} is not available in this version", key("kind", where))
     if kind not in EFFECTS:
-        advice = nearest(kind, (*EFFECTS, *LATER)) or f": the effects are {', '.join(EFFECTS)}"
+        advice = nearest(kind, EFFECTS) or f": the effects are {', '.join(EFFECTS)}"
         raise InputError(f"unknown effect {kind[:80]!r}{advice}", key("kind", where))
     effect = EFFECTS[kind]
     place = f"{where}, {kind}"

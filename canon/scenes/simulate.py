@@ -24,6 +24,7 @@ from canon.scenes.problem import Problem, problem_of
 from canon.scenes.saved import Arrays, differing_versions, restored, resumable, saved
 from canon.scenes.scattering import Scattered, scattered
 from canon.scenes.scene import Scene
+from canon.scenes.string_events import Event, events_of
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,7 @@ class Result:
     ok: bool
     resumable: Arrays = field(default_factory=dict)
     scattering: dict[str, Scattered] = field(default_factory=dict)
+    events: tuple[Event, ...] = ()
 
 
 def simulate(
@@ -103,7 +105,7 @@ def simulate(
         messages = (*messages, f"begun with {other}: the last bits may differ from those of one run")
     return Result(
         scene, problem, choice, planned, times, q, p, monitors, operations, (compiling, running), messages, ok,
-        resumable(planned.progress, identity), scattered(scene, p),
+        resumable(planned.progress, identity), scattered(scene, p), events_of(flow),
     )  # fmt: skip
 
 

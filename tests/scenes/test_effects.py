@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from canon.errors import InputError
-from canon.scenes.effects import EFFECTS, LATER
+from canon.scenes.effects import EFFECTS
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import Result, simulate
 from canon.scenes.states import named_states
@@ -196,12 +196,6 @@ def test_a_relativistic_charge_turns_slower() -> None:
     assert np.allclose(x[:, 0], 9 / a * (np.sqrt(1 + (a * t / 3) ** 2) - 1), atol=1e-8)
 
 
-@pytest.mark.parametrize("kind", LATER)
-def test_what_is_not_there_yet_says_so(kind: str) -> None:
-    with pytest.raises(InputError, match="is not available in this version"):
-        read_scene_text(one(f'kind = "{kind}"'))
-
-
 @pytest.mark.parametrize(
     ("text", "says"),
     [
@@ -234,7 +228,10 @@ def test_bad_input_is_told_from_good(text: str, says: str) -> None:
     assert says in str(caught.value)
 
 
-ELSEWHERE = ("mutual_gravity", "coupling_spring", "rod", "surface", "refractive_index", "scatterer")
+ELSEWHERE = (
+    "mutual_gravity", "coupling_spring", "rod", "string", "surface", "skate", "torque", "gravity_torque",
+    "refractive_index", "scatterer",
+)  # fmt: skip
 """The tests of these are in this file, or one of their own."""
 
 

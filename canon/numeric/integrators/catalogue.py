@@ -21,6 +21,7 @@ from canon.numeric.integrators import (
 )
 from canon.numeric.integrators.composed import OneStep, composed
 from canon.numeric.integrators.stepper import Method
+from canon.numeric.integrators.strings import WithStrings
 
 _GAMMAS: Final = (
     (4, compositions.SUZUKI_4_GAMMA, compositions.SUZUKI_4.source),
@@ -47,8 +48,8 @@ SPLITTING: Final = (
 WHOLE: Final = (*gauss.METHODS, *runge_kutta.METHODS)
 """For whole vector fields."""
 
-CONSTRAINED: Final = _with_compositions(rattle.RATTLE)
-"""For holonomic constraints."""
+CONSTRAINED: Final = tuple(WithStrings(each) for each in _with_compositions(rattle.RATTLE))
+"""For holonomic constraints, and strings."""
 
 CHARGES: Final = tuple(method for base in boris.METHODS for method in _with_compositions(base))
 """For charges in any fields."""

@@ -36,6 +36,7 @@ class Constrained:
     """H = Σ p²/2m + V(q, t), with `mass` of n entries and `force(q, t)` = −∂V/∂q (n, …).
 
     `constraints(q, t)` is a tuple of scalars (…), at least one, that vanish on the surface. `moving`: they depend on t.
+    Those in `strings` may also be negative; `active` (m,) is 1 for those that act just now, None where all do.
     """
 
     mass: tuple[float, ...]
@@ -43,6 +44,8 @@ class Constrained:
     constraints: Callable[[Any, Any], tuple[Any, ...]]
     moving: bool = False
     drag: Drag | None = None
+    strings: tuple[int, ...] = ()
+    active: Any = None
 
     def rates(self, q: Any, p: Any, t: Any) -> tuple[Any, Any]:
         """∂H/∂p and −∂H/∂q."""
@@ -68,6 +71,8 @@ class ConstrainedHamiltonian:
     moving: bool = False
     drag: Drag | None = None
     linear: bool = True
+    strings: tuple[int, ...] = ()
+    active: Any = None
 
     def rates(self, q: Any, p: Any, t: Any) -> tuple[Any, Any]:
         """∂H/∂p and −∂H/∂q."""
@@ -88,6 +93,18 @@ def dot(a: Any, b: Any) -> Any:
     import jax.numpy as jnp
 
     return jnp.sum(a * b, axis=0)
+
+
+def solve_active(problem: Held, matrix: list[list[Any]], right: list[Any]) -> list[Any]:
+    """The multipliers x with A x = b of the constraints that act, and 0 of the others."""
+    if problem.active is None:
+        return solve(matrix, right)
+    on = [problem.active[k] for k in range(len(right))]
+    rows = [
+        [entry * on[i] * on[j] + (1 - on[i] if i == j else 0.0) for j, entry in enumerate(row)]
+        for i, row in enumerate(matrix)
+    ]
+    return solve(rows, [on[k] * value for k, value in enumerate(right)])
 
 
 def combined(weights: Sequence[Any], rows: Sequence[Any]) -> Any:
@@ -125,7 +142,9 @@ def tangent_momentum(problem: Held, q: Any, p: Any, t: Any, turns: int = 1) -> A
         velocity = problem.rates(q, y, t)[0]
         pulls = problem.pulls(q, y, t, rows)
         matrix = [[dot(a, b) for b in pulls] for a in rows]
-        shift = solve(matrix, [dot(row, velocity) + rate for row, rate in zip(rows, rates, strict=True)])
+        shift = solve_active(
+            problem, matrix, [dot(row, velocity) + rate for row, rate in zip(rows, rates, strict=True)]
+        )
         return y - combined(shift, rows)
 
     return closer(0, p) if turns == 1 else lax.fori_loop(0, turns, closer, p)
@@ -156,7 +175,7 @@ def reactions(problem: Held, q: Any, p: Any, t: Any) -> list[Any]:
 
     bends = jax.jvp(speeds, (q, p, moment), (velocity, force, jnp.ones_like(moment)))[1]
     pulls = problem.pulls(q, p, t, rows)
-    return solve([[dot(a, b) for b in pulls] for a in rows], [*bends])
+    return solve_active(problem, [[dot(a, b) for b in pulls] for a in rows], [*bends])
 
 
 def onto_surface(problem: Held, q: Any, p: Any, t: Any) -> tuple[Any, Any]:
@@ -182,6 +201,10 @@ def check_on_surface(problem: Held, q: Any, p: Any, t: Any, *, tolerance: float 
     found = []
     for k, (value, row, rate) in enumerate(zip(values, rows, rates, strict=True), 1):
         length = jnp.sqrt(dot(row, row))
+        if k - 1 in problem.strings:
+            if bool(jnp.any(value > tolerance * length * jnp.maximum(1.0, jnp.max(jnp.abs(q))))):
+                found.append(f"constraint {k}, a string, is stretched by {float(jnp.max(value / length)):.3g}")
+            continue
         if bool(jnp.any(jnp.abs(value) > tolerance * length * jnp.maximum(1.0, jnp.max(jnp.abs(q))))):
             found.append(f"constraint {k} is missed by {float(jnp.max(jnp.abs(value))):.3g}")
         speed = dot(row, velocity) + rate

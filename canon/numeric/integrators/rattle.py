@@ -25,11 +25,11 @@ from canon.numeric.integrators.constrained import (
     dot,
     gradients,
     newton_turns,
+    solve_active,
     tangent_momentum,
 )
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.traits import Traits
-from canon.numeric.small_systems import solve
 
 CLOSE: Final = 1e-9
 """From a change of this part on Newton's method leaves nothing but rounding."""
@@ -49,7 +49,7 @@ def _step(problem: Constrained) -> StepMap:
 
         def improve(moved: Any) -> tuple[Any, Any]:
             missed, here, _ = gradients(problem, moved, t + h)
-            shift = solve([[dot(new, pull) for pull in pulls] for new in here], missed)
+            shift = solve_active(problem, [[dot(new, pull) for pull in pulls] for new in here], missed)
             change = combined(shift, pulls)
             return moved - change, _size(change, q)
 
@@ -78,7 +78,7 @@ def _general_step(problem: ConstrainedHamiltonian) -> StepMap:
             last, _ = problem.rates(moved, half, t + h)
             new = q + h / 2 * (first + last)
             missed, here, _ = gradients(problem, new, t + h)
-            shift = solve([[h * dot(a, b) for b in pulls] for a in here], missed)
+            shift = solve_active(problem, [[h * dot(a, b) for b in pulls] for a in here], missed)
             new_half = new_half - combined(shift, rows)
             new = new - h * combined(shift, pulls)
             after = (new, new_half, multipliers + jnp.stack(shift))
@@ -144,7 +144,7 @@ def dragged(problem: Held, drag: Drag) -> StepMap:
         pulls = problem.pulls(q, p, t, [decayed(row) for row in rows])
         velocity = problem.rates(q, rest + decayed(moving), t)[0]
         missed = [dot(row, velocity) + rate for row, rate in zip(rows, rates, strict=True)]
-        shift = solve([[dot(a, b) for b in pulls] for a in rows], missed)
+        shift = solve_active(problem, [[dot(a, b) for b in pulls] for a in rows], missed)
         return (q, rest + decayed(moving - combined(shift, rows)), *others)
 
     return flow

@@ -23,6 +23,7 @@ from canon.scenes.effects import (
     scatterer,
     skate,
     spring,
+    string,
     surface,
     torque,
     uniform_gravity,
@@ -47,6 +48,7 @@ EFFECTS: Final[dict[str, Effect]] = {
         rotating_frame,
         accelerated_frame,
         rod,
+        string,
         surface,
         refractive_index,
         scatterer,
@@ -56,8 +58,3 @@ EFFECTS: Final[dict[str, Effect]] = {
     )
 }
 """The effects of this version by their kind."""
-
-LATER: Final = (
-    "string",
-)  # fmt: skip
-"""The effects of the format that this version has not got."""

@@ -71,10 +71,11 @@ class Contribution:
     **Arguments:** `potential` V(x, t), and `generator` G(x, p, t), linear in the momenta: both are terms of H; `shift`,
     for each particle's name the s(x, t) that takes p to p − s in its kinetic energy; `rates`, for each particle's name
     the λ of a force −2 m λ v; `resistance`, the matrix α of a force −α v, over all coordinates; `constraints`, the
-    g(x, t) that it keeps at 0; `lrl`, the Laplace–Runge–Lenz vector of the motion that this effect alone makes;
-    `index`, for each ray's name the refractive index n(x), which makes the body one; `scatters`, for each particle's
-    name the potential V(r) that deflects it, in the symbol `RADIUS`; `torques`, for each rigid body's name the one
-    on it that has no potential, in the body's frame; `blades`, for each particle's name the skate that it is on.
+    g(x, t) that it keeps at 0, or below where it is `unilateral`; `lrl`, the Laplace–Runge–Lenz vector of the motion
+    that this effect alone makes; `index`, for each ray's name the refractive index n(x), which makes the body one;
+    `scatters`, for each particle's name the potential V(r) that deflects it, in the symbol `RADIUS`; `torques`, for
+    each rigid body's name the one on it that has no potential, in the body's frame; `blades`, for each particle's name
+    the skate that it is on.
     """
 
     potential: Formula = sp.S.Zero
@@ -83,6 +84,7 @@ class Contribution:
     rates: Mapping[str, Formula] = field(default_factory=dict)
     resistance: Formula | None = None
     constraints: tuple[Formula, ...] = ()
+    unilateral: bool = False
     lrl: Mapping[str, Formula] = field(default_factory=dict)
     index: Mapping[str, Formula] = field(default_factory=dict)
     scatters: Mapping[str, Formula] = field(default_factory=dict)
@@ -115,6 +117,11 @@ class Given:
         self.table = table
         self.where = where
         self.surroundings = surroundings
+
+    @property
+    def kind(self) -> str:
+        """The name of the effect."""
+        return str(self.table.get("kind", ""))
 
     def has(self, name: str) -> bool:
         """Whether the key is given."""

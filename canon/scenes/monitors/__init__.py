@@ -11,6 +11,7 @@ from canon.errors import InputError
 from canon.scenes.monitors.conserved import read_conserved
 from canon.scenes.monitors.constraint import read_constraint
 from canon.scenes.monitors.flow import Flow
+from canon.scenes.monitors.jerks import read_jerked
 from canon.scenes.monitors.loop import read_cartan, read_loop
 from canon.scenes.monitors.reading import Reading
 from canon.scenes.monitors.reversal import read_reversibility
@@ -40,6 +41,8 @@ AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
 }
 """The monitors of this version: (flow, times, q, p) to a reading."""
 
+_UNDONE: Final = ("symplecticity", "volume", "loop", "cartan", "reversibility")
+STRING: Final = "string"
 _NEEDS: Final = {
     "momentum": "a scene of bodies, or a system that names its momenta",
     "angular_momentum": "positions in a plane or in space",
@@ -52,7 +55,7 @@ def check_monitors(names: Sequence[str], model: Any, where: str) -> None:
     """Refuse monitors that this scene, or this version, has not got. **Raises:** `InputError`."""
     for name in names:
         if name == "constraint" and not model.constraints:
-            raise InputError("the monitor 'constraint' needs a constraint: a rod or a surface", where)
+            raise InputError("the monitor 'constraint' needs a constraint: a rod, a string or a surface", where)
         quantities = {
             "momentum": model.momenta,
             "angular_momentum": model.angular_momenta,
@@ -67,4 +70,14 @@ def read_monitors(
     names: Sequence[str], flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray
 ) -> tuple[Reading, ...]:
     """The readings of the monitors of these names."""
-    return tuple(AVAILABLE[name](flow, times, q, p) for name in names)
+    return tuple(_reading(name, flow, times, q, p) for name in names)
+
+
+def _reading(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
+    if flow.model.strings:
+        if name in _UNDONE:
+            note = "a string that goes slack or taut makes no map that could be differentiated, or undone"
+            return Reading(name, f"broken by {STRING}", None, None, None, extra={"note": note})
+        if name == "energy":
+            return read_jerked(flow, times, q, p)
+    return AVAILABLE[name](flow, times, q, p)

@@ -18,7 +18,10 @@ def read_constraint(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray)
     model = flow.model
     symbols = (model.q, model.p, model.t)
     formulas = [g for _, g in model.constraints]
-    values = np.abs(observe(formulas, symbols, times, q, p)).max(axis=0)
+    values = observe(formulas, symbols, times, q, p)
+    # a string may be shorter
+    slack = np.isin(np.arange(len(values)), model.strings)[:, None]
+    values = np.where(slack, np.maximum(values, 0.0), np.abs(values)).max(axis=0)
     slopes = observe([g.diff(x) for g in formulas for x in model.q], symbols, times, q, p)
     bound = SAFETY * float(np.abs(slopes).max() * max(np.abs(q).max(), 1e-300)) * len(model.q)
     # a state that is given in decimals may be off by as much as it was allowed to be

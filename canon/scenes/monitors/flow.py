@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from canon.numeric.integrate import Run
+from canon.numeric.integrators.strings import Events, events_in
 from canon.numeric.transport import flow_jacobian
 from canon.scenes.model import Model
 
@@ -31,6 +32,11 @@ class Flow:
     def steps(self) -> int:
         """The steps from the beginning to the last stored state."""
         return (self.good - 1) * self.run.per_sample * self.run.per_chunk
+
+    @property
+    def events(self) -> Events | None:
+        """What became of strings; None where there are none."""
+        return events_in(self.run.carry)
 
     @cached_property
     def jacobian(self) -> np.ndarray:

@@ -84,6 +84,7 @@ class _Keys:
             "calls": self._calls,
             "degrees": self._degrees,
             "values": self._fixed,
+            "square": self._square,
         }
         if entry.form in tables:
             return tables[entry.form](entry, value, where)
@@ -237,6 +238,15 @@ class _Keys:
         if not found or len({call.func for call in found}) < len(found):
             raise InputError('different functions are expected, as in ["u(x, t)"]', where)
         return found
+
+    def _square(self, entry: Key, value: Any, where: str) -> tuple[tuple[Formula, ...], ...]:
+        rows = document.listing(value, where)
+        if not rows or any(len(document.listing(row, where)) != len(rows) for row in rows):
+            raise InputError("a square matrix is expected, as nested lists", where)
+        return tuple(
+            tuple(self._formula(v, entry, f"{where}, row {i}, column {j}") for j, v in enumerate(row, 1))
+            for i, row in enumerate(rows, 1)
+        )
 
     def _functions(self, entry: Key, value: Any, where: str) -> dict[sp.Expr, Formula]:
         """The table "x(t)" = formula: functions that the file declares, of different names, each with its formula."""

@@ -9,7 +9,7 @@ from typing import Final, Literal
 Form = Literal[
     "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix",
     "structure", "constants", "constant", "functions", "calls", "degrees", "basis", "matrices", "algebra", "brackets",
-    "values", "coordinate", "word", "relation",
+    "values", "coordinate", "word", "relation", "square",
 ]  # fmt: skip
 """What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
 `["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
@@ -152,6 +152,22 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "casimir": KeySpec({"f": _OLD, **TENSOR}),
     "field_equations": KeySpec(
         {"L": Key(side="both"), "fields": Key("calls", "both"), "equations": Key("expressions", "both")},
+    ),
+    "invariant_interval": KeySpec(
+        {
+            "matrix": Key("square", "both"),
+            "metric": Key("square", "both"),
+            "inverse": Key("square", "both", optional=True),
+        }
+    ),
+    "matrix_group": KeySpec(
+        {
+            "matrix": Key("square", "both"),
+            "first": Key("constants"),
+            "second": Key("constants"),
+            "composition": Key("expressions", "both"),
+            "inverse": Key("expressions", "both", optional=True),
+        }
     ),
     "inequality": KeySpec({"lhs": Key(side="both"), "relation": Key("relation"), "rhs": Key(side="both")}),
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),

@@ -21,6 +21,7 @@ from canon.claims.fixed_parameters import unfolded
 from canon.claims.matrix_algebra import Brackets, stated
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.structure_constants import Found, find_constants
+from canon.claims.structure_search import CHOSEN
 from canon.decide.answer import Witness
 from canon.decide.derivative import substitute
 from canon.errors import InputError
@@ -58,11 +59,11 @@ def algebra(question: Question) -> Outcome:
     if brackets is not None:
         return _with_constants(question, region, basis, brackets, equals)
     found = find_constants(question, region, basis.nodes, list(basis.brackets.values()), basis.variables)
-    if found.outside is not None and not found.chosen:
+    if found.outside is not None:
         return _outside(question, region, basis, found)
     if found.dependent is not None:
         return _dependent(question, region, basis, found.dependent)
-    if found.unknown is not None or found.nothing or found.outside is not None:
+    if found.unknown is not None or found.nothing:
         pair = list(basis.brackets)[found.unknown] if found.unknown is not None else None
         words = _label(basis, pair) if pair is not None else ""
         note = f"the structure constants of {words} were not recognised: state them as 'structure'" if words else ""
@@ -192,6 +193,9 @@ def _outside(question: Question, region: Region, basis: Basis, found: Found) -> 
     point = dict(place.point.items())
     sample = Witness.of(tape, place, place.balls[next(iter(place.balls))]).as_table()
     sample |= {str(tape.symbol_at(x)): str(v) for x, v in found.values.items() if x not in point}
+    if found.chosen:
+        names = question.tape.functions_of([*basis.nodes, *region.nodes()])
+        sample |= dict.fromkeys(sorted(names), CHOSEN)
     value = multiple_of_the_basis(question, region, basis, pair) or question.show(basis.brackets[pair])
     theorem = "no constant coefficients satisfy the linear equations at certified points of the domain"
     label = f"{_label(basis, pair)} in the span of the basis"

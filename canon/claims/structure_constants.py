@@ -56,8 +56,10 @@ def find_constants(
     question: Question, region: Region, basis: Sequence[Node], products: Sequence[Node], variables: Sequence[Node]
 ) -> Found:
     """The constants by which each of `products` is a combination of `basis`, as far as sample points show them."""
-    parameters = parameters_of(question, variables, [*basis, *products, *region.surface])
+    shown = [*basis, *products, *region.surface]
+    parameters = parameters_of(question, variables, [*shown, *region.nodes()])
     values = first_values(question, region, [*basis, *products], parameters)
+    varied = parameters_of(question, variables, shown)
     here = _solution(question, region, basis, products, values)
     if here is None:
         return Found([], values, nothing="too few points of the domain were found")
@@ -70,7 +72,7 @@ def find_constants(
         return Found([], values, solution.independent, solution.outside, chosen)
     if products and not solution.constants:
         return Found([], values, nothing="the equations at sample points are singular")
-    powers = _powers(question, region, basis, products, parameters, values, solution)
+    powers = _powers(question, region, basis, products, varied, values, solution)
     constants: list[dict[int, sp.Expr]] = []
     for k, row in enumerate(solution.constants):
         combination: dict[int, sp.Expr] = {}

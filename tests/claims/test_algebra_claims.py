@@ -169,3 +169,44 @@ def test_what_has_no_identity_and_what_is_abelian(ask):
     )  # fmt: skip
     assert (boosts.status, none.status, shifted.status) == ("proved", "refuted", "refuted")
     assert none.detail["fails"] == "θ1(a, 0) at order 2"
+
+
+@pytest.mark.parametrize("entry", [f"{u}{i},{v}{j}" for u, v in ("MM", "MA", "AA") for i, j in ("xy", "yz", "zx")])
+def test_a_thousandth_in_any_structure_constant_is_caught(ask, entry):
+    wrong = table("-2*m*E0").replace(f'"{entry}" = "', f'"{entry}" = "1.001*')
+    assert wrong != table("-2*m*E0")
+    (found,) = ask(stated(vectors(""), structure=wrong), domain='on = ["E - E0"]', **KEPLER)
+    assert found.status == "refuted"
+    assert set(found.detail["fails"].strip("{}").split(", ")) == set(entry.split(","))
+
+
+def test_a_sign_that_the_domain_fixes_for_each_value_of_a_parameter(ask):
+    """{p, |x|} is −1 or 1 where x k > 0, by the sign of k: for every k it closes."""
+    basis = {"p": "px", "f": "abs(x)", "one": "1"}
+    (found,) = ask(
+        stated(basis, equals='"heisenberg(1)"'), space=SPACE, symbols='k = "nonzero"', domain='where = ["x*k > 0"]'
+    )
+    assert found.status != "refuted"
+
+
+def test_an_arbitrary_function_in_the_basis(ask):
+    basis = {"p": "px", "f": "V(x)"}
+    (found,) = ask(stated(basis, equals='"u(1)^2"'), space=SPACE, symbols='V = "function"')
+    assert found.status == "refuted"
+    momenta = {"f": "px + V(x)", "g": "q*px + q*V(x)", "p": "p"}
+    (kept,) = ask(stated(momenta, structure='{"g,p" = "f"}'), space=SPACE, symbols='V = "function"')
+    assert kept.status in ("proved", "supported")
+
+
+@pytest.mark.parametrize(
+    ("basis", "name", "verdict"),
+    [
+        ({"f": "q"}, "u(1)", "proved"), ({"f": "0"}, "u(1)", "refuted"), ({"f": "1"}, "so(2)", "proved"),
+        ({"f": "q", "g": "q"}, "u(1)^2", "refuted"), ({"f": "q*p"}, "so(3)", "refuted"),
+        ({"f": "q**2", "g": "p**2"}, "so(3)", "refuted"), ({"f": "exp(q)", "g": "p"}, "aff(1)", "proved"),
+        ({"f": "1j*q", "g": "p", "one": "1j"}, "heisenberg(1)", "proved"),
+    ],
+)  # fmt: skip
+def test_small_and_odd_bases(ask, basis, name, verdict):
+    (found,) = ask(stated(basis, equals=f'"{name}"'), space=SPACE)
+    assert found.status == verdict, found

@@ -17,8 +17,9 @@ from itertools import chain
 from typing import Any
 
 from canon.checker import polynomials
-from canon.checker.formulas import Unknown, Unreadable
-from canon.checker.obligations import Case, obligations
+from canon.checker.functions import Unknown, Unreadable
+from canon.checker.kinds import obligations
+from canon.checker.obligations import Case
 from canon.checker.points import Numbers, Outside, completed, domain_of, inside, on_surface, points
 from canon.checker.statement import KNOWN, Statement
 

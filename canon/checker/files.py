@@ -6,7 +6,7 @@ import json
 import os
 from typing import Any
 
-from canon.checker.formulas import Unreadable
+from canon.checker.functions import Unreadable
 
 BIGGEST = 50_000_000
 """The most bytes that a certificate may have."""

@@ -8,40 +8,12 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-_FALL = "((1 - v)*u - jacobi_epsilon(u, v))"
-_TURN = f"(jacobi_dn(u, v)*{_FALL} + v*jacobi_sn(u, v)*jacobi_cn(u, v))/(2*v*(1 - v))"
-_SINK = f"(jacobi_sn(u, v)*jacobi_dn(u, v) + jacobi_cn(u, v)*{_FALL})/(2*(1 - v))"
-_SWELL = (
-    "(jacobi_sn(u, v)*jacobi_cn(u, v)*jacobi_dn(u, v) - (1 - v)*u*jacobi_sn(u, v)**2"
-    " - jacobi_epsilon(u, v)*jacobi_cn(u, v)**2)/(2*(1 - v))"
-)
-SLOPES = {
-    "sin": ["cos(u)"], "cos": ["-sin(u)"], "exp": ["exp(u)"], "log": ["1/u"], "tan": ["1 + tan(u)**2"],
-    "cot": ["-1 - cot(u)**2"], "sec": ["sec(u)*tan(u)"], "csc": ["-csc(u)*cot(u)"], "asin": ["1/sqrt(1 - u**2)"],
-    "acos": ["-1/sqrt(1 - u**2)"], "atan": ["1/(1 + u**2)"], "atan2": ["v/(u**2 + v**2)", "-u/(u**2 + v**2)"],
-    "sinh": ["cosh(u)"], "cosh": ["sinh(u)"], "tanh": ["1 - tanh(u)**2"], "coth": ["1 - coth(u)**2"],
-    "asinh": ["1/sqrt(u**2 + 1)"], "acosh": ["1/(sqrt(u - 1)*sqrt(u + 1))"], "atanh": ["1/(1 - u**2)"],
-    "abs": ["abs(u)/u"], "sign": ["0"], "lambertw": ["lambertw(u)/(u*(1 + lambertw(u)))"], "gamma": [],
-    "elliptic_k": ["elliptic_e(u)/(2*u*(1 - u)) - elliptic_k(u)/(2*u)"],
-    "elliptic_e": ["(elliptic_e(u) - elliptic_k(u))/(2*u)"], "elliptic_f": ["1/sqrt(1 - v*sin(u)**2)"],
-    "jacobi_sn": ["jacobi_cn(u, v)*jacobi_dn(u, v)", f"jacobi_cn(u, v)*{_TURN}"],
-    "jacobi_cn": ["-jacobi_sn(u, v)*jacobi_dn(u, v)", f"-jacobi_sn(u, v)*{_TURN}"],
-    "jacobi_dn": ["-v*jacobi_sn(u, v)*jacobi_cn(u, v)", f"-jacobi_sn(u, v)*{_SINK}"],
-    "jacobi_epsilon": ["jacobi_dn(u, v)**2", _SWELL],
-}  # fmt: skip
-"""The derivatives of the functions by their arguments u and v; one that isn't here is not known."""
+from canon.checker.functions import SLOPES, Unknown, Unreadable
+
 _NAME = re.compile(r"(?<![\w.])[^\W\d]\w*")
 LONGEST, MOST = 50_000, 1_000_000
 ZERO, ONE = 0, 1
 """The nodes of these numbers."""
-
-
-class Unreadable(ValueError):
-    """A certificate, or a formula in it, that isn't what it should be."""
-
-
-class Unknown(ValueError):
-    """Something that the checker has no rule for: it is neither confirmed nor rejected."""
 
 
 class Formulas:
@@ -148,15 +120,34 @@ class Formulas:
         """The formula with names replaced, all at once."""
         new: dict[int, int] = {}
         for a in self.reach(target) if images else ():
-            op, b = self.ops[a], [new[x] for x in self.parts(a)]
-            if not b:
-                new[a] = images.get(op[1], a) if op[0] == "s" else a
-            elif op[0] == "f" and op[1] != "power":
-                new[a] = self.node("f", op[1], op[2], tuple(b))
-            else:
-                rule = {"+": self.add, "*": self.mul, "^": self.power, "f": self.power}[op[0]]
-                new[a] = rule(*b, *([self.number(op[2])] if op[0] == "^" else []))
+            named = self.ops[a][0] == "s"
+            new[a] = images.get(self.ops[a][1], a) if named else self.rebuilt(a, [new[b] for b in self.parts(a)])
         return new.get(target, target)
+
+    def rebuilt(self, a: int, parts: Sequence[int]) -> int:
+        """The operation of a node, applied to other nodes."""
+        op = self.ops[a]
+        if op[0] in "ns":
+            return a
+        if op[0] == "f" and op[1] != "power":
+            return self.node("f", op[1], op[2], tuple(parts))
+        rule = {"+": self.add, "*": self.mul, "^": self.power, "f": self.power}[op[0]]
+        return rule(*parts, *([self.number(op[2])] if op[0] == "^" else []))
+
+    def put_in(self, target: int, solution: Mapping[str, tuple[Sequence[str], int]]) -> int:
+        """The formula with declared functions replaced, each by (names of its arguments, formula)."""
+        new: dict[int, int] = {}
+        for a in self.reach(target):
+            op, parts = self.ops[a], [new[b] for b in self.parts(a)]
+            if op[0] == "f" and op[1] in solution:
+                names, body = solution[op[1]]
+                for name, order in zip(names, op[2], strict=True):
+                    for _ in range(order):
+                        body = self.slope(body, name)
+                new[a] = self.substitute(body, dict(zip(names, parts, strict=True)))
+            else:
+                new[a] = self.rebuilt(a, parts)
+        return new[target]
 
     def body(self, text: str, orders: tuple[int, ...]) -> int:
         """A formula in a1, a2, … (a, where it is one), differentiated; its arguments are called #1, #2, …"""

@@ -24,14 +24,6 @@ class Case:
     trusted: str = ""
 
 
-def obligations(s: Statement) -> list[Case]:
-    """What the claim asks for. Raises Unknown for a kind, or a form of one, that there is no rule for."""
-    if s.claim["kind"] not in KINDS:
-        raise Unknown(f"claims of kind {s.claim['kind'][:40]!r} are not known to the checker")
-    found = KINDS[s.claim["kind"]](s)
-    return found if isinstance(found, list) else [found]
-
-
 def canonical(s: Statement) -> Case:
     """Brackets, or their Taylor coefficients up to an order; of a generating function, its mixed Hessian too."""
     f, claimed = s.f, s.key("scale") if "scale" in s.claim else s.f.number(1)
@@ -146,17 +138,16 @@ def generates(s: Statement) -> Case:
     return Case([s.pull(s.f.sub(s.f.node("s", name), slope)) for name, _, slope in s.equations(types, F)])
 
 
-def bracketed(s: Statement) -> Callable[[int, int], int]:
-    """The claim's own bracket of two functions: the canonical one, or that of a tensor."""
+def bracketed(s: Statement) -> tuple[Callable[[int, int], int], list[str]]:
+    """The claim's own bracket of two functions, the canonical one or that of a tensor, and the latter's coordinates."""
     f, claim = s.f, s.claim
     if "tensor" not in claim and "structure" not in claim:
-        return lambda a, b: f.bracket(a, b, f.pairs)
-    listed = [name.strip() for pair in claim.get("structure", ()) for name in pair.split(",")]
-    x = claim.get("coordinates") or list(dict.fromkeys(listed))
+        return lambda a, b: f.bracket(a, b, f.pairs), []
+    pairs = {tuple(n.strip() for n in pair.split(",")): text for pair, text in claim.get("structure", {}).items()}
+    x = claim.get("coordinates") or list(dict.fromkeys(name for pair in pairs for name in pair))
     if "tensor" in claim:
         entries = {(i, j): f.read(claim["tensor"][i][j], s.names) for i, j in combinations(range(len(x)), 2)}
     else:
-        pairs = {tuple(n.strip() for n in pair.split(",")): text for pair, text in claim["structure"].items()}
         entries = {(x.index(a), x.index(b)): f.read(text, s.names) for (a, b), text in pairs.items()}
     s.written += entries.values()
 
@@ -165,17 +156,22 @@ def bracketed(s: Statement) -> Callable[[int, int], int]:
         return f.add(*(mul(T, f.sub(mul(d(a, x[i]), d(b, x[j])), mul(d(a, x[j]), d(b, x[i]))))
                        for (i, j), T in entries.items()))  # fmt: skip
 
-    return bracket
+    return bracket, x
 
 
 def brackets(s: Statement) -> Case:
-    """bracket, jacobi, conserved, involution."""
-    f, b, kind = s.f, bracketed(s), s.claim["kind"]
+    """bracket, jacobi, conserved, involution, casimir."""
+    f, kind = s.f, s.claim["kind"]
+    b, coordinates = bracketed(s)
     if kind == "involution":
         return Case([s.pull(b(x, y)) for x, y in combinations(s.keys("functions"), 2)])
     x = s.key("f")
     if kind == "conserved":
         return Case([s.pull(f.add(f.slope(x, s.time), b(x, s.H)))])
+    if kind == "casimir":
+        nodes = [f.node("s", name) for name in coordinates]
+        cycles = (f.add(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y))) for x, y, z in combinations(nodes, 3))
+        return Case([s.pull(a) for a in (*(b(x, y) for y in nodes), *cycles)])
     y = s.key("g")
     if kind == "bracket":
         return Case([s.pull(f.sub(b(x, y), s.key("equals")))])
@@ -232,6 +228,8 @@ def field_of(s: Statement) -> Case:
 
 def legendre(s: Statement) -> Case:
     """H with p = ∂L/∂v is p v - L, and the Hessian of L by the velocities doesn't vanish everywhere."""
+    if s.direction in ("implicit", "backward"):
+        s.without_map()
     f, L, v = s.f, s.key("L"), s.claim["velocities"]
     momenta = {p: f.slope(L, x) for p, x in zip(s.p, v, strict=True)}
     energy = f.sub(f.add(*(f.mul(f.node("s", x), y) for x, y in zip(v, momenta.values(), strict=True))), L)
@@ -244,7 +242,7 @@ KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {
     "new_hamiltonian": new_hamiltonian, "symmetry": new_hamiltonian, "volume": volume, "identity": identity,
     "integral_invariant": integral_invariant, "cartan_invariant": cartan_invariant, "lie_series": lie_series,
     "bracket_invariance": bracket_invariance, "generates": generates, "generating_function": generates,
-    "bracket": brackets, "jacobi": brackets, "conserved": brackets, "involution": brackets, "legendre": legendre,
-    "independent": independent, "equations_of_motion": field_of, "infinitesimal": field_of,
+    "bracket": brackets, "jacobi": brackets, "conserved": brackets, "involution": brackets, "casimir": brackets,
+    "legendre": legendre, "independent": independent, "equations_of_motion": field_of, "infinitesimal": field_of,
     "hamiltonian_field": field_of,
 }  # fmt: skip

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from canon.checker.formulas import Unreadable
+from canon.checker.functions import Unreadable
 
 Polynomial = dict[tuple[tuple[str, int], ...], Fraction]
 MOST = 3_000_000

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
-from canon.checker.formulas import Formulas, Unknown, Unreadable
+from canon.checker.formulas import Formulas
+from canon.checker.functions import Unknown, Unreadable
 
 TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("p", -1, "P", 1)}
 """Of each type of generating function: its old variable, the sign of ∂F by it, its new one, the sign of ∂F by that."""
@@ -40,9 +41,24 @@ class Statement:
         self._H = self.f.read(tables["hamiltonian"]["H"], self.names) if "hamiltonian" in tables else None
         self.written += [] if self._H is None else [self._H]
         self._chart(tables.get("transformation"), tables.get("generating_function"))
-        domain = tables.get("domain", {})
-        self.surface = [self.pull(self.f.read(text, self.names)) for text in domain.get("on", [])]
-        self.conditions = [c for text in domain.get("where", []) for c in self._relation(text)]
+        self.domain = tables.get("domain", {})
+        self._restrict()
+
+    def _restrict(self) -> None:
+        """The surface, and what the inequalities say, in the coordinates."""
+        self.surface = [self.pull(self.f.read(text, self.names)) for text in self.domain.get("on", [])]
+        self.conditions = [c for text in self.domain.get("where", []) for c in self._relation(text)]
+
+    def without_map(self) -> None:
+        """Leave the map out of the domain: the claim is one in the old variables, without conditions on new ones."""
+        self.direction, self.images, new = "none", dict[str, int](), {*self.Q, *self.P}
+        self._restrict()
+        for_new = {
+            a
+            for a, _ in self.conditions
+            if new & {self.f.ops[b][1] for b in self.f.reach(a) if self.f.ops[b][0] == "s"}
+        }
+        self.conditions = [(a, kind) for a, kind in self.conditions if a not in for_new]
 
     @property
     def H(self) -> int:

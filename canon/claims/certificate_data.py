@@ -13,8 +13,10 @@ import sympy as sp
 
 from canon.budget import Budget
 from canon.checker.check import VERSION, checksum
-from canon.checker.formulas import Formulas, Unknown, Unreadable
-from canon.checker.obligations import Case, obligations
+from canon.checker.formulas import Formulas
+from canon.checker.functions import Unknown, Unreadable
+from canon.checker.kinds import obligations
+from canon.checker.obligations import Case
 from canon.checker.statement import KNOWN, Statement
 from canon.claim import Claim
 from canon.claims.obligation_tape import OnTape
@@ -56,7 +58,7 @@ def certificate(
         "verdict": verdict.status,
         "method": verdict.method,
         "domain": [],
-        "witness": None if verdict.witness is None else dict(verdict.witness),
+        "witness": None if verdict.witness is None else _plain(verdict.witness),
         "points": [],
         "cases": [],
     }

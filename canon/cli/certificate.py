@@ -46,7 +46,7 @@ def execute(arguments: argparse.Namespace) -> int:
 def _export(arguments: argparse.Namespace) -> int:
     from canon.checker.check import check
     from canon.checker.files import load
-    from canon.checker.formulas import Unreadable
+    from canon.checker.functions import Unreadable
     from canon.errors import InputError
     from canon.report.coq import coq_of
 
@@ -71,7 +71,7 @@ def _export(arguments: argparse.Namespace) -> int:
 def _check(arguments: argparse.Namespace) -> int:
     from canon.checker.check import check
     from canon.checker.files import load
-    from canon.checker.formulas import Unreadable
+    from canon.checker.functions import Unreadable
 
     answers: list[tuple[str, str, list[str]]] = []
     for name in _files(arguments.files):

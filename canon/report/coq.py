@@ -13,8 +13,9 @@ from fractions import Fraction
 from typing import Any, Final
 
 from canon.checker.check import VERSION
-from canon.checker.formulas import Formulas, Unknown, Unreadable
-from canon.checker.obligations import obligations
+from canon.checker.formulas import Formulas
+from canon.checker.functions import Unknown, Unreadable
+from canon.checker.kinds import obligations
 from canon.checker.statement import Statement
 from canon.decide.ring import TooCostly
 from canon.errors import InputError

@@ -66,7 +66,7 @@ def _operation(op: tuple[Any, ...], parts: list[tuple[str, int]]) -> tuple[str, 
     if op[0] == "n":
         return number(op[1]), 3
     if op[0] == "+":
-        return f"{bound(0, 0)} + {bound(1, 0)}", 0
+        return f"{bound(0, 0)} + {bound(1, 1)}", 0
     if op[0] == "*":
         return f"{bound(0, 1)} * {bound(1, 2)}", 1
     power = bound(0, 3) if abs(op[2]) == 1 else f"{bound(0, 3)} ^ {abs(op[2])}"

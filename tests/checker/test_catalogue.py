@@ -25,7 +25,13 @@ CLAIMS = {
     ("course", "bracket-laws"): (0, 5, 7),
     ("course", "legendre-transform"): (0, 4),
     ("course", "kepler-so4"): (0,),
+    ("course", "hamilton-jacobi-free-fall"): (5,),
+    ("course", "precession"): (0, 1),
+    ("course", "symmetries-and-charges"): (0, 1),
+    ("course", "small-oscillations"): (0,),
+    ("errata", "pendulum-length"): (0, 1),
     ("brackets", "poincare-algebra"): (4,),
+    ("brackets", "rigid-body-lie-poisson"): (0, 3),
     ("flows", "duffing-time-energy"): (0,),
     ("flows", "harmonic-oscillator"): (0, 3),
     ("errata", "valence"): (0, 1, 2),
@@ -33,6 +39,7 @@ CLAIMS = {
 IN_PART = {
     ("course", "what-canonical-must-mean", 2): "almost all values",
     ("course", "integrals-oscillator", 3): "any component",
+    ("course", "hamilton-jacobi-free-fall", 0): "all values of the parameters",
     ("transformations", "oscillator-type-2", 0): "on a connected cell",
     ("transformations", "rotating-polar-coordinates", 1): "is exact",
 }

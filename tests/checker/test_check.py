@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from canon.checker.check import check, checksum
-from canon.checker.formulas import Unreadable
+from canon.checker.functions import Unreadable
 from canon.claims import document
 from canon.claims.certificate_data import certificate, statement_tables
 from canon.claims.reader import read_tables

@@ -6,7 +6,8 @@ from typing import Any
 import mpmath
 import pytest
 
-from canon.checker.formulas import SLOPES, Formulas, Unknown, Unreadable
+from canon.checker.formulas import Formulas
+from canon.checker.functions import SLOPES, Unknown, Unreadable
 from canon.checker.points import Numbers, Outside
 from canon.expression import Vocabulary, read
 from canon.mechanics.phase_space import PhaseSpace

@@ -1,0 +1,32 @@
+"""The functions that the checker knows, with their derivatives, and what it says where it knows no further."""
+
+_FALL = "((1 - v)*u - jacobi_epsilon(u, v))"
+_TURN = f"(jacobi_dn(u, v)*{_FALL} + v*jacobi_sn(u, v)*jacobi_cn(u, v))/(2*v*(1 - v))"
+_SINK = f"(jacobi_sn(u, v)*jacobi_dn(u, v) + jacobi_cn(u, v)*{_FALL})/(2*(1 - v))"
+_SWELL = (
+    "(jacobi_sn(u, v)*jacobi_cn(u, v)*jacobi_dn(u, v) - (1 - v)*u*jacobi_sn(u, v)**2"
+    " - jacobi_epsilon(u, v)*jacobi_cn(u, v)**2)/(2*(1 - v))"
+)
+SLOPES = {
+    "sin": ["cos(u)"], "cos": ["-sin(u)"], "exp": ["exp(u)"], "log": ["1/u"], "tan": ["1 + tan(u)**2"],
+    "cot": ["-1 - cot(u)**2"], "sec": ["sec(u)*tan(u)"], "csc": ["-csc(u)*cot(u)"], "asin": ["1/sqrt(1 - u**2)"],
+    "acos": ["-1/sqrt(1 - u**2)"], "atan": ["1/(1 + u**2)"], "atan2": ["v/(u**2 + v**2)", "-u/(u**2 + v**2)"],
+    "sinh": ["cosh(u)"], "cosh": ["sinh(u)"], "tanh": ["1 - tanh(u)**2"], "coth": ["1 - coth(u)**2"],
+    "asinh": ["1/sqrt(u**2 + 1)"], "acosh": ["1/(sqrt(u - 1)*sqrt(u + 1))"], "atanh": ["1/(1 - u**2)"],
+    "abs": ["abs(u)/u"], "sign": ["0"], "lambertw": ["lambertw(u)/(u*(1 + lambertw(u)))"], "gamma": [],
+    "elliptic_k": ["elliptic_e(u)/(2*u*(1 - u)) - elliptic_k(u)/(2*u)"],
+    "elliptic_e": ["(elliptic_e(u) - elliptic_k(u))/(2*u)"], "elliptic_f": ["1/sqrt(1 - v*sin(u)**2)"],
+    "jacobi_sn": ["jacobi_cn(u, v)*jacobi_dn(u, v)", f"jacobi_cn(u, v)*{_TURN}"],
+    "jacobi_cn": ["-jacobi_sn(u, v)*jacobi_dn(u, v)", f"-jacobi_sn(u, v)*{_TURN}"],
+    "jacobi_dn": ["-v*jacobi_sn(u, v)*jacobi_cn(u, v)", f"-jacobi_sn(u, v)*{_SINK}"],
+    "jacobi_epsilon": ["jacobi_dn(u, v)**2", _SWELL],
+}  # fmt: skip
+"""The derivatives of the functions by their arguments u and v; one that isn't here is not known."""
+
+
+class Unreadable(ValueError):
+    """A certificate, or a formula in it, that isn't what it should be."""
+
+
+class Unknown(ValueError):
+    """Something that the checker has no rule for: it is neither confirmed nor rejected."""

@@ -1,0 +1,118 @@
+"""What claims ask for, of all the kinds that the checker knows; among them those about motions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from canon.checker import obligations as mechanics
+from canon.checker.functions import Unknown, Unreadable
+from canon.checker.obligations import Case
+from canon.checker.statement import Statement
+
+
+def obligations(s: Statement) -> list[Case]:
+    """What the claim asks for. Raises Unknown for a kind, or a form of one, that there is no rule for."""
+    kind = str(s.claim["kind"])
+    if kind not in KINDS:
+        raise Unknown(f"claims of kind {kind[:40]!r} are not known to the checker")
+    found = KINDS[kind](s)
+    return found if isinstance(found, list) else [found]
+
+
+class Motion:
+    """Coordinates, velocities and accelerations by name, and rates of change along any motion."""
+
+    def __init__(self, s: Statement) -> None:
+        if s.direction in ("implicit", "backward"):
+            s.without_map()
+        self.f, self.q, self.t = s.f, s.q, s.time
+        self.v = list(s.claim["velocities"])
+        taken = {*s.declared, *self.v, *s.names}
+        self.a = list(s.claim.get("accelerations", [_unused(f"{x}_tt", taken) for x in self.q]))
+        if not len(self.q) == len(self.v) == len(self.a):
+            raise Unreadable("so many velocities as coordinates are needed")
+
+    def rate(self, f: int) -> int:
+        """∂f/∂t + Σ v ∂f/∂q + Σ a ∂f/∂v."""
+        steps = (*zip(self.q, self.v, strict=True), *zip(self.v, self.a, strict=True))
+        moved = (self.f.mul(self.f.slope(f, x), self.f.node("s", dx)) for x, dx in steps)
+        return self.f.add(self.f.slope(f, self.t), *moved)
+
+
+def _unused(name: str, taken: set[str]) -> str:
+    return _unused(f"{name}_", taken) if name in taken else name
+
+
+def _formulas(s: Statement, word: str) -> list[int]:
+    """A key with one formula for each coordinate: a list, or a single one."""
+    return s.keys(word) if isinstance(s.claim[word], list) else [s.key(word)]
+
+
+def euler_lagrange(s: Statement) -> Case:
+    """d/dt ∂L/∂v − ∂L/∂q + ∂R/∂v − Q are the equations, or vanish for the accelerations."""
+    f, m, L = s.f, Motion(s), s.key("L")
+    left = [f.sub(m.rate(f.slope(L, v)), f.slope(L, q)) for q, v in zip(m.q, m.v, strict=True)]
+    if "dissipation" in s.claim:
+        R = s.key("dissipation")
+        left = [f.add(x, f.slope(R, v)) for x, v in zip(left, m.v, strict=True)]
+    if "forces" in s.claim:
+        left = [f.sub(x, force) for x, force in zip(left, _formulas(s, "forces"), strict=True)]
+    if "equations" in s.claim:
+        return Case([f.sub(x, y) for x, y in zip(left, _formulas(s, "equations"), strict=True)])
+    images = dict(zip(m.a, _formulas(s, "qddot"), strict=True))
+    hessian = s.determinant([[f.slope(f.slope(L, x), y) for y in m.v] for x in m.v])
+    return Case([f.substitute(x, images) for x in left], [[hessian]])
+
+
+def noether(s: Statement) -> Case:
+    """∂L/∂t τ + ∂L/∂q ξ + ∂L/∂v (ξ' − v τ') + L τ' = f', and the charge is ∂L/∂v ξ − (v ∂L/∂v − L) τ − f."""
+    f, m, L, steps = s.f, Motion(s), s.key("L"), _formulas(s, "dq")
+    tau, gauge = (s.key(word) if word in s.claim else f.number(0) for word in ("dt", "f"))
+    stretch, momenta = m.rate(tau), [f.slope(L, v) for v in m.v]
+    change, charge = [f.mul(f.slope(L, m.t), tau), f.mul(L, stretch)], [f.mul(L, tau), f.mul(f.number(-1), gauge)]
+    for q, v, p, step in zip(m.q, m.v, momenta, steps, strict=True):
+        slide = f.sub(m.rate(step), f.mul(f.node("s", v), stretch))
+        change += [f.mul(f.slope(L, q), step), f.mul(p, slide)]
+        charge += [f.mul(p, step), f.mul(f.number(-1), f.node("s", v), p, tau)]
+    zeros = [f.sub(f.add(*change), m.rate(gauge))]
+    return Case([*zeros, *([f.sub(f.add(*charge), s.key("charge"))] if "charge" in s.claim else [])])
+
+
+def hamilton_jacobi(s: Statement) -> Case:
+    """H(q, ∂S/∂q, t) + ∂S/∂t = 0, or H(q, ∂W/∂q) = energy; det ∂²S/∂q∂α isn't 0 everywhere."""
+    f, word = s.f, "S" if "S" in s.claim else "W"
+    s.without_map()
+    S, constants = s.key(word), list(s.claim["constants"])
+    energy = s.key("energy") if word == "W" else f.number(0)
+    if len(constants) < len(s.q):
+        constants.append(f.ops[energy][1])
+    momenta = {p: f.slope(S, q) for p, q in zip(s.p, s.q, strict=True)}
+    other = f.slope(S, s.time) if word == "S" else f.mul(f.number(-1), energy)
+    complete = s.determinant([[f.slope(p, a) for a in constants] for p in momenta.values()])
+    names = {f.ops[a][1] for a in f.reach(complete) if f.ops[a][0] == "s"}
+    whole = names <= {*s.q, *constants, s.time, "pi"} and not any(f.ops[a][1] in f.functions for a in f.reach(complete))
+    trusted = (
+        "" if whole else "that the integral is complete for all values of the parameters, not only for those tried"
+    )
+    return Case([f.add(f.substitute(s.H, momenta), other)], [[complete]], momenta, trusted)
+
+
+def solves(s: Statement) -> Case:
+    """The equations with formulas in place of the functions."""
+    f, solution = s.f, {}
+    for call, text in s.claim["solution"].items():
+        op = f.ops[f.read(call, {})]
+        if op[0] != "f" or op[1] not in f.functions or any(f.ops[a][0] != "s" for a in op[3]):
+            raise Unreadable(f"{call[:40]!r} is no function of names")
+        solution[op[1]] = [f.ops[a][1] for a in op[3]], f.read(text, s.names)
+    equations = [f.read(text, s.names) for text in s.claim["equations"]]
+    return Case([f.put_in(s.pull(a), solution) for a in equations])
+
+
+KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {
+    **mechanics.KINDS,
+    "euler_lagrange": euler_lagrange,
+    "noether": noether,
+    "hamilton_jacobi": hamilton_jacobi,
+    "solves": solves,
+}

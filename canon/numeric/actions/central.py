@@ -133,8 +133,8 @@ def _kernels(formula: Any, symbol: Any, m: float) -> _Kernels:
 
         return run
 
-    guess = jax.jit(lambda *state: (perhaps_narrow(V, *state, m),))
-    return _Kernels(guess, jax.jit(near), jax.jit(lambda *state: wide_ends(V, *state, m)), wide)
+    guess = jax.jit(lambda r, p, L: (perhaps_narrow(V, r, p, L, m),))
+    return _Kernels(guess, jax.jit(near), jax.jit(lambda r, p, L: wide_ends(V, r, p, L, m)), wide)
 
 
 def _check(state: list[Any]) -> None:

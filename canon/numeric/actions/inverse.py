@@ -17,7 +17,8 @@ from canon.numeric.actions.bounded import Bounded, bounded
 from canon.numeric.actions.branches import LIBRATION, ROTATION, Branch, branches_at
 from canon.numeric.actions.course import Course, course_of, time_from_low, time_to_high, whole
 from canon.numeric.actions.landscape import Critical
-from canon.numeric.actions.levels import barrier_of, well_of
+from canon.numeric.actions.levels import well_of
+from canon.numeric.actions.reach import libration_reach, rotation_reach
 from canon.numeric.actions.wells import holds
 
 if TYPE_CHECKING:
@@ -58,7 +59,8 @@ def _kind(motion: Motion) -> str:
 
 def _course(motion: Motion, J: Ball, kind: str, well: float | None) -> Course:
     """The course of the branch whose action is J."""
-    low, high, lowest = _energies(motion, J, kind, well)
+    lowest = well_of(motion.nodes, well) if kind == LIBRATION else None
+    low, high = rotation_reach(motion, J) if lowest is None else libration_reach(motion, J, lowest)
 
     def at(E: Ball) -> tuple[Course, Ball, Ball]:
         branch = _branch(motion, E, kind, lowest)
@@ -82,39 +84,6 @@ def _course(motion: Motion, J: Ball, kind: str, well: float | None) -> Course:
 
     _increasing(defect, low, high, J)
     return last[0]
-
-
-def _energies(motion: Motion, J: Ball, kind: str, well: float | None) -> tuple[Ball, Ball | None, Critical | None]:
-    """The energies between which the branch exists; None for no upper one. **Raises:** `InputError`."""
-    tops = [node for node in motion.nodes if node.kind < 0]
-    if kind == ROTATION:
-        if motion.domain.period is None:
-            raise InputError(f"there are no rotations: {motion.profile.q} is no angle", "branch")
-        if not tops:
-            return motion.profile.potential(arb(0)), None, None
-        top = max(tops, key=lambda node: float(node.value()))
-        least = motion.orbit(above_separatrix=0, well=float(_any_minimum(motion))).action.value / 2
-        if least > J:
-            raise InputError(f"rotations have actions above {least:.10g}, librations up to twice that", "action")
-        return top.value(), None, None
-    lowest = well_of(motion.nodes, well)
-    try:
-        top = barrier_of(motion.nodes, lowest)
-    except InputError:
-        return lowest.value(), None, lowest
-    if top.kind < 0:
-        most = motion.orbit(below_separatrix=0, well=float(lowest)).action.value
-        if not most > J:
-            raise InputError(
-                f"librations about {motion.profile.q} = {float(lowest):.6g} have actions below {most:.10g}, unlike "
-                f"{float(J):.10g}: choose another branch or well",
-                "action",
-            )
-    return lowest.value(), top.value(), lowest
-
-
-def _any_minimum(motion: Motion) -> Critical:
-    return min((node for node in motion.nodes if node.kind > 0), key=lambda node: float(node.value()))
 
 
 def _branch(motion: Motion, E: Ball, kind: str, lowest: Critical | None) -> Branch:

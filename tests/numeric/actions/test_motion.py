@@ -209,6 +209,26 @@ def test_hamiltonians_that_are_none(H: str, message: str) -> None:
         motion(H)
 
 
+def test_over_a_barrier_the_wells_are_one() -> None:
+    double = motion("p**2/2 + q**4/4 - q**2/2")
+    over = double.at(1.5, 0.5)
+    assert over.angle is not None
+    q, p = double.point(over.action.value, over.angle.value, well=1)
+    assert (q.value, p.value) == pytest.approx((1.5, 0.5), abs=4e-15)
+    with pytest.raises(InputError, match=r"below 1\.333333333 or, over the barrier, above 2\.666666667, unlike 2"):
+        double.point(2, 0.1, well=1)
+    # two barriers of one height in a period: a rotation passes both
+    two = motion("p**2/2 - cos(2*q) + cos(q)/10")
+    turning = two.at(0.3, 2.5)
+    assert turning.angle is not None
+    q, p = two.point(turning.action.value, turning.angle.value, branch="rotation")
+    assert (q.value, p.value) == pytest.approx((0.3, 2.5), abs=4e-15)
+    with pytest.raises(InputError, match=r"rotations have actions above 8\.00250013, unlike 3"):
+        two.point(3, 0.2, branch="rotation")
+    with pytest.raises(InputError, match=r"have actions below 7\.688340865, unlike 12: choose another branch"):
+        two.point(12, 0.2, well=0)
+
+
 def test_actions_beyond_the_branch(pendulum: Motion) -> None:
     with pytest.raises(InputError, match="librations about q = 0 have actions below 16"):
         pendulum.point(17, 0.1)

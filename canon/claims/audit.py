@@ -109,7 +109,7 @@ def variables(dimension: int | None = None, space: PhaseSpace | None = None) -> 
     """
     size = 2 * space.n if space is not None and dimension is None else dimension
     if size is None:
-        raise InputError("the dimension of phase space is needed: audit(map, dimension=2n)", "dimension")
+        raise InputError("the dimension of phase space is needed: dimension=2n", "dimension")
     if size < 2 or size % 2:
         raise InputError(f"a phase space has an even dimension 2n, not {size}", "dimension")
     if space is not None and size != 2 * space.n:

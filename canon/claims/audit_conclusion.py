@@ -12,7 +12,7 @@ import numpy as np
 from canon.claims.audit_report import AuditReport
 from canon.claims.audit_run import AuditRun
 from canon.errors import InputError
-from canon.numeric.differences import has_kink
+from canon.numeric.differences import kinks
 
 LEAST: Final = 0.5
 """The part of the points at which the map must be finite for a verdict of `supported`."""
@@ -92,7 +92,7 @@ def conclude(run: AuditRun, samples: int, start: float) -> AuditReport:
 def _bent(run: AuditRun, point: tuple[float, ...]) -> str:
     """What to say of a point at which the map fails because it has no derivative there; nothing elsewhere."""
     assert run.map is not None
-    if not run.map.steady or not has_kink(run.map.evaluate, np.array(point), run.where.lengths, run.map.unit):
+    if not run.map.steady or not kinks(run.map.evaluate, np.array([point]), run.where.lengths, run.map.unit)[0]:
         return ""
     return f"the map is not differentiable at {run.place(point)}: its differences to the two sides differ"
 
@@ -113,6 +113,11 @@ def _gaps(run: AuditRun, samples: int) -> list[str]:
     if run.rough_point is not None:
         found.append(
             f"the map is not differentiable at {run.rough} points, for instance at {run.place(run.rough_point)}"
+        )
+    if run.bent_point is not None:
+        found.append(
+            f"the map seems not to be differentiable at {run.bent} of {run.looked_at} points that were looked at, "
+            f"for instance at {run.place(run.bent_point)}: its differences to the two sides differ"
         )
     return found
 

@@ -13,11 +13,11 @@ from typing import Final
 import numpy as np
 
 from canon.claims.audit_subject import AuditSubject
-from canon.numeric.differences import SHORTEST_STEP, central_differences
+from canon.numeric.differences import SHORTEST_STEP, central_differences, kinks
 from canon.numeric.differentiable import Differentiable, differentiable
 from canon.numeric.points import Points
 from canon.numeric.precision import UNIT, UNIT_32
-from canon.numeric.residuals import Residuals, brackets, determinants, invariants
+from canon.numeric.residuals import Residuals, brackets, determinants, invariants, weighted_mean
 from canon.numeric.sweep import SUSPECTS, Sweeper, sweeper
 from canon.numeric.sweep_word import RESOLVED, Sweep
 from canon.numeric.worst import Tally
@@ -35,6 +35,11 @@ BEFORE_A_SWEEP: Final = 256
 
 FEW: Final = 2000
 """So many points, or fewer, are all examined."""
+
+LOOKS: Final = 4096
+"""So many entries of Jacobians are looked at from both sides, to see whether the map bends there."""
+
+CORNERED: Final = frozenset(["abs", "max", "min", "sign", "floor", "ceil", "round", "rem", "select"])
 
 ALONG: Final = 0.1
 COMPARED: Final = 3
@@ -61,8 +66,12 @@ class AuditRun:
     missing_point: Array | None = None
     rough: int = 0
     rough_point: Array | None = None
+    bent: int = 0
+    bent_point: Array | None = None
+    looked_at: int = 0
     outside: int = 0
     valence: float | None = None
+    valence_error: float = 0.0
     valences: tuple[float, float] = (np.inf, -np.inf)
     dets: tuple[float, float] = (np.inf, -np.inf)
     condition: float = 0.0
@@ -115,6 +124,7 @@ class AuditRun:
         finite = np.asarray(np.isfinite(values).all(axis=1))
         smooth = finite & np.asarray(np.isfinite(M).all(axis=(1, 2)))
         self._leave_out(inside[:count], finite[:count], smooth[:count])
+        self._look_for_kinks(inside[:count][smooth[:count]])
         if smooth.any():
             self._tally(inside[smooth], M[smooth], E[smooth], int(smooth[:count].sum()))
 
@@ -125,6 +135,20 @@ class AuditRun:
             self.missing_point = points[~finite][0]
         if (finite & ~smooth).any() and self.rough_point is None:
             self.rough_point = points[finite & ~smooth][0]
+
+    def _look_for_kinks(self, points: Array) -> None:
+        """Look at the two sides of points, of so many as that costs little; formulas without corners need no look."""
+        assert self.map is not None
+        program = self.map.program
+        cornered = program is None or any(operation.name in CORNERED for operation in program.operations)
+        points = points[: max(0, LOOKS // points.shape[1] ** 2 - self.looked_at)]
+        if not cornered or not self.map.steady or not len(points):
+            return
+        bent = kinks(self.map.evaluate, points, self.where.lengths, self.map.unit)
+        self.looked_at += len(points)
+        self.bent += int(bent.sum())
+        if bent.any() and self.bent_point is None:
+            self.bent_point = points[bent][0]
 
     def _check(self, points: Array, M: Array, E: Array) -> None:
         """Look for hidden state, low precision, and derivatives that are not those of the values."""
@@ -146,7 +170,9 @@ class AuditRun:
         evaluate = self.map.evaluate
         direction = self.where.lengths * np.cos(np.arange(1, points.shape[1] + 1))
         compared = False
-        for z, slope, off in zip(points[:COMPARED], M, E, strict=False):
+        points, M, E = points[:COMPARED], M[:COMPARED], E[:COMPARED]
+        usable = np.isfinite(M).all(axis=(1, 2)) & np.isfinite(E).all(axis=(1, 2))
+        for z, slope, off in zip(points[usable], M[usable], E[usable], strict=True):
 
             def along(s: Array, z: Array = z) -> Array:
                 return evaluate(z + s * direction)
@@ -171,9 +197,11 @@ class AuditRun:
             found = brackets(M, E)
             at_points, errors = found.valence()
             if self.valence is None:
-                self.valence = _mean(at_points[:counted], errors[:counted]) if counted else _mean(at_points, errors)
+                leading = counted or len(points)
+                self.valence, self.valence_error = weighted_mean(at_points[:leading], errors[:leading])
             families = found.residuals(expected)
-            fitted = [Residuals("symplectic", r.sizes, r.bounds) for r in found.residuals(self.valence)]
+            about_c = found.residuals(self.valence, self.valence_error)
+            fitted = [Residuals("symplectic", r.sizes, r.bounds) for r in about_c]
             det, det_bound, condition = determinants(M, E, self.where.lengths)
             target = abs(expected) ** (M.shape[1] // 2)
             volume = Residuals("volume", np.abs(np.abs(det) - target), det_bound)
@@ -264,10 +292,3 @@ class AuditRun:
     def place(self, point: Sequence[float] | Array) -> str:
         """A point by the variables' names."""
         return ", ".join(f"{name} = {x:.6g}" for name, x in zip(self.subject.names, point, strict=True))
-
-
-def _mean(values: Array, errors: Array) -> float:
-    """The mean of values, each weighted by its error."""
-    weights = 1 / np.maximum(errors, 1e-300) ** 2
-    weights = np.ones_like(errors) if not np.isfinite(weights.sum()) or not weights.sum() else weights
-    return float((weights * values).sum() / weights.sum())

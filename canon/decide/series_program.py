@@ -12,20 +12,18 @@ from fractions import Fraction
 from typing import Any, Final
 
 import flint
-from flint import arb, arb_series
+from flint import arb
 
-from canon.decide.arbitrary import rational
 from canon.decide.enclosure import precision
 from canon.decide.series import Algebra, Ball, Series, constant_term
 from canon.decide.tape import Unsupported
+from canon.decide.taylor_coefficients import TAYLOR, Unenclosed, binomial, number
 from canon.program import PREDICATES, Operation, Program
+
+__all__ = ["Unenclosed", "number", "run_series", "working"]
 
 Truth = bool | None
 """What a comparison of balls certainly is; None where they overlap."""
-
-
-class Unenclosed(Exception):
-    """The program isn't certified to be smooth, or defined, where it was evaluated."""
 
 
 @contextmanager
@@ -38,13 +36,6 @@ def working(bits: int, degree: int) -> Iterator[None]:
             yield
         finally:
             flint.ctx.cap = before
-
-
-def number(value: Any) -> Ball:
-    """A program's number as a ball: floats and fractions exactly."""
-    if value == "pi":
-        return arb.pi()
-    return arb(rational(value)) if isinstance(value, Fraction) else arb(value)
 
 
 def run_series(program: Program, inputs: Sequence[Series], algebra: Algebra) -> list[Series]:
@@ -95,8 +86,8 @@ def _apply(operation: Operation, x: list[Any], inputs: Sequence[Series], algebra
         return _TWO[name](x[0], x[1], algebra)
     if name in _PIECEWISE:
         return _PIECEWISE[name](x[0], algebra)
-    if name in _TAYLOR:
-        return algebra.compose(_TAYLOR[name](constant_term(x[0]), algebra.degree), x[0])
+    if name in TAYLOR:
+        return algebra.compose(TAYLOR[name](constant_term(x[0]), algebra.degree), x[0])
     raise Unsupported(f"no series of {name}")
 
 
@@ -121,25 +112,8 @@ def _compared(name: str, x: list[Any], varies: bool) -> Truth:
 # -- powers ----------------------------------------------------------------------------------------
 
 
-def _binomial_series(base: Ball, exponent: Fraction, degree: int) -> list[Ball]:
-    """Taylor's coefficients of x ** exponent at x = base."""
-    if exponent.denominator != 1:
-        if not base > 0:
-            raise Unenclosed("a root of something that may be zero or negative")
-        power = base.sqrt() ** exponent.numerator if exponent.denominator == 2 else base ** number(exponent)
-    else:
-        if base.contains(0):
-            raise Unenclosed("a denominator that may be zero")
-        power = (1 / base) ** -exponent.numerator
-    coefficients, factor = [], Fraction(1)
-    for m in range(degree + 1):
-        coefficients.append(number(factor) * power / base**m)
-        factor = factor * (exponent - m) / (m + 1)
-    return coefficients
-
-
 def _power(base: Series, exponent: Fraction, algebra: Algebra) -> Series:
-    return algebra.compose(_binomial_series(constant_term(base), exponent, algebra.degree), base)
+    return algebra.compose(binomial(constant_term(base), exponent, algebra.degree), base)
 
 
 def _integer_power(base: Series, exponent: int, algebra: Algebra) -> Series:
@@ -161,9 +135,9 @@ def _general_power(base: Series, exponent: Series, algebra: Algebra) -> Series:
             return _integer_power(base, int(value.unique_fmpz()), algebra)
     if not constant_term(base) > 0:
         raise Unenclosed("a power of something that may be zero or negative")
-    logarithm = algebra.compose(_TAYLOR["log"](constant_term(base), algebra.degree), base)
+    logarithm = algebra.compose(TAYLOR["log"](constant_term(base), algebra.degree), base)
     product = algebra.multiply(exponent, logarithm)
-    return algebra.compose(_TAYLOR["exp"](constant_term(product), algebra.degree), product)
+    return algebra.compose(TAYLOR["exp"](constant_term(product), algebra.degree), product)
 
 
 # -- functions with branches -----------------------------------------------------------------------
@@ -171,7 +145,7 @@ def _general_power(base: Series, exponent: Series, algebra: Algebra) -> Series:
 
 def _atan2(y: Series, x: Series, algebra: Algebra) -> Series:
     a, b = constant_term(y), constant_term(x)
-    if b > 0:
+    if b > 0 and not abs(a) > b:
         numerator, denominator, turn, sign = y, x, arb(0), 1
     elif not a.contains(0):
         numerator, denominator, sign = x, y, -1
@@ -179,7 +153,7 @@ def _atan2(y: Series, x: Series, algebra: Algebra) -> Series:
     else:
         raise Unenclosed("atan2 at its cut")
     ratio = algebra.multiply(numerator, _power(denominator, Fraction(-1), algebra))
-    angle = algebra.compose(_TAYLOR["atan"](constant_term(ratio), algebra.degree), ratio)
+    angle = algebra.compose(TAYLOR["atan"](constant_term(ratio), algebra.degree), ratio)
     return algebra.add(algebra.constant(turn), algebra.scaled(angle, arb(sign)))
 
 
@@ -256,77 +230,4 @@ _PIECEWISE: Final[dict[str, Callable[[Series, Algebra], Series]]] = {
     "abs": _absolute,
     "cbrt": _cube_root,
     "sqrt": lambda x, algebra: _power(x, Fraction(1, 2), algebra),
-}
-
-
-# -- Taylor's coefficients of elementary functions ------------------------------------------------------
-
-
-def _cyclic(cycle: Sequence[Ball], degree: int) -> list[Ball]:
-    """cycle[m] / m!, where the derivatives repeat."""
-    coefficients, factorial = [], arb(1)
-    for m in range(degree + 1):
-        factorial = factorial * m if m else factorial
-        coefficients.append(cycle[m % len(cycle)] / factorial)
-    return coefficients
-
-
-def _sine(x: Ball, degree: int) -> list[Ball]:
-    s, c = x.sin(), x.cos()
-    return _cyclic([s, c, -s, -c], degree)
-
-
-def _cosine(x: Ball, degree: int) -> list[Ball]:
-    s, c = x.sin(), x.cos()
-    return _cyclic([c, -s, -c, s], degree)
-
-
-def _riccati(name: str, sign: int) -> Callable[[Ball, int], list[Ball]]:
-    """tan and tanh by their differential equation y′ = 1 ± y²."""
-
-    def rule(x: Ball, degree: int) -> list[Ball]:
-        y = [getattr(x, name)()]
-        for m in range(degree):
-            square = sum((y[i] * y[m - i] for i in range(m + 1)), arb(0))
-            y.append(((1 if m == 0 else 0) + sign * square) / (m + 1))
-        return y
-
-    return rule
-
-
-def _integrated(name: str, slope: Callable[[Any], Any]) -> Callable[[Ball, int], list[Ball]]:
-    """A function by its value and the series of its derivative."""
-
-    def rule(x: Ball, degree: int) -> list[Ball]:
-        value = getattr(x, name)()
-        series = slope(arb_series([x, 1], degree + 1)).integral()
-        coefficients = [arb(c) for c in series.coeffs()]
-        return [value, *(coefficients + [arb(0)] * degree)[1 : degree + 1]]
-
-    return rule
-
-
-def _logarithm(x: Ball, degree: int) -> list[Ball]:
-    if not x > 0:
-        raise Unenclosed("the logarithm of something that may be zero or negative")
-    return [x.log(), *(arb((-1) ** (m - 1)) / (m * x**m) for m in range(1, degree + 1))]
-
-
-_TAYLOR: Final[dict[str, Callable[[Ball, int], list[Ball]]]] = {
-    "sin": _sine,
-    "cos": _cosine,
-    "exp": lambda x, degree: _cyclic([x.exp()], degree),
-    "expm1": lambda x, degree: [x.expm1(), *_cyclic([x.exp()], degree)[1:]],
-    "sinh": lambda x, degree: _cyclic([x.sinh(), x.cosh()], degree),
-    "cosh": lambda x, degree: _cyclic([x.cosh(), x.sinh()], degree),
-    "tan": _riccati("tan", 1),
-    "tanh": _riccati("tanh", -1),
-    "log": _logarithm,
-    "log1p": lambda x, degree: [x.log1p(), *_logarithm(1 + x, degree)[1:]],
-    "atan": _integrated("atan", lambda t: (1 + t * t).inv()),
-    "asin": _integrated("asin", lambda t: (1 - t * t).rsqrt()),
-    "acos": _integrated("acos", lambda t: -(1 - t * t).rsqrt()),
-    "asinh": _integrated("asinh", lambda t: (1 + t * t).rsqrt()),
-    "acosh": _integrated("acosh", lambda t: (t * t - 1).rsqrt()),
-    "atanh": _integrated("atanh", lambda t: (1 - t * t).inv()),
 }

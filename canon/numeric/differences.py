@@ -81,27 +81,28 @@ def _values(evaluate: Callable[[Array], Array], sets: Array) -> Array:
     return np.stack([evaluate(points) for points in sets])
 
 
-def has_kink(evaluate: Callable[[Array], Array], point: Array, lengths: Array, unit: float) -> bool:
-    """Whether differences to the two sides of a point (m,) differ along some variable, however short the step.
+def kinks(evaluate: Callable[[Array], Array], points: Array, lengths: Array, unit: float) -> Array:
+    """At which points (N, m) differences to the two sides differ along some variable, however short the step: (N,).
 
     Curvature makes them differ by an amount that falls with the step; a kink's stays, and a jump's grows.
     """
+    found = np.zeros(len(points), dtype=bool)
     with np.errstate(all="ignore"):
-        for k in range(len(point)):
+        here = evaluate(points)
+        for k in range(points.shape[1]):
             gaps = []
             for step in (KINK_STEP * lengths[k], KINK_STEP * lengths[k] / 16):
-                moved = np.stack([point, point, point])
-                moved[0, k] -= step
-                moved[2, k] += step
-                below, here, above = evaluate(moved)
-                ahead, behind = (above - here) / (moved[2, k] - point[k]), (here - below) / (point[k] - moved[0, k])
+                moved = np.repeat(points[None], 2, axis=0)
+                moved[0, :, k] -= step
+                moved[1, :, k] += step
+                below, above = _values(evaluate, moved)
+                ahead = (above - here) / (moved[1, :, k] - points[:, k])[:, None]
+                behind = (here - below) / (points[:, k] - moved[0, :, k])[:, None]
                 noise = NOISE * unit * (np.abs(below) + np.abs(here) + np.abs(above)) / step
                 gaps.append(np.abs(ahead - behind))
-            if np.any(
-                (gaps[1] > noise) & (gaps[1] > gaps[0] / 2) & (gaps[1] > KINK * (np.abs(ahead) + np.abs(behind)))
-            ):
-                return True
-    return False
+            bent = (gaps[1] > noise) & (gaps[1] > gaps[0] / 2)
+            found |= np.any(bent & (gaps[1] > KINK * (np.abs(ahead) + np.abs(behind))), axis=1)
+    return found
 
 
 def complex_step(mapped: PointMap, points: Array) -> Array:

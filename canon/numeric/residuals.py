@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import combinations
+from math import fsum
 from typing import Final
 
 import numpy as np
@@ -40,10 +41,11 @@ class Brackets:
     PP_bound: Array
     QP_bound: Array
 
-    def residuals(self, scale: float) -> tuple[Residuals, Residuals, Residuals]:
-        """What M J Mᵀ = scale J leaves of each family."""
-        expected = scale * np.eye(self.QP.shape[1])
-        bound = self.QP_bound + UNIT * np.abs(expected)
+    def residuals(self, scale: float, off: float = 0.0) -> tuple[Residuals, Residuals, Residuals]:
+        """What M J Mᵀ = scale J leaves of each family; `off`, by how much the scale may be off."""
+        diagonal = np.eye(self.QP.shape[1])
+        expected = scale * diagonal
+        bound = self.QP_bound + UNIT * np.abs(expected) + off * diagonal
         return (
             Residuals("{Q,Q}", np.abs(self.QQ), self.QQ_bound),
             Residuals("{P,P}", np.abs(self.PP), self.PP_bound),
@@ -54,6 +56,14 @@ class Brackets:
         """The mean of {Q_i,P_i} at each point, which is c where M J Mᵀ = c J; and its error's bound."""
         diagonal = np.einsum("bii->bi", self.QP)
         return diagonal.mean(axis=1), np.einsum("bii->bi", self.QP_bound).mean(axis=1)
+
+
+def weighted_mean(values: Array, errors: Array) -> tuple[float, float]:
+    """The mean of values, each weighted by its error; and how far it may be off, its own rounding included."""
+    weights = 1 / np.maximum(errors, 1e-300) ** 2
+    weights = np.ones_like(errors) if not np.isfinite(weights.sum()) or not weights.sum() else weights
+    mean, off = (fsum(weights * x) / fsum(weights) for x in (values, errors))
+    return mean, off + 3 * UNIT * abs(mean)
 
 
 def _product(X: Array, EX: Array, Y: Array, EY: Array) -> tuple[Array, Array]:

@@ -426,6 +426,21 @@ def test_options_that_make_no_sense_are_input_errors(options: dict[str, Any], me
         audit(symplectic_euler, **options)
 
 
+@pytest.mark.parametrize("numbers", [np, jnp])
+def test_a_bend_that_spoils_no_bracket_is_told_all_the_same(numbers: Any) -> None:
+    points = np.array([[0.3, 0.2], [0.1, 0.0], [0.3, -0.2]])
+    kicks = (lambda p: abs(p), lambda p: numbers.where(p > 0, p**3, 0.0))
+    bent, smooth = (
+        audit(lambda z, kick=kick: numbers.stack([z[0] + kick(z[1]), z[1]]), dimension=2, domain=points)
+        for kick in kicks
+    )
+    assert bent.verdict == smooth.verdict == "supported"
+    (note,) = bent.notes
+    assert note.startswith("the map seems not to be differentiable at 1 of 3 points that were looked at, for instance")
+    assert "q = 0.1, p = 0:" in note
+    assert not smooth.notes
+
+
 def test_a_point_on_a_kink_is_told_apart_from_a_failure() -> None:
     def folded(z: Array) -> Array:
         return np.array([abs(z[0]), np.sign(z[0]) * z[1]])

@@ -109,3 +109,11 @@ def test_jumps_away_from_the_box_do_not_matter() -> None:
 def test_what_cannot_be_bounded_is_an_input_error(map: Any, box: Any, options: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         certify(map, box, **options)
+
+
+def test_action_and_angle_are_bounded_near_their_singularity() -> None:
+    """A box whose nearest corner is a seventh of its side away from the origin, where the angle has no value."""
+    polar = Transformation(SPACE, Q=[sp.atan2(q, p)], P=[(q**2 + p**2) / 2])
+    found = certify(polar, [(0.15, 1), (0.15, 1)], boxes=150, budget=60.0)
+    assert found.enclosed == 1
+    assert found.upper < 1e-2

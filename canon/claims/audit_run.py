@@ -177,7 +177,9 @@ class AuditRun:
             def along(s: Array, z: Array = z) -> Array:
                 return evaluate(z + s * direction)
 
-            difference, error = central_differences(along, np.zeros((1, 1)), np.full(1, ALONG), self.map.unit)
+            difference, error = central_differences(
+                along, np.zeros((1, 1)), np.full(1, ALONG), self.map.unit, at_once=True
+            )
             gap = np.abs(slope @ direction - difference[0, :, 0])
             size = np.abs(slope) @ np.abs(direction)
             # far from the origin, the points themselves are rounded

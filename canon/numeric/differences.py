@@ -38,13 +38,13 @@ ULPS: Final = 8
 
 
 def central_differences(
-    evaluate: Callable[[Array], Array], points: Array, lengths: Array, unit: float
+    evaluate: Callable[[Array], Array], points: Array, lengths: Array, unit: float, *, at_once: bool = False
 ) -> tuple[Array, Array]:
     """(M, E) at points (N, m): central differences at `LEVELS` steps, extrapolated to step 0 entry by entry.
 
     M and E are (N, k, m) for a function that takes points (N, m) to values (N, k).
     The estimate E is what the best two neighbours in Neville's table differ by, times a safety factor, plus the
-    function's rounding over the step.
+    function's rounding over the step. With `at_once` the function may be given more points than N together.
     """
     columns: list[tuple[Array, Array]] = []
     with np.errstate(all="ignore"):
@@ -56,7 +56,7 @@ def central_differences(
             steps = FIRST_STEP * lengths[k] / 2.0 ** np.arange(LEVELS)
             moved[:LEVELS, :, k] += steps[:, None]
             moved[LEVELS:, :, k] -= steps[:, None]
-            values = _values(evaluate, moved)
+            values = _values(evaluate, moved, at_once)
             for level in range(LEVELS):
                 width = (moved[level, :, k] - moved[LEVELS + level, :, k])[:, None]
                 high, low = values[level], values[LEVELS + level]
@@ -73,9 +73,9 @@ def central_differences(
     return np.stack([best for best, _ in columns], axis=2), np.stack([error for _, error in columns], axis=2)
 
 
-def _values(evaluate: Callable[[Array], Array], sets: Array) -> Array:
-    """The values at several sets of points (K, N, m): of small sets all at once."""
-    if sets.size <= AT_ONCE:
+def _values(evaluate: Callable[[Array], Array], sets: Array, at_once: bool) -> Array:
+    """The values at several sets of points (K, N, m); small sets may be evaluated `at_once`."""
+    if at_once and sets.size <= AT_ONCE:
         found = evaluate(sets.reshape(-1, sets.shape[2]))
         return found.reshape(*sets.shape[:2], -1)
     return np.stack([evaluate(points) for points in sets])
@@ -95,7 +95,7 @@ def kinks(evaluate: Callable[[Array], Array], points: Array, lengths: Array, uni
                 moved = np.repeat(points[None], 2, axis=0)
                 moved[0, :, k] -= step
                 moved[1, :, k] += step
-                below, above = _values(evaluate, moved)
+                below, above = _values(evaluate, moved, True)
                 ahead = (above - here) / (moved[1, :, k] - points[:, k])[:, None]
                 behind = (here - below) / (points[:, k] - moved[0, :, k])[:, None]
                 noise = NOISE * unit * (np.abs(below) + np.abs(here) + np.abs(above)) / step

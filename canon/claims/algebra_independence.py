@@ -10,9 +10,9 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from canon.claims.fixed_parameters import fixed_region
-from canon.claims.independence import MEROMORPHIC, PLACES, not_zero_for_any_parameters
 from canon.claims.outcome import Outcome, exact
 from canon.claims.scale import never_zero
+from canon.claims.special_parameters import MEROMORPHIC, PLACES, not_zero_for_any_parameters
 from canon.claims.structure_search import Values, frame, parameters_of, solve
 from canon.claims.units import same_in_other_units
 from canon.decide.derivative import substitute

@@ -13,8 +13,8 @@ import sympy as sp
 
 from canon.claims.chart import chart_of
 from canon.claims.determinant import determinant
-from canon.claims.independence import not_zero_for_any_parameters
 from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.claims.special_parameters import not_zero_for_any_parameters
 from canon.decide.derivative import derivative, substitute
 from canon.decide.nowhere_zero import has_no_zero
 from canon.decide.region import Region

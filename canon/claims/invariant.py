@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 from canon.claims.determinant import determinant, lagrange_matrix, pfaffian
 from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.scale import constant_scale
+from canon.decide.defined_functions import conjugate
 from canon.decide.derivative import derivative, poisson_bracket
-from canon.decide.load import conjugate
 from canon.decide.region import Region, Requirement
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError

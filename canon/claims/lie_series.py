@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from canon.claims.independence import MEROMORPHIC
 from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.claims.special_parameters import MEROMORPHIC
 from canon.claims.truncated import HIGHEST_ORDER, region_at_zero, taylor
 from canon.decide.derivative import derivative, poisson_bracket, substitute
 from canon.decide.region import Requirement

@@ -8,7 +8,8 @@ from fractions import Fraction
 import sympy as sp
 
 from canon.checker.formulas import Formulas
-from canon.decide.load import COMPLEX, DIRECT, RULES, load
+from canon.decide.defined_functions import COMPLEX, RULES
+from canon.decide.load import DIRECT, load
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.functions import FUNCTIONS
 from canon.special import JacobiEpsilon

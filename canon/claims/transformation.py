@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from canon.claims.chart import Chart
-from canon.claims.independence import MEROMORPHIC, not_zero_for_any_parameters
 from canon.claims.outcome import Finding, Outcome, combined, exact
 from canon.claims.scale import Brackets, scale_of
 from canon.claims.shears import by_shears
+from canon.claims.special_parameters import MEROMORPHIC, not_zero_for_any_parameters
 from canon.claims.truncated import checked_order, truncated
 from canon.decide.cells import cells_of
 from canon.decide.region import Region

@@ -17,9 +17,9 @@ from flint import fmpq_poly
 from canon.budget import Budget
 from canon.decide.components import pieces
 from canon.decide.connected import is_connected
+from canon.decide.defined_functions import conjugate
 from canon.decide.derivative import derivative
 from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
-from canon.decide.load import conjugate
 from canon.decide.region import Region, Requirement
 from canon.decide.sign_on_box import definite_sign
 from canon.decide.tape import Node, Tape

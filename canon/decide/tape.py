@@ -283,7 +283,7 @@ class Tape:
 
     def to_sympy(self, node: Node) -> sp.Expr:
         """The node as a sympy expression, for showing to people (canon.decide.load)."""
-        from canon.decide.load import unload
+        from canon.decide.unload import unload
 
         return unload(self, node)
 

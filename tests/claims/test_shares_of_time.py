@@ -5,8 +5,8 @@ import sympy as sp
 
 from canon.budget import Budget
 from canon.claims import question as of_question
-from canon.claims.independence import _without_common_zero
 from canon.claims.reader import read_text
+from canon.claims.special_parameters import _without_common_zero
 from canon.claims.verify import verify
 from canon.decide.answer import Answer
 

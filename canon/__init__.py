@@ -64,6 +64,7 @@ if TYPE_CHECKING:
         standard_j,
     )
     from canon.mechanics.separation.actions import separated_actions
+    from canon.mechanics.separation.characteristic import characteristic_function
     from canon.mechanics.separation.coordinates import OrthogonalCoordinates, orthogonal_coordinates
     from canon.mechanics.separation.levi_civita import levi_civita
     from canon.mechanics.separation.staeckel import Separation, separation
@@ -147,6 +148,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     ),
     "canon.mechanics.lie_series": ("InfinitesimalTransformation", "closed_lie_series", "truncated_lie_series"),
     "canon.mechanics.separation.actions": ("separated_actions",),
+    "canon.mechanics.separation.characteristic": ("characteristic_function",),
     "canon.mechanics.separation.coordinates": ("OrthogonalCoordinates", "orthogonal_coordinates"),
     "canon.mechanics.separation.levi_civita": ("levi_civita",),
     "canon.mechanics.separation.staeckel": ("Separation", "separation"),
@@ -223,6 +225,7 @@ __all__ = [
     "cartan_loop_invariant",
     "central_actions",
     "certify",
+    "characteristic_function",
     "closed_lie_series",
     "closure",
     "closure_of_fields",

@@ -6,8 +6,10 @@ import sympy as sp
 from canon.claims.separability import separates, separates_here
 from canon.claims.verify import verify
 from canon.errors import InputError
+from canon.mechanics.hamilton_jacobi import CompleteIntegral
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.separation.actions import separated_actions
+from canon.mechanics.separation.characteristic import characteristic_function
 from canon.mechanics.separation.coordinates import orthogonal_coordinates, systems_of
 from canon.mechanics.statements import identity
 
@@ -122,3 +124,39 @@ def test_levi_civita_in_the_coordinates_as_they_are():
 def test_bad_input(H, name, words):
     with pytest.raises(InputError, match=words):
         separates(PLANE, H, name)
+
+
+@pytest.mark.parametrize(
+    ("space", "V", "name"),
+    [
+        (PLANE, -K / R2, "polar"),
+        (PLANE, -K / R2, "parabolic"),
+        (PLANE, K * R2**2, "polar"),
+        (PLANE, K * (X**2 + 4 * Y**2), "cartesian"),
+        (PLANE, A * X, "cartesian"),
+        (SPACE, -K / R3, "spherical"),
+        (SPACE, A * Z, "cylindrical"),
+    ],
+)
+def test_complete_integrals_are_found_and_proved(space, V, name):
+    found = characteristic_function(separates(space, _H(space, V), name).separation)
+    assert verify(found.complete()).status == "proved"
+    wrong = CompleteIntegral(found.space, found.H, found.function.expr * sp.Rational(1001, 1000), found.constants,
+        energy=found.constants[0])  # fmt: skip
+    assert verify(wrong.complete()).status == "refuted"
+
+
+def test_no_elementary_integral():
+    assert characteristic_function(separates(PLANE, _H(PLANE, X**4 + Y**4), "cartesian").separation) is None
+    assert characteristic_function(separates(PLANE, _H(PLANE, TWO_CENTRES), "elliptic", focus=C).separation) is None
+
+
+def test_the_orbit_of_kepler_from_its_complete_integral():
+    """∂W/∂α₂ is a constant: phi − phi₀ = −arccos of (p/r − 1)/e, in terms of the asin of the same argument."""
+    found = characteristic_function(separates(PLANE, _H(PLANE, -K / R2), "polar").separation)
+    beta = found.constants_of_motion()[1]
+    (r, phi), (E, alpha) = found.space.q, found.constants
+    eccentric = sp.sqrt(4 * E * alpha * M + K**2 * M**2)
+    closed = (phi - sp.asin((K * M * r - 2 * alpha) / (r * eccentric))) / sp.sqrt(2 * alpha)
+    change = (beta - closed).diff(r)
+    assert verify(identity(found.space, change, 0)).status == "proved"

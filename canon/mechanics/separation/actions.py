@@ -9,7 +9,7 @@ from canon.mechanics.residues import by_residues
 from canon.mechanics.separation.staeckel import Separation
 from canon.mechanics.standard_actions import pendulum_like, power_well, rotation
 
-_RANGES: dict[str, tuple[Any, Any]] = {
+RANGES: dict[str, tuple[Any, Any]] = {
     "theta": (sp.S.Zero, sp.pi), "nu": (sp.S.Zero, sp.pi),
 }  # fmt: skip
 _ANGLES = ("phi",)
@@ -24,7 +24,7 @@ def separated_actions(separated: Separation) -> dict[sp.Symbol, ClosedAction | N
     found: dict[sp.Symbol, ClosedAction | None] = {}
     for u, square in zip(separated.coordinates.u, separated.momentum_squares(), strict=True):
         low: Any = sp.S.Zero if u.is_positive else sp.S.NegativeInfinity
-        low, high = _RANGES.get(u.name, (low, sp.S.Infinity))
+        low, high = RANGES.get(u.name, (low, sp.S.Infinity))
         together: Any = sp.together(square)
         motion = OneDegree(u, together, sp.S.Zero, sp.S.One, low, high)
         if u.name in _ANGLES and not motion.square.has(u):

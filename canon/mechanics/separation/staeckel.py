@@ -17,6 +17,8 @@ from canon.mechanics.formulas import Expression, as_expression, replaced
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.separation.coordinates import OrthogonalCoordinates
 
+_SHORT = 60
+
 
 @dataclass(frozen=True)
 class Separation:
@@ -87,9 +89,16 @@ def separation(space: PhaseSpace, H: Expression, coordinates: OrthogonalCoordina
 
 
 def _shorter(w: Any) -> Any:
-    """Simplified where it is a sum of squares of waves and the like: whether it was right to, the residual says."""
-    waves = w.atoms(sp.sin, sp.cos, sp.sinh, sp.cosh)
-    return sp.trigsimp(w) if waves and sp.count_ops(w) < 60 else w
+    """Squares found under roots, and waves summed up: whether it was right to, the residual says."""
+    if sp.count_ops(w) > _SHORT:
+        return w
+    rooted = w.replace(_is_root, lambda e: sp.factor(e.base) ** e.exp)
+    return sp.trigsimp(rooted) if rooted.atoms(sp.sin, sp.cos, sp.sinh, sp.cosh) else sp.expand(sp.cancel(rooted))
+
+
+def _is_root(e: Any) -> bool:
+    rational = isinstance(e, sp.Pow) and isinstance(e.exp, sp.Rational) and e.exp.q == 2
+    return rational and e.base.is_polynomial(*e.free_symbols)
 
 
 def _parts(potential: Any, coordinates: OrthogonalCoordinates, base: tuple[Any, ...]) -> tuple[Any, ...] | None:

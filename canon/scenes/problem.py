@@ -13,6 +13,8 @@ from canon.numeric.hamilton_equations import hamilton_equations
 from canon.numeric.integrators.constrained import Held
 from canon.numeric.integrators.problem import Field, Part, Splitting
 from canon.numeric.pair_sum import PairSum
+from canon.numeric.pendulum_formula import SOURCE as PENDULUM
+from canon.numeric.pendulum_formula import pendulum_of
 from canon.numeric.split_hamiltonian import SplitHamiltonian, quadratic_in, shear, split_hamiltonian, with_clock
 from canon.scenes.model import Model
 from canon.scenes.rigid_model import KINETIC, rigid_splitting
@@ -27,7 +29,8 @@ SMALL: Final = 12
 class Problem:
     """What is integrated: `value`, on slots (q, p); `parts` names each part with its formula.
 
-    `exact`: it is one part, whose closed flow is the motion, by `source`. `kind` says how it was split.
+    `exact`: it is one part, whose closed flow is the motion, by `source`; `closed`: in elliptic functions, whose own
+    derivatives lose digits. `kind` says how it was split.
     """
 
     value: Splitting | Field | Held
@@ -35,6 +38,7 @@ class Problem:
     parts: tuple[tuple[str, str], ...] = ()
     exact: bool = False
     source: str = ""
+    closed: bool = False
 
     @property
     def splits(self) -> bool:
@@ -42,20 +46,26 @@ class Problem:
         return isinstance(self.value, Splitting)
 
 
-def problem_of(model: Model) -> Problem:
-    """The problem of a model."""
+def problem_of(model: Model, *, exact: bool = True) -> Problem:
+    """The problem of a model; `exact`: a motion that is known in closed form is taken so, where it also splits."""
     if model.rigid:
         return rigid_problem(model)
     if model.gliders:
         return skate_problem(model)
     if model.constraints:
         return constrained_problem(model)
+    if exact and model.n == 1 and not model.frictions:
+        (q,), (p,) = model.q, model.p
+        swing = pendulum_of(model.H, q, p)
+        if swing is not None:
+            shown = (("pendulum", _text(model.H)),)
+            return Problem(swing, "a pendulum, in closed form", shown, True, PENDULUM, closed=True)
     linear = all(friction.matrix is not None for friction in model.frictions)
     many = model.n > SMALL or any(isinstance(term.expr, PairSum) for term in model.terms)
     if linear and many and (split := _large(model)) is not None:
         return split
     found = split_hamiltonian(model.H, model.q, model.p, model.t) if linear else ()
-    chosen = _best(found)
+    chosen = _best(found, exact)
     if chosen is None:
         force = tuple(sp.Add(*column) for column in zip(*(f.force for f in model.frictions), strict=True))
         return Problem(hamilton_equations(model.H, model.q, model.p, model.t, force), "not split")
@@ -128,7 +138,7 @@ def rigid_problem(model: Model) -> Problem:
     if not exact:
         shown[-1] = ("torque", "; ".join(rest))
     kind = "free rigid bodies, in closed form" if exact else "free motion and torques (Lie–Poisson)"
-    return Problem(splitting, kind, tuple(shown), exact, TOPS if exact else "")
+    return Problem(splitting, kind, tuple(shown), exact, TOPS if exact else "", closed=exact)
 
 
 def _text(term: Any) -> str:
@@ -137,10 +147,12 @@ def _text(term: Any) -> str:
     return text_of(term)
 
 
-def _best(found: tuple[SplitHamiltonian, ...]) -> SplitHamiltonian | None:
-    """A splitting in one part, which is exact, before all others; else the first."""
-    exact = [split for split in found if len(split.terms) == 1 and not split.time_dependent]
-    return exact[0] if exact else found[0] if found else None
+def _best(found: tuple[SplitHamiltonian, ...], exact: bool) -> SplitHamiltonian | None:
+    """A splitting in one part, which is `exact`, before all others, or after them; else the first."""
+    ones = [split for split in found if len(split.terms) == 1 and not split.time_dependent]
+    others = [split for split in found if split not in ones]
+    order = [*ones, *others] if exact else [*others, *ones]
+    return order[0] if order else None
 
 
 def _drag(model: Model) -> tuple[Any, tuple[Any, ...]]:

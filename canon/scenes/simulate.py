@@ -67,8 +67,8 @@ def simulate(
     """
     _check_start(scene)
     begun = time.process_time()
-    problem = problem_of(scene.model)
     settings = scene.settings
+    problem = problem_of(scene.model, exact=settings.integrator is None)
     if isinstance(problem.value, Held):
         faults = faults_at(problem.value, scene.q, scene.p, settings.start)
         if faults:
@@ -95,8 +95,7 @@ def simulate(
     operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)
     q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
     times = run.times[: planned.good]
-    closed = problem.exact and bool(scene.model.rigid)
-    flow = Flow(scene.model, problem.value, choice.method, run, planned.good, planned.error, closed)
+    flow = Flow(scene.model, problem.value, choice.method, run, planned.good, planned.error, problem.closed)
     monitors = read_monitors(settings.monitors, flow, times, q, p)
     compiling = planned.compile_seconds
     running = max(time.process_time() - begun - compiling, 0.0)

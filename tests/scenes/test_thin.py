@@ -99,3 +99,20 @@ def test_what_is_stopped_keeps_what_was_computed() -> None:
     assert 1 <= len(result.times) < 6
     assert any(message.startswith("interrupted at t = ") for message in result.messages)
     assert np.isfinite(result.q).all()
+
+
+@pytest.mark.parametrize("momentum", [2 * (1 - 1e-8), 2.5])
+def test_a_pendulum_is_known_in_closed_form(momentum: float) -> None:
+    """With another wave number, phase and sign: Q = 2q + 1 − π and P = p/2 make it the plain one, at twice the pace.
+    Where an integrator is asked for it is split, and agrees.
+    """
+    more = 'samples = 11\nmonitor = ["symplecticity", "energy"]'
+    text = scene("p**2/6 + 3*cos(2*q + 1) - 1", (np.pi - 1) / 2, 3 * momentum, 4.0, more)
+    result = simulate(read_scene_text(text))
+    assert (result.problem.exact, result.problem.kind) == (True, "a pendulum, in closed form")
+    assert result.ok, result.messages
+    plain = scene("p**2/2 - cos(q)", 0.0, momentum, 8.0, "samples = 11\naccuracy = 1e-10")
+    split = simulate(read_scene_text(plain + 'integrator = "yoshida8"\n'))
+    assert not split.problem.exact
+    assert np.abs(2 * result.q + 1 - np.pi - split.q).max() < 1e-6
+    assert np.abs(result.p / 3 - split.p).max() < 1e-6

@@ -98,7 +98,7 @@ def _shorter(w: Any) -> Any:
 
 def _is_root(e: Any) -> bool:
     rational = isinstance(e, sp.Pow) and isinstance(e.exp, sp.Rational) and e.exp.q == 2
-    return rational and e.base.is_polynomial(*e.free_symbols)
+    return rational and bool(e.base.is_polynomial(*e.free_symbols))
 
 
 def _parts(potential: Any, coordinates: OrthogonalCoordinates, base: tuple[Any, ...]) -> tuple[Any, ...] | None:

@@ -116,6 +116,7 @@ def _planned(
     search: Search, run: Run, other: Run | None, error: float | None, trials: tuple[Trial, ...], verdict: Verdict
 ) -> Planned:
     """What is to be told of a run; `other` is one with other steps, if there is one that got to its end."""
+    search.keep_last()
     good = run.completed
     if other is not None and (run.ended or search.ends()):
         good = max(agreement(run, other), 1)

@@ -25,11 +25,13 @@ AIM: Final = 0.25
 PATIENCE: Final = 300.0
 """Seconds after which no run is begun that is expected to take longer than this, where no budget is given."""
 STUBBORN: Final = 8
-"""Runs with more and more steps that all part at one time, after which the orbit is said to end there."""
+"""Runs with more and more steps that agree no longer than those before, after which the orbit is said to end there."""
 FROM_THE_BEGINNING: Final = 14
 """As many where they part before the second sample: then nothing shows yet that any step was short enough."""
-SHORT: Final = (4, 500_000)
+SHORT: Final = (2, 500_000)
 """As many where the last one had this number of steps or more."""
+LONGER: Final = 1.3
+"""They agree longer if they do so for that much longer."""
 PIECE: Final = 0.2
 """Seconds between two looks at whether the run goes on."""
 PLATEAU: Final = 1e-6
@@ -87,13 +89,18 @@ class Search:
         self.compiled: set[bool] = set()
         self.compile_seconds = 0.0
         self.interrupted = self.out_of_time = False
-        self.kept = time.monotonic()
+        self.began = self.kept = time.monotonic()
         self.deadline = None if budget is None else self.kept + budget
         self.pause = KEEP_EVERY
 
     def progress(self) -> Progress:
         """What it can be gone on with."""
         return Progress(tuple(self.runs), self.current, tuple(self.trials), tuple(self.agreed), self.compensated)
+
+    def keep_last(self) -> None:
+        """Keep what has been found, if that took long: what comes after the search may take long, too."""
+        if self.keep is not None and time.monotonic() - self.began > KEEP_EVERY:
+            self.keep(self.progress())
 
     @property
     def stopped(self) -> bool:
@@ -212,13 +219,14 @@ class Search:
         return before < PLATEAU and last > 0.5 * before
 
     def ends(self) -> bool:
-        """Whether runs agree up to one time and no further, however small the steps: the orbit ends there."""
+        """Whether runs agree up to one time and not much further, however small the steps: the orbit ends there."""
         if not self.agreed or not 0 < self.agreed[-1] < self.task.samples:
             return False
         count = STUBBORN if self.agreed[-1] > 1 else FROM_THE_BEGINNING
         if self.trials[-1].steps >= SHORT[1]:
             count = SHORT[0]
-        return len(self.agreed) >= count and len({*self.agreed[-count:]}) == 1
+        before = self.agreed[:-count]
+        return bool(before) and max(self.agreed[-count:]) <= LONGER * max(max(before), 1)
 
     def too_long(self, steps: int) -> str:
         """Why a run of so many steps is not begun; nothing if it is."""

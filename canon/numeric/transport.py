@@ -66,10 +66,29 @@ def transported(
     problem: Any, method: Method, points: Array, *, steps: int, duration: float, t0: float, first: int | None = None
 ) -> Array:
     """Phase points (k, N), all after the same number of steps; nan where one of them gets lost."""
+    return transported_along(problem, method, points, steps=steps, duration=duration, t0=t0, first=first)[-1]
+
+
+def transported_along(
+    problem: Any,
+    method: Method,
+    points: Array,
+    *,
+    steps: int,
+    duration: float,
+    t0: float,
+    samples: int = 2,
+    first: int | None = None,
+) -> Array:
+    """Phase points (k, N) at `samples` equidistant times (samples, k, N), the first one included; nan from where all of
+    them are lost.
+    """
     n = points.shape[1] // 2 if first is None else first
     state = (np.ascontiguousarray(points[:, :n].T), np.ascontiguousarray(points[:, n:].T))
-    run = integrate(problem, method, state, duration=duration, steps=steps, t0=t0, batched=True)
-    return np.concatenate([np.asarray(slot) for slot in run.state], axis=0).T if run.completed == 2 else points * np.nan
+    run = integrate(problem, method, state, duration=duration, steps=steps, samples=samples, t0=t0, batched=True)
+    found = np.full((samples, *points.shape), np.nan)
+    found[: run.completed] = np.concatenate([np.asarray(slot) for slot in run.states], axis=1).transpose(0, 2, 1)
+    return found
 
 
 def shifted(

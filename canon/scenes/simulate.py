@@ -95,7 +95,8 @@ def simulate(
     operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)
     q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
     times = run.times[: planned.good]
-    flow = Flow(scene.model, problem.value, choice.method, run, planned.good, planned.error, problem.closed)
+    value, method = problem.value, choice.method
+    flow = Flow(scene.model, value, method, run, planned.good, planned.error, problem.closed, operations)
     monitors = read_monitors(settings.monitors, flow, times, q, p)
     compiling = planned.compile_seconds
     running = max(time.process_time() - begun - compiling, 0.0)

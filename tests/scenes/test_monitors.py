@@ -170,5 +170,8 @@ def test_a_loop_that_is_torn_is_said_to_be() -> None:
         "0.5, 0.0", "0.1, 0.0"
     )
     _, found = readings(text.replace("30.0", "60.0"), ("loop",), accuracy=None, step=0.05)
-    assert found["loop"].max_drift is None
-    assert "no longer resolve" in found["loop"].extra["note"]
+    loop = found["loop"]
+    assert loop.final is None
+    assert "no longer resolve" in loop.extra["note"]
+    assert 5 < loop.extra["resolved_until"] < 40
+    assert loop.max_drift <= loop.bound < abs(loop.initial)

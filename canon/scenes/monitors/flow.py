@@ -18,7 +18,7 @@ from canon.scenes.model import Model
 class Flow:
     """A run with the problem and method that made it; `good` counts its samples that can
     be trusted, and `error` is the estimated error of its states, None if unknown. `closed`: the steps are elliptic
-    functions, whose derivative is taken by differences."""
+    functions, whose derivative is taken by differences. `operations`: of one step."""
 
     model: Model
     problem: Any
@@ -27,6 +27,7 @@ class Flow:
     good: int
     error: float | None
     closed: bool = False
+    operations: int = 1
 
     @property
     def steps(self) -> int:

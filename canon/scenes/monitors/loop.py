@@ -1,9 +1,12 @@
 """Poincaré's relative invariant ∮ p dq of a small loop that is carried along, and Cartan's ∮ p dq − H dt of states at
-different times. The loops are measured with spectral accuracy; one that is stretched beyond its nodes is said to be.
+different times. The loops are measured with spectral accuracy, with more nodes and smaller as they are stretched; from
+when on a loop is no longer resolved is said.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import product
 from typing import Final
 
@@ -12,7 +15,7 @@ import numpy as np
 from canon.numeric.constraint_tangents import put_on
 from canon.numeric.loops import LoopIntegral, loop_integral
 from canon.numeric.observe import observe
-from canon.numeric.transport import shifted, transported
+from canon.numeric.transport import shifted, transported, transported_along
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import canonical, onto_attitudes
 from canon.scenes.monitors.predicted import conformal_rate, not_hamiltonian
@@ -21,6 +24,13 @@ from canon.scenes.monitors.reading import Reading, judged
 RADII: Final = (1e-2, 1e-4)
 """Of the loop, beside the size of the orbit: the smaller one where the other is stretched too far."""
 NODES: Final = (64, 256, 1024)
+EARLY: Final = 8
+"""The part of the run that says how large the orbit is: one that runs away is larger later than where loops begin."""
+COSTLY: Final = 20_000_000_000
+"""Operations, of all steps of all nodes together, beyond which no more nodes are tried."""
+LOOKS: Final = 33
+"""Times at which the loop is measured, at most; `STORED` numbers are kept for that."""
+STORED: Final = 20_000_000
 SAFETY: Final = 20.0
 SHIFT: Final = 0.02
 """Of the times of a loop of Cartan's, beside the run's duration, in steps of the run at most `SHIFT_STEPS`."""
@@ -29,19 +39,86 @@ PHASE: Final = 0.5
 """With which no node of the loop is at the same time, as steps of length 0 are no steps."""
 
 
+@dataclass(frozen=True)
+class Carried:
+    """The integrals of one loop at increasing times, as long as they are resolved, each with what errors of the steps
+    may make of it."""
+
+    nodes: int
+    times: tuple[float, ...]
+    integrals: tuple[LoopIntegral, ...]
+    slack: tuple[float, ...]
+    whole: bool
+
+
 def read_loop(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
-    """∮ p dq at the beginning and at the end."""
-    first = last = None
-    after = np.zeros((0, 0))
-    for radius, nodes in product(RADII, NODES):
-        before = _small_loop(flow, q, p, nodes, radius)
-        after = canonical(flow.model, _carried(flow, before))
-        first, last = _integral(canonical(flow.model, before), flow), _integral(after, flow)
-        if last is not None and last.resolved:
+    """∮ p dq from the beginning to the end, or as long as the loop can be resolved."""
+    best: Carried | None = None
+    for radius, nodes in _attempts(flow):
+        found = _carried_along(flow, _small_loop(flow, q, p, nodes, radius), times)
+        if best is None or len(found.times) > len(best.times):
+            best = found
+        if found.whole:
             break
-    if first is None or last is None or not last.resolved:
-        return _lost("loop", flow, first)
-    return _reading("loop", flow, times, first, last, _slack(flow, after))
+    if best is None or len(best.times) < 2:
+        return _lost("loop", flow, best.integrals[0] if best is not None and best.integrals else None)
+    return _reading_along(flow, best)
+
+
+def _attempts(flow: Flow) -> Iterator[tuple[float, int]]:
+    """Radii and numbers of nodes; a smaller loop is tried before one with more nodes, as it gains more."""
+    for nodes, radius in product(NODES, RADII):
+        if nodes == NODES[0] or nodes * flow.steps * flow.operations <= COSTLY:
+            yield radius, nodes
+
+
+def _carried_along(flow: Flow, before: np.ndarray, times: np.ndarray) -> Carried:
+    steps, run = max(flow.steps, 1), flow.run
+    between = max(len(times) - 1, 1)
+    finer = max(k for k in range(1, LOOKS // between + 2) if run.per_sample * run.per_chunk % k == 0)
+    samples = between * finer + 1 if between * finer * before.size <= STORED else 2
+    along = transported_along(
+        flow.problem, flow.method, before, steps=steps, duration=steps * run.step, t0=run.t0, samples=samples,
+        first=flow.model.n,
+    )  # fmt: skip
+    rows = np.unique(np.linspace(0, samples - 1, min(LOOKS, samples)).round().astype(int))
+    moments = np.linspace(times[0], times[-1], samples)
+    seen: list[tuple[float, LoopIntegral, float]] = []
+    for row in rows:
+        points = canonical(flow.model, along[row])
+        found = _integral(points, flow)
+        if found is None or not found.resolved:
+            break
+        if seen and SAFETY * found.bound > abs(seen[0][1].value):
+            break
+        seen.append((float(moments[row]), found, _slack(flow, points)))
+    columns = zip(*seen, strict=True) if seen else ((), (), ())
+    return Carried(len(before), *map(tuple, columns), whole=len(seen) == len(rows))
+
+
+def _reading_along(flow: Flow, loop: Carried) -> Reading:
+    """The largest drift of the integral, from its first value or from what friction makes of it."""
+    values = np.array([each.value for each in loop.integrals])
+    first, last = float(values[0]), float(values[-1])
+    bound = SAFETY * (loop.integrals[0].bound + max(each.bound for each in loop.integrals)) + max(loop.slack)
+    extra: dict[str, object] = {"nodes": loop.nodes}
+    if not loop.whole:
+        extra |= {"resolved_until": loop.times[-1], "note": f"{_torn(flow)} after t = {loop.times[-1]:.6g}"}
+    final = last if loop.whole else None
+    if not not_hamiltonian(flow.model):
+        return judged("loop", "conserved", first, final, float(np.abs(values - first).max()), bound, **extra)
+    expected = f"broken by {not_hamiltonian(flow.model)}"
+    rate = conformal_rate(flow.model)
+    if rate is None:
+        return Reading("loop", expected, first, final, float(np.abs(values - first).max()), extra=extra)
+    predicted = first * np.exp(-2 * rate * (np.array(loop.times) - loop.times[0]))
+    drift = float(np.abs(values - predicted).max())
+    return judged("loop", expected, first, final, drift, bound, predicted=float(predicted[-1]), **extra)
+
+
+def _torn(flow: Flow) -> str:
+    most = max(nodes for _, nodes in _attempts(flow))
+    return f"the loop is stretched so much that {most} nodes in double precision no longer resolve it"
 
 
 def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
@@ -49,7 +126,7 @@ def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
     model, run = flow.model, flow.run
     first = last = None
     extended = np.zeros((0, 0))
-    for radius, nodes in product(RADII, NODES):
+    for radius, nodes in _attempts(flow):
         before = _small_loop(flow, q, p, nodes, radius)
         steps = min(max(int(SHIFT * flow.steps), 1), SHIFT_STEPS)
         late = steps * run.step * np.sin(2 * np.pi * np.arange(nodes) / nodes + PHASE)
@@ -66,7 +143,7 @@ def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
             break
     if first is None or last is None or not last.resolved:
         return _lost("cartan", flow, first)
-    return _reading("cartan", flow, times, first, last, _slack(flow, extended))
+    return _reading_cartan(flow, first, last, _slack(flow, extended))
 
 
 def _small_loop(flow: Flow, q: np.ndarray, p: np.ndarray, nodes: int, radius: float) -> np.ndarray:
@@ -81,7 +158,8 @@ def _small_loop(flow: Flow, q: np.ndarray, p: np.ndarray, nodes: int, radius: fl
 
 def small_loop(q: np.ndarray, p: np.ndarray, nodes: int, radius: float) -> np.ndarray:
     """A loop (nodes, N) about the first state: an ellipse in every plane (q_i, p_i), each with another phase."""
-    sizes = [np.abs(x).max(axis=0) for x in (q, p)]
+    early = slice(0, max(2, len(q) // EARLY))
+    sizes = [np.abs(x[early]).max(axis=0) for x in (q, p)]
     sizes = [radius * np.where(s > 0.05 * s.max(), s, s.max() if s.max() > 0 else 1.0) for s in sizes]
     angles = [2 * np.pi * np.arange(nodes)[:, None] / nodes + np.arange(x.shape[1]) for x in (q, p)]
     return np.hstack([q[0] + sizes[0] * np.cos(angles[0]), p[0] + sizes[1] * np.sin(angles[1])])
@@ -120,24 +198,15 @@ def _slack(flow: Flow, after: np.ndarray) -> float:
     return SAFETY * error * scale
 
 
-def _reading(
-    name: str, flow: Flow, times: np.ndarray, first: LoopIntegral, last: LoopIntegral, slack: float
-) -> Reading:
+def _reading_cartan(flow: Flow, first: LoopIntegral, last: LoopIntegral, slack: float) -> Reading:
     bound = SAFETY * (first.bound + last.bound) + slack
     drift = abs(last.value - first.value)
-    extra = {"nodes": last.nodes}
     if not not_hamiltonian(flow.model):
-        return judged(name, "conserved", first.value, last.value, drift, bound, **extra)
+        return judged("cartan", "conserved", first.value, last.value, drift, bound, nodes=last.nodes)
     expected = f"broken by {not_hamiltonian(flow.model)}"
-    rate = conformal_rate(flow.model)
-    if rate is None or name == "cartan":
-        return Reading(name, expected, first.value, last.value, drift, extra=extra)
-    predicted = first.value * float(np.exp(-2 * rate * (times[-1] - times[0])))
-    drift = abs(last.value - predicted)
-    return judged(name, expected, first.value, last.value, drift, bound, predicted=predicted, **extra)
+    return Reading("cartan", expected, first.value, last.value, drift, extra={"nodes": last.nodes})
 
 
 def _lost(name: str, flow: Flow, first: LoopIntegral | None) -> Reading:
     expected = f"broken by {not_hamiltonian(flow.model)}" if not_hamiltonian(flow.model) else "conserved"
-    note = f"the loop is stretched so much that {NODES[-1]} nodes no longer resolve it"
-    return Reading(name, expected, None if first is None else first.value, None, None, extra={"note": note})
+    return Reading(name, expected, None if first is None else first.value, None, None, extra={"note": _torn(flow)})

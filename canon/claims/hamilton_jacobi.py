@@ -39,7 +39,8 @@ def hamilton_jacobi(question: Question) -> Outcome:
     q = question.nodes(space.q)
     momenta = [derivative(tape, node, x) for x in q]
     images = dict(zip(question.nodes(space.p), momenta, strict=True))
-    region = _region(question, constants, images, H, function, *([energy] if energy is not None else []))
+    domain = _domain(question, constants, H, function, *([energy] if energy is not None else []))
+    region = question.region(domain=domain, images=images, chart=chart_of(tape, space, None), regular=False)
     along = substitute(tape, question.load(H), images)
     if word == "S":
         label = "H(q, dS/dq, t) + dS/dt"
@@ -52,7 +53,7 @@ def hamilton_jacobi(question: Question) -> Outcome:
     if outcome.status == "refuted":
         return outcome.with_detail(value=question.show(residual))
     rows = [[derivative(tape, p, tape.symbol(a)) for a in constants] for p in momenta]
-    return combined([outcome, _complete(question, word, determinant(tape, rows), constants, region)])
+    return combined([outcome, _complete(question, word, determinant(tape, rows), constants, region, domain)])
 
 
 def _integral(question: Question, H: Formula) -> tuple[str, Formula]:
@@ -93,19 +94,19 @@ def _only_of(function: Formula, word: str, allowed: Sequence[sp.Symbol], questio
         raise InputError(f"{word} is a function of {open_to}, not of {symbol}", f"key {word!r}")
 
 
-def _region(question: Question, constants: Sequence[sp.Symbol], images: dict[Node, Node], *formulas: Formula) -> Region:
-    """The domain in coordinates, constants and time: p is ∂S/∂q in it; what speaks of a map's new side is left out."""
+def _domain(question: Question, constants: Sequence[sp.Symbol], *formulas: Formula) -> Domain:
+    """The domain in coordinates, momenta, constants and time: what speaks of a map's new side is left out."""
     others = set(question.space.new) - set(constants)
     asked = question.subject.domain
     kept = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
     for formula in formulas:
         kept += formula.conditions
-    plain = chart_of(question.tape, question.space, None)
-    domain = Domain(tuple(dict.fromkeys(kept)), asked.surface)
-    return question.region(domain=domain, images=images, chart=plain, regular=False)
+    return Domain(tuple(dict.fromkeys(kept)), asked.surface)
 
 
-def _complete(question: Question, word: str, node: Node, constants: Sequence[sp.Symbol], region: Region) -> Outcome:
+def _complete(
+    question: Question, word: str, node: Node, constants: Sequence[sp.Symbol], region: Region, domain: Domain
+) -> Outcome:
     """det ∂²S/∂q∂α is not identically 0, whatever the file's parameters are."""
     tape = question.tape
     answer = question.not_identically_zero(node, region)
@@ -120,7 +121,7 @@ def _complete(question: Question, word: str, node: Node, constants: Sequence[sp.
     point = answer.witness.as_table() if answer.witness is not None else {}
     step = {"determinant": shown, "is not 0 at": point}
     fixed = frozenset(tape.support(node) & {tape.symbol(s) for s in question.space.parameters if s not in constants})
-    conditions = question.domain().conditions
+    conditions = domain.conditions
     whole = (
         (not fixed and not tape.functions_of([node]))
         or not_zero_for_any_parameters(tape, node, fixed, conditions)

@@ -8,7 +8,7 @@ vanishes, and a refutation names values of the parameters.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +22,7 @@ from canon.claims.show import shown
 from canon.decide.derivative import poisson_bracket
 from canon.decide.region import Region
 from canon.decide.search import samples
-from canon.domain import Domain
+from canon.domain import Condition, Domain
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.birkhoff import resonances
@@ -38,7 +38,8 @@ EXACTLY = "linear algebra, degree by degree"
 def normal_form(question: Question) -> Outcome:
     """`normal_form`: H₂ + `N` is a Birkhoff–Gustavson normal form of H about the origin to the `order`."""
     H, order, N = question.hamiltonian(), question.key("order"), _table(question)
-    region = _at_the_origin(question, H, *N.values())
+    conditions = _conditions(question, H, *N.values())
+    region = _at_the_origin(question, conditions)
     if question.method == "numeric":
         return _sampled(question, H, N)
     expressions = {degree: formula.expr for degree, formula in N.items()}
@@ -51,7 +52,7 @@ def normal_form(question: Question) -> Outcome:
     if near is not None:
         detail["resonances"] = [str(k) for k in near]
     if found.holds:
-        return _holds(question, found, region).with_detail(**detail)
+        return _holds(question, found, region, conditions).with_detail(**detail)
     names = sorted(set().union(H.expr.free_symbols, *(e.free_symbols for e in expressions.values())), key=str)
     parameters = [s for s in names if isinstance(s, sp.Symbol) and s not in question.space.old]
     if not parameters:
@@ -98,16 +99,21 @@ def _table(question: Question) -> dict[int, Formula]:
     return dict(table)
 
 
-def _at_the_origin(question: Question, *formulas: Formula) -> Region:
-    """What the domain says of the parameters at the origin; **raises** `InputError` where the origin isn't inside."""
-    space, tape = question.space, question.tape
+def _conditions(question: Question, *formulas: Formula) -> tuple[Condition, ...]:
+    """The domain's conditions; what speaks of a map's new side is left out."""
     asked = question.subject.domain
     if asked.surface:
         raise InputError("a normal form is one about the origin of the whole phase space, not of a surface")
-    others = {*space.new}
-    conditions = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
+    others = {*question.space.new}
+    found = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
     for formula in formulas:
-        conditions += formula.conditions
+        found += formula.conditions
+    return tuple(dict.fromkeys(found))
+
+
+def _at_the_origin(question: Question, conditions: Sequence[Condition]) -> Region:
+    """What they say of the parameters at the origin; **raises** `InputError` where the origin isn't inside."""
+    space, tape = question.space, question.tape
     origin = dict.fromkeys(space.old, sp.S.Zero)
     for x in space.old:
         if x.is_zero is False:
@@ -123,18 +129,16 @@ def _at_the_origin(question: Question, *formulas: Formula) -> Region:
         if bad:
             raise InputError(f"the origin, about which a normal form is made, isn't inside the domain: {condition}")
     images = {tape.symbol(x): tape.zero for x in space.old}
-    return question.region(
-        domain=Domain(tuple(dict.fromkeys(conditions))), images=images, chart=chart_of(tape, space, None), assumed=False
-    )
+    domain, plain = Domain(tuple(conditions)), chart_of(tape, space, None)
+    return question.region(domain=domain, images=images, chart=plain, assumed=False)
 
 
-def _holds(question: Question, found: Comparison, region: Region) -> Outcome:
+def _holds(question: Question, found: Comparison, region: Region, conditions: Sequence[Condition]) -> Outcome:
     """Proved, where no denominator that was used vanishes at any values of the parameters."""
     (somewhere,) = question.decide([Residual("0", question.tape.zero)], region).findings
     if somewhere.answer.status != "proved":
         return Outcome("undecided", note="no point of the domain could be certified")
     step = {"theorem": THEOREM, "maps": list(found.maps)}
-    conditions = question.domain().conditions
     vanishing = [below for below in _denominators(found, found.used) if not never_zero(below, conditions)]
     status = "supported" if vanishing else "proved"
     note = "proved but where " + " or ".join(f"{below} = 0" for below in vanishing[:4]) if vanishing else ""

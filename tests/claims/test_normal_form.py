@@ -93,6 +93,8 @@ def test_small_divisors_leave_a_claim_supported(ask):
     (verdict,) = ask(_claim(3), space=PLANE, **(sections | {"symbols": 'w = "negative"'}))
     assert verdict.status == "supported"
     assert "w + 2 = 0" in verdict.detail["note"]
+    (verdict,) = ask(_claim(3, N3="0/(w**2 - 4)"), space=PLANE, **sections)
+    assert verdict.status == "proved"  # where N is defined
 
 
 def test_outside_of_exact_arithmetic(ask):

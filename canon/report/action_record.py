@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from canon.numeric.actions.bounded import Bounded
+from canon.numeric.actions.elliptic import RULE as MEAN
 from canon.report.words import visible
 from canon.scenes.actions import Actions
 from canon.scenes.degrees import Degree
@@ -62,7 +63,7 @@ def action_lines(actions: Actions) -> Iterator[str]:
         if degree.angle is not None:
             yield f"  angle        {degree.angle}"
         if orbit is not None:
-            yield f"  rule         {orbit.rule}, {orbit.nodes} nodes"
+            yield f"  rule         {orbit.rule}, {orbit.nodes} {'steps' if orbit.rule == MEAN else 'nodes'}"
             if orbit.note:
                 yield f"  ! {orbit.note}"
 

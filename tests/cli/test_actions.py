@@ -85,7 +85,7 @@ def test_a_named_orbit_and_its_figure(tmp_path: Path, capsys: pytest.CaptureFixt
     )
     out = capsys.readouterr().out
     assert "theta: rotation from -3.141592654 to 3.141592654" in out
-    assert "tanh-sinh" in out
+    assert "rule         arithmetic-geometric mean, " in out
     assert figure.read_text().startswith("<?xml")
 
 

@@ -1,7 +1,8 @@
 """∮ p dq and ∮ ∂p/∂E dq along one branch at one energy, and the time from its lower end to a point on it.
 
-The rule is chosen by the nature of the end points: a period of a rotation, two simple turning points far from any
-barrier, or anything else. What the rule does not resolve is cut at the minima, barriers and kinks that it passes over.
+Where they are elliptic, Gauss's mean gives them. Else the rule is chosen by the nature of the end points: a period of a
+rotation, two simple turning points far from any barrier, or anything else. What the rule does not resolve is cut at the
+minima, barriers and kinks that it passes over.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from flint import arb
 
 from canon.numeric.actions.balls import Ball
 from canon.numeric.actions.branches import ROTATION, Branch, end_place, place_of
+from canon.numeric.actions.elliptic import by_mean
 from canon.numeric.actions.landscape import Interval
 from canon.numeric.actions.profile import Profile
 from canon.numeric.actions.rules import Integrand, Quadrature, chebyshev, periodic, tanh_sinh
@@ -72,6 +74,9 @@ def _between(places: list[Ball], low: Ball, high: Ball) -> tuple[Ball, ...]:
 
 def whole(course: Course, *, bits: int, times: bool) -> Quadrature:
     """(J, T), or J alone where `times` is False: of a rotation over one period, of a libration there and back."""
+    closed = by_mean(course.profile, course.branch, course.E, bits) if times else None
+    if closed is not None:
+        return closed
     sides = [course.side] if course.rotates else [1] if course.profile.mirrored else [1, -1]
     found: list[Ball] = []
     used: Quadrature | None = None

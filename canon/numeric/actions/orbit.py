@@ -13,7 +13,8 @@ class Orbit:
 
     `kind` is "libration" or "rotation"; `ends` are the turning points, or where a rotation's period begins and ends;
     `action` J = ∮ p dq; `period` and `frequency` ν = dE/dJ = 1/T, None on a separatrix; `angle` w in [0, 1) of the
-    point that was asked about, 0 at the lower end on the way up; `rule`, the quadrature with its number of `nodes`.
+    point that was asked about, 0 at the lower end on the way up; `rule`, the quadrature, and its number of `nodes`, or
+    of steps of the mean.
     """
 
     kind: str

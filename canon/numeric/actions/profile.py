@@ -15,6 +15,7 @@ from flint import arb
 
 from canon.errors import InputError
 from canon.numeric.actions.balls import NOTHING, Ball, BallFunction, ball_function, middle
+from canon.numeric.actions.harmonic import harmonic_rate
 
 _DOUBLINGS: Final = 200
 _HALVINGS: Final = 40
@@ -25,7 +26,8 @@ _NEWTON: Final = 60
 class Profile:
     """H with its potential `V` and p_0 = `centre` as formulas, and all of them as functions of balls.
 
-    `square` is A(q) where H is quadratic in p, else None; `mirrored` says that H(q, p_0 + s) = H(q, p_0 − s).
+    `square` is A(q) where H is quadratic in p, else None; `mirrored` says that H(q, p_0 + s) = H(q, p_0 − s);
+    `harmonic` is the n of a pendulum's V = c + a cos nq + b sin nq.
     """
 
     H: Any
@@ -42,6 +44,7 @@ class Profile:
     middle_momentum: BallFunction = field(repr=False)
     square: BallFunction | None = field(repr=False)
     kinks: tuple[BallFunction, ...] = field(repr=False)
+    harmonic: BallFunction | None = field(repr=False, default=None)
 
     def outward(self, q: Ball, E: Ball, side: int) -> tuple[Ball, Ball]:
         """(p, |∂p/∂E|) on the upper branch (`side` 1) or the lower one (−1); not finite where E isn't above V."""
@@ -99,6 +102,7 @@ def profile_of(H: Any, q: sp.Symbol, p: sp.Symbol) -> Profile:
     V = sp.expand(H.subs(p, centre)) if A is not None and centre == 0 else H.subs(p, centre)
     if not V.free_symbols <= {q}:
         raise InputError(f"the momentum at rest of {H} still depends on {p}")
+    rate = harmonic_rate(V, q) if A is not None and q not in A.free_symbols else None
     mirrored = A is not None or H.subs(p, 2 * centre - p).equals(H) is True
     return Profile(
         H,
@@ -115,6 +119,7 @@ def profile_of(H: Any, q: sp.Symbol, p: sp.Symbol) -> Profile:
         ball_function(centre, (q,)),
         None if A is None else ball_function(A, (q,)),
         tuple(ball_function(place, ()) for place in _kinks(H, q)),
+        None if rate is None else ball_function(rate, ()),
     )
 
 

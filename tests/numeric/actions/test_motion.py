@@ -78,11 +78,13 @@ def test_closed_forms(name: str) -> None:
 
 
 def test_the_rule_is_chosen_by_the_ends() -> None:
-    pendulum = motion("p**2/2 - cos(q)")
-    assert pendulum.orbit(0).rule == "Gauss-Chebyshev"
-    assert pendulum.orbit(0).nodes < 100
-    assert pendulum.orbit(3).rule == "periodic trapezoid"
-    assert pendulum.orbit("0.99999").rule == "tanh-sinh"
+    assert [motion("p**2/2 - cos(q)").orbit(E).rule for E in (0, 3)] == ["arithmetic-geometric mean"] * 2
+    assert motion("p**2/2 - sin(3*q + 1) + 2*cos(3*q)").orbit(0, well=2).rule == "arithmetic-geometric mean"
+    other = motion("p**2/2 - cos(q) - cos(2*q)/8")
+    assert other.orbit(0).rule == "Gauss-Chebyshev"
+    assert other.orbit(0).nodes < 100
+    assert other.orbit(3).rule == "periodic trapezoid"
+    assert other.orbit(below_separatrix="1e-5").rule == "tanh-sinh"
     assert motion("p**2/2 + abs(q)").orbit(1).rule == "tanh-sinh"
 
 
@@ -93,7 +95,10 @@ def pendulum() -> Motion:
 
 @pytest.mark.parametrize("distance", ["1e-1", "1e-12", "1e-40"])
 @pytest.mark.parametrize("side", [1, -1])
-def test_near_the_separatrix(pendulum: Motion, distance: str, side: int) -> None:
+@pytest.mark.parametrize("H", ["p**2/2 - cos(q)", "p**2/2 + 2*sin(q/2)**2 - 1"])
+def test_near_the_separatrix(H: str, distance: str, side: int) -> None:
+    """By Gauss's mean, and by the quadrature of a potential that is not seen to be a pendulum's."""
+    pendulum = motion(H, period="2*pi")
     orbit = pendulum.orbit(below_separatrix=distance) if side > 0 else pendulum.orbit(above_separatrix=distance)
     with mp.workdps(120):
         action, period = pendulum_reference(side * mp.mpf(distance) / 2)

@@ -27,7 +27,7 @@ import numpy as np
 from canon import audit
 
 H = 0.1
-TURNS = 5
+TURNS = 9
 POINTS = 1_000_000
 MANY = 100_000_000
 J = np.kron([[0.0, 1.0], [-1.0, 0.0]], np.eye(3))

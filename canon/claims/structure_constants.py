@@ -9,8 +9,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
+from flint import arb, fmpq
 
 from canon.claims.structure_search import (
+    BITS,
     Solution,
     Values,
     first_values,
@@ -19,6 +21,7 @@ from canon.claims.structure_search import (
     recognised,
     solve,
 )
+from canon.decide.enclosure import precision
 from canon.decide.search import Sample
 from canon.sign import declared
 
@@ -65,7 +68,7 @@ def find_constants(
         return Found([], values, nothing="too few points of the domain were found")
     solution, chosen = here
     if solution.dependent is not None:
-        relation = {c: recognised(v) for c, v in enumerate(solution.dependent) if abs(v) > 1e-9}
+        relation = {c: recognised(arb(v, 1e-12)) for c, v in enumerate(solution.dependent) if abs(v) > 1e-9}
         guess = {c: v for c, v in relation.items() if v is not None}
         return Found([], values, dependent=guess if len(guess) == len(relation) else None, nothing="dependent")
     if solution.outside is not None:
@@ -135,16 +138,16 @@ def _power(here: float, there: float, factor: float) -> Fraction | None:
 
 def _expression(question: Question, ball: Any, values: Values, powers: dict[Any, Fraction | None]) -> sp.Expr | None:
     """The constant as a number times powers of parameters."""
-    value, radius = float(ball.mid()), float(ball.rad())
-    scale, symbolic = 1.0, sp.S.One
+    symbolic = sp.S.One
     for x, power in powers.items():
         if power is None:
             return None
         if power:
-            size = abs(values[x])
-            scale *= float(size) ** float(power)
+            with precision(BITS):
+                size = arb(fmpq(abs(values[x]).numerator, abs(values[x]).denominator))
+                ball = ball / size ** arb(fmpq(power.numerator, power.denominator))
             symbol: Any = question.tape.symbol_at(x)
             positive = symbol if values[x] > 0 else -symbol
             symbolic *= positive ** sp.Rational(power.numerator, power.denominator)
-    number = recognised(value / scale, radius / scale)
+    number = recognised(ball)
     return None if number is None else number * symbolic

@@ -7,6 +7,7 @@ rigorously that a bracket is no combination of the basis.
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -30,7 +31,8 @@ if TYPE_CHECKING:
 BITS = 256
 FURTHER_POINTS = 3
 SINGULAR = 1e-12
-LARGEST_DENOMINATOR = 3000
+SMALLEST = Fraction(1, 2**150)
+BY_CHANCE = Fraction(1, 2**16)
 CHOSEN = "the sum of its arguments"
 
 Values = Mapping[Node, Fraction]
@@ -175,14 +177,32 @@ def _independent_rows(values: Any, size: int) -> list[int]:
     return chosen
 
 
-def recognised(value: float, radius: float = 0.0) -> sp.Expr | None:
-    """A rational number of small denominator that a value may be, or the root of one; None: neither."""
-    tolerance = 10 * radius + 1e-12 * max(1.0, abs(value))
-    near = Fraction(value).limit_denominator(LARGEST_DENOMINATOR)
-    if abs(near - Fraction(value)) <= tolerance:
-        return sp.Rational(near.numerator, near.denominator)
-    square = Fraction(value * value).limit_denominator(LARGEST_DENOMINATOR)
-    if abs(float(square) - value * value) <= 4 * tolerance * max(1.0, abs(value)):
-        root = sp.sqrt(sp.Rational(square.numerator, square.denominator))
-        return root if value > 0 else -root
-    return None
+def recognised(value: Any) -> sp.Expr | None:
+    """The simplest rational number in a ball, or the root of one in its square; None: neither is simple enough."""
+    with precision(BITS):
+        near = _simple_in(value)
+        if near is not None:
+            return sp.Rational(near.numerator, near.denominator)
+        square = _simple_in(value * value)
+    if square is None or square < 0:
+        return None
+    root = sp.sqrt(sp.Rational(square.numerator, square.denominator))
+    return root if float(value.mid()) > 0 else -root
+
+
+def _simple_in(ball: Any) -> Fraction | None:
+    """The fraction of least denominator in a ball, if so simple a one isn't there by chance."""
+    mantissa, exponent = ball.mid().man_exp()
+    middle = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    radius = 2 * Fraction(float(ball.rad())) + max(abs(middle), Fraction(1)) * SMALLEST
+    near = _simplest_between(middle - radius, middle + radius)
+    return near if near.denominator**2 * radius < BY_CHANCE else None
+
+
+def _simplest_between(low: Fraction, high: Fraction) -> Fraction:
+    """The fraction of least denominator in an interval, by continued fractions."""
+    whole = math.ceil(low)
+    if whole <= high:
+        return Fraction(min(range(whole, math.floor(high) + 1), key=abs) if high - low < 3 else whole)
+    floor = math.floor(low)
+    return floor + 1 / _simplest_between(1 / (high - floor), 1 / (low - floor))

@@ -43,15 +43,23 @@ def rescaled(algebra: LieAlgebra) -> Rescaled | None:
     size = algebra.dimension
     if algebra.is_rational:
         return Rescaled(algebra, (sp.S.One,) * size)
+    found = rational_table(algebra.constants, size)
+    return None if found is None else Rescaled(LieAlgebra(algebra.names, found[0]), tuple(found[1]))
+
+
+def rational_table(
+    given: Mapping[tuple[int, int], Mapping[int, Number]], size: int
+) -> tuple[dict[tuple[int, int], dict[int, Number]], list[Any]] | None:
+    """Structure constants so rescaled, and the scales; not verified."""
     found: dict[tuple[int, int, int], tuple[Fraction, Powers]] = {}
-    for (a, b), row in algebra.constants.items():
+    for (a, b), row in given.items():
         for c, value in row.items():
             parts = monomial(value)
             if parts is None:
                 return None
             found[a, b, c] = parts
     bases = sorted({base for _, powers in found.values() for base in powers}, key=sp.default_sort_key)
-    scales: list[sp.Expr] = [sp.S.One] * size
+    scales: list[Any] = [sp.S.One] * size
     constants = {key: number for key, (number, _) in found.items()}
     for base in bases:
         exponents = {key: powers.get(base, sp.S.Zero) for key, (_, powers) in found.items()}
@@ -67,7 +75,7 @@ def rescaled(algebra: LieAlgebra) -> Rescaled | None:
     table: dict[tuple[int, int], dict[int, Number]] = {}
     for (a, b, c), number in constants.items():
         table.setdefault((a, b), {})[c] = number
-    return Rescaled(LieAlgebra(algebra.names, table), tuple(scales))
+    return table, scales
 
 
 def monomial(value: Number) -> tuple[Fraction, Powers] | None:
@@ -103,7 +111,7 @@ def monomial(value: Number) -> tuple[Fraction, Powers] | None:
 
 def _factors(value: Any) -> Iterator[tuple[Any, Any]]:
     """The factors of a product with their powers, sums taken apart once."""
-    for factor in sp.Mul.make_args(sp.factor(value)):
+    for factor in sp.Mul.make_args(sp.factor(value) if value.has(sp.Add) else value):
         base, exponent = factor.as_base_exp()
         if base.is_Mul:
             for inner, power in _factors(base):

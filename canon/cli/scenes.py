@@ -49,9 +49,11 @@ def _everything() -> Iterator[str]:
         yield f"  {name:<26} {system.title}"
         yield f"  {'':<26}   parameters: {parameters or 'none'}; effects: {', '.join(system.terms)}"
     yield ""
-    yield "effects on bodies (canon scenes NAME says more); those marked * act on systems too"
+    yield "effects on bodies (canon scenes NAME says more); those marked * act on systems too, those marked ° on rigid"
+    yield "bodies and on the asymmetric top alone"
     for kind, effect in EFFECTS.items():
-        yield f"  {kind + ' *' * effect.on_systems:<26} {', '.join(effect.parameters)}: {effect.meaning}"
+        marked = kind + " *" * effect.on_systems + " °" * effect.on_rigid
+        yield f"  {marked:<26} {', '.join(effect.parameters)}: {effect.meaning}"
 
 
 def _one(name: str) -> str:

@@ -30,6 +30,11 @@ def actions_of_scene(scene: Scene, named: Mapping[str, Any] | None = None) -> Ac
     **Raises:** `InputError` where the scene is no bounded, separable Hamiltonian motion.
     """
     model = scene.model
+    if model.brackets:
+        raise InputError(
+            "the state of rigid bodies and of skates is not (q, p): a top has actions as the system free_symmetric_top "
+            "or heavy_symmetric_top"
+        )
     if model.frictions:
         effects = ", ".join(friction.effect for friction in model.frictions)
         raise InputError(f"{effects}: with friction there are no actions", "effect")

@@ -85,6 +85,10 @@ def step_of(scene: Any) -> tuple[Callable[[Any, Any], tuple[Any, Any]], np.ndarr
     from canon.scenes.simulate import simulate
 
     read = read_scene(scene) if isinstance(scene, str | os.PathLike) else scene
+    if read.model.brackets:
+        raise InputError(
+            "the state of rigid bodies and of skates is not (q, p): the monitor 'symplecticity' has their brackets"
+        )
     if read.model.constraints:
         raise InputError("the states of a scene with constraints fill no phase space: there is no step to audit")
     result = simulate(replace(read, settings=replace(read.settings, monitors=())))

@@ -110,6 +110,8 @@ def test_a_claim_file(well: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["damped_oscillator"], "H depends on the time"),
         (["uniform_gravity"], "no minimum, so that nothing is bound"),
         (["coulomb_scattering"], "is not bounded"),
+        (["asymmetric_top"], "the state of rigid bodies and of skates is not (q, p)"),
+        (["skate_on_an_incline"], "the state of rigid bodies and of skates is not (q, p)"),
         (["pendulumm"], "did you mean 'pendulum'"),
         (["pendulum", "--plot", "/nowhere/at/all.png"], "there is no folder"),
         (["kepler", "--energy", "-1"], "with one degree of freedom, not with 3"),

@@ -9,7 +9,11 @@ import pytest
 
 from canon.cli.main import main
 from canon.errors import InputError
+from canon.numeric.integrators.catalogue import CONSTRAINED
+from canon.numeric.integrators.yoshida import VERLET
+from canon.numeric.operations import operations_per_step
 from canon.scenes.monitors import Reading
+from canon.scenes.problem import problem_of
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import Result, simulate
 
@@ -105,6 +109,26 @@ monitor = ["momentum", "angular_momentum", "energy"]
     assert taut.lost == pytest.approx(0.75 / 2 * (along @ [1, -1]) ** 2, abs=1e-12)
     apart = np.linalg.norm(result.q[:, 2:] - result.q[:, :2], axis=1)
     assert np.allclose(apart[result.times > taut.time], 2, atol=1e-12)
+
+
+def test_only_what_is_called_for() -> None:
+    """Without a string there is no search for events; a rod beside none costs its multiplier alone."""
+
+    def operations(text: str) -> int:
+        scene = read_scene_text(text)
+        method = next(each for each in CONSTRAINED if each.name == "rattle")
+        problem = problem_of(scene.model).value
+        method = method if scene.model.constraints else VERLET
+        return operations_per_step(problem, method, (np.array(scene.q), np.array(scene.p)))
+
+    string = BOB.format(speed=1.0, kind="string", duration=1.0)
+    rod = string.replace('"string"', '"rod"')
+    free = rod[: rod.index('[[effect]]\nkind = "rod"')] + "[run]\nduration = 1.0\n"
+    pulled = free + '[[effect]]\nkind = "spring"\nk = 1\n'
+    assert operations(free) < operations(rod) < operations(string) / 2
+    assert operations(free) < operations(pulled) < operations(rod + '[[effect]]\nkind = "spring"\nk = 1\n')
+    damped = operations(rod + '[[effect]]\nkind = "damping"\nrate = 0.1\n')
+    assert operations(rod) < damped < operations(rod) + 120
 
 
 def test_the_record_and_bad_input(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -1,10 +1,12 @@
 """Every system of the catalogue runs from its scene file, and its monitors behave as the ledger says."""
 
-from dataclasses import replace
+import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from canon.cli.main import main
 from canon.errors import InputError
 from canon.scenes.examples import scene_text
 from canon.scenes.reader import read_scene_text
@@ -12,6 +14,7 @@ from canon.scenes.simulate import simulate
 from canon.scenes.systems import load_system, system_names
 
 LEDGER = {f"S{k:02}" for k in range(1, 32)} | {"S33", "S39"}
+Capture = pytest.CaptureFixture[str]
 BROKEN = {
     ("damped_oscillator", "energy"): "broken by kinetic, spring",
     ("forced_oscillator", "energy"): "broken by driving",
@@ -25,13 +28,18 @@ def test_the_ledgers_systems_are_there() -> None:
 
 
 @pytest.mark.parametrize("name", system_names())
-def test_a_system_runs_and_conserves_what_it_should(name: str) -> None:
-    scene = read_scene_text(scene_text(load_system(name)))
-    result = simulate(replace(scene, settings=replace(scene.settings, samples=20, accuracy=1e-8)))
-    assert result.ok, result.messages
-    assert result.planned.error <= 1e-8
-    for reading in result.monitors:
-        assert reading.expected == BROKEN.get((name, reading.name), "conserved")
+def test_a_system_runs_and_conserves_what_it_should(name: str, tmp_path: Path, capsys: Capture) -> None:
+    """From the file that `canon scenes` prints, by the command line."""
+    assert main(["scenes", name]) == 0
+    path = tmp_path / f"{name}.toml"
+    path.write_text(capsys.readouterr().out.replace("accuracy = 1e-9", "accuracy = 1e-8\nsamples = 20"))
+    status = main(["simulate", str(path), "--json"])
+    record = json.loads(capsys.readouterr().out)
+    assert status == 0, record["messages"]
+    assert record["error_estimate"] <= 1e-8
+    for monitor, reading in record["monitors"].items():
+        assert reading["expected"] == BROKEN.get((name, monitor), "conserved")
+    assert all(len(record[word]) == 20 for word in ("times", "q", "p", *load_system(name).own))
 
 
 def kepler(parameters: str) -> str:

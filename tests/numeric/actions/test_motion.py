@@ -239,3 +239,14 @@ def test_actions_beyond_the_branch(pendulum: Motion) -> None:
         pendulum.point(17, 0.1)
     with pytest.raises(InputError, match="rotations have actions above 8"):
         pendulum.point(7, 0.1, branch="rotation")
+
+
+@pytest.mark.parametrize("time", [0.2, 0.7, 2.0, 3.0])
+def test_the_angle_of_a_cyclic_coordinate_grows_evenly(time: float) -> None:
+    """x = 2 cos t, y = sin t: in polar coordinates w_θ = t/2π, although θ itself hurries and lingers. sec-14.5-b."""
+    x, y, v, w = 2 * math.cos(time), math.sin(time), -2 * math.sin(time), math.cos(time)
+    r = math.hypot(x, y)
+    radial = motion("p**2/2 + L**2/(2*q**2) + q**2/2", domain=(0, INF), parameters={"L": 2})
+    frequency, angle = radial.drift(r, (x * v + y * w) / r, 2 / radial.profile.q**2, math.atan2(y, x))
+    assert frequency.value == pytest.approx(1 / (2 * math.pi), rel=1e-14)
+    assert (angle.value - time / (2 * math.pi) + 0.5) % 1 == pytest.approx(0.5, abs=1e-14)

@@ -26,7 +26,8 @@ from canon.decide.answer import Witness
 from canon.decide.derivative import substitute
 from canon.errors import InputError
 from canon.expression import Formula
-from canon.mechanics.algebra.lie_algebra import LieAlgebra, as_sympy
+from canon.mechanics.algebra.coefficients import as_sympy
+from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
 if TYPE_CHECKING:
     from canon.claims.question import Question

@@ -19,10 +19,11 @@ from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.scale import never_zero
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.mechanics.algebra.coefficients import Number
+from canon.mechanics.algebra.coefficients import exact as exact_number
+from canon.mechanics.algebra.coefficients import times as product
 from canon.mechanics.algebra.from_matrices import Dependent, Entry, MatrixAlgebra, NotClosed, algebra_of_matrices
-from canon.mechanics.algebra.lie_algebra import LieAlgebra, Number
-from canon.mechanics.algebra.lie_algebra import exact as exact_number
-from canon.mechanics.algebra.lie_algebra import times as product
+from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
 if TYPE_CHECKING:
     from canon.claims.question import Question

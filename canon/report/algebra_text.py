@@ -10,8 +10,9 @@ import sympy as sp
 
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.casimirs import casimirs
+from canon.mechanics.algebra.coefficients import as_sympy
 from canon.mechanics.algebra.ideals import centre, derived_series, lower_central_series
-from canon.mechanics.algebra.lie_algebra import LieAlgebra, as_sympy
+from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
 if TYPE_CHECKING:
     from canon.claims.algebra_table import AlgebraTable

@@ -11,7 +11,8 @@ from flint import fmpq, fmpq_mat
 
 from canon.errors import InputError
 from canon.mechanics.algebra import linear
-from canon.mechanics.algebra.lie_algebra import LieAlgebra, Number
+from canon.mechanics.algebra.coefficients import Number
+from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
 Entry = Fraction | int | tuple[Fraction, Fraction]
 """A rational number, or a pair (real part, imaginary part)."""

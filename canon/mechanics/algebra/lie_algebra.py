@@ -14,13 +14,9 @@ from flint import fmpq, fmpq_mat
 from canon.errors import InputError
 from canon.expression import Vocabulary, read
 from canon.mechanics.algebra import linear
+from canon.mechanics.algebra.coefficients import Combination, Number, as_sympy, exact, increase, times
+from canon.mechanics.algebra.jacobi import both_orders, jacobi_failure
 from canon.mechanics.algebra.linear import fraction, rational
-
-Number = Fraction | sp.Expr
-"""A structure constant: a rational number, or an expression in parameters (an algebraic number too)."""
-
-Combination = Mapping[int, Number]
-"""Coefficients by the position of the basis element; what isn't there is 0."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,8 +42,8 @@ class LieAlgebra:
         table = _antisymmetric(self.names, self.constants)
         object.__setattr__(self, "names", tuple(self.names))
         object.__setattr__(self, "constants", {pair: dict(row) for pair, row in sorted(table.items())})
-        object.__setattr__(self, "_table", _both_orders(table))
-        failure = None if _rescaled_is_right(self.constants, size) else jacobi_failure(self)
+        object.__setattr__(self, "_table", both_orders(table))
+        failure = None if _rescaled_is_right(self.constants, size) else jacobi_failure(self._table, size)
         if failure is not None:
             a, b, c = (self.names[k] for k in failure[0])
             raise InputError(
@@ -94,7 +90,7 @@ class LieAlgebra:
         for a, u in left.items():
             for b, v in right.items():
                 for c, w in self.bracket_of(a, b).items():
-                    _increase(total, c, times(times(u, v), w))
+                    increase(total, c, times(times(u, v), w))
         return {self.names[c]: value for c, value in sorted(total.items())}
 
     def position(self, name: str) -> int:
@@ -193,56 +189,10 @@ def _coefficients(value: Any, names: Sequence[str]) -> dict[str, Any]:
     return found
 
 
-def exact(value: Any) -> Number:
-    """The number as a fraction where it is rational, else as a sympy expression; **raises** `InputError` for floats."""
-    if isinstance(value, Fraction):
-        return value
-    if isinstance(value, fmpq):
-        return fraction(value)
-    expression: Any = sp.Integer(value) if isinstance(value, int) else value
-    if not hasattr(expression, "is_commutative") or not hasattr(expression, "expand") or expression.has(sp.Float):
-        raise InputError(f"{value!r} is no exact number: give a whole number, a fraction or an expression")
-    return Fraction(int(expression.p), int(expression.q)) if expression.is_Rational else expression
-
-
-def times(a: Number, b: Number) -> Number:
-    """The product of two numbers."""
-    if isinstance(a, Fraction) and isinstance(b, Fraction):
-        return a * b
-    return exact(sp.expand(_sympy(a) * _sympy(b)))
-
-
-def plus(a: Number, b: Number) -> Number:
-    """The sum of two numbers, 0 where it is recognised as 0."""
-    if isinstance(a, Fraction) and isinstance(b, Fraction):
-        return a + b
-    total = sp.expand(_sympy(a) + _sympy(b))
-    if total != 0 and total.has(sp.Pow):
-        total = sp.radsimp(sp.cancel(total)) if not total.has(sp.Function) else sp.simplify(total)
-    return exact(total)
-
-
-def as_sympy(element: Combination, names: Sequence[str]) -> sp.Expr:
-    """A combination of the basis as a sum of symbols."""
-    return sp.Add(*(_sympy(value) * sp.Symbol(names[c]) for c, value in element.items()))
-
-
-def _sympy(value: Number) -> sp.Expr:
-    return sp.Rational(value.numerator, value.denominator) if isinstance(value, Fraction) else value
-
-
 def _rational(value: Number) -> Fraction:
     if not isinstance(value, Fraction):
         raise InputError(f"the structure constant {value} isn't rational: rescale the basis first")
     return value
-
-
-def _increase(total: dict[int, Number], c: int, value: Number) -> None:
-    new = plus(total[c], value) if c in total else value
-    if new == 0:
-        total.pop(c, None)
-    else:
-        total[c] = new
 
 
 def _antisymmetric(names: Sequence[str], given: Mapping[tuple[int, int], Combination]) -> dict[Any, dict[int, Number]]:
@@ -258,11 +208,6 @@ def _antisymmetric(names: Sequence[str], given: Mapping[tuple[int, int], Combina
     return {pair: row for pair, row in table.items() if row}
 
 
-def _both_orders(table: Mapping[tuple[int, int], dict[int, Number]]) -> dict[tuple[int, int], dict[int, Number]]:
-    turned = {(b, a): {c: times(v, Fraction(-1)) for c, v in row.items()} for (a, b), row in table.items()}
-    return {**table, **turned}
-
-
 def _rescaled_is_right(constants: Mapping[tuple[int, int], Combination], size: int) -> bool:
     """Whether Jacobi's identity holds for constants that a change of scale makes rational, which is quicker to see."""
     from canon.mechanics.algebra.rescaling import rational_table
@@ -270,46 +215,4 @@ def _rescaled_is_right(constants: Mapping[tuple[int, int], Combination], size: i
     if all(isinstance(value, Fraction) for row in constants.values() for value in row.values()):
         return False
     found = rational_table(constants, size)
-    return found is not None and jacobi_sum_fails(_both_orders(found[0]), size) is None
-
-
-def jacobi_failure(algebra: LieAlgebra) -> tuple[tuple[int, int, int], Combination] | None:
-    """The first triple whose cyclic sum [a, [b, c]] + [b, [c, a]] + [c, [a, b]] isn't 0, and that sum; None if none.
-
-    Only triples with a pair that doesn't commute are looked at.
-    """
-    return jacobi_sum_fails(algebra._table, algebra.dimension)
-
-
-def jacobi_sum_fails(
-    table: Mapping[tuple[int, int], Combination], size: int
-) -> tuple[tuple[int, int, int], Combination] | None:
-    """The same for a table of brackets in both orders."""
-    empty: Combination = {}
-    for a, b, c in combinations(range(size), 3):
-        inner = (
-            (a, table.get((b, c), empty)),
-            (b, table.get((c, a), empty)),
-            (c, table.get((a, b), empty)),
-        )
-        total: dict[int, Number] = {}
-        for outer, row in inner:
-            for d, u in row.items():
-                for e, v in table.get((outer, d), empty).items():
-                    _increase(total, e, times(u, v))
-        left = {e: value for e, value in total.items() if isinstance(value, Fraction) or not _vanishes(value)}
-        if left:
-            return (a, b, c), left
-    return None
-
-
-def _vanishes(value: sp.Expr) -> bool:
-    """Whether an expression that wasn't recognised as 0 is 0 in 60 digits at some values of its parameters."""
-    for shift in range(3):
-        values = {}
-        for k, symbol in enumerate(sorted(value.free_symbols, key=str)):
-            number = sp.Rational(7 + 4 * k + shift, 5 + 2 * shift)
-            values[symbol] = -number if symbol.is_negative else number
-        if abs(sp.N(value.xreplace(values), 60, chop=True)) > sp.Float("1e-40", 60):
-            return False
-    return True
+    return found is not None and jacobi_failure(both_orders(found[0]), size) is None

@@ -15,7 +15,8 @@ import sympy as sp
 from flint import fmpq, nmod_mat
 
 from canon.mechanics.algebra import linear
-from canon.mechanics.algebra.lie_algebra import LieAlgebra, Number
+from canon.mechanics.algebra.coefficients import Number
+from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.sign import known_sign
 
 Powers = Mapping[Any, Any]

@@ -1,0 +1,40 @@
+"""Jacobi's identity for a table of brackets."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from itertools import combinations
+
+from canon.mechanics.algebra.coefficients import Combination, Number, increase, times, vanishes
+
+Table = Mapping[tuple[int, int], Combination]
+
+
+def both_orders(table: Table) -> dict[tuple[int, int], Combination]:
+    """[e_a, e_b] for a < b, and so for a > b."""
+    turned = {(b, a): {c: times(v, Fraction(-1)) for c, v in row.items()} for (a, b), row in table.items()}
+    return {**table, **turned}
+
+
+def jacobi_failure(table: Table, size: int) -> tuple[tuple[int, int, int], Combination] | None:
+    """The first triple whose cyclic sum [a, [b, c]] + [b, [c, a]] + [c, [a, b]] isn't 0, and that sum; None if none.
+
+    `table` has the brackets in both orders.
+    """
+    empty: Combination = {}
+    for a, b, c in combinations(range(size), 3):
+        inner = (
+            (a, table.get((b, c), empty)),
+            (b, table.get((c, a), empty)),
+            (c, table.get((a, b), empty)),
+        )
+        total: dict[int, Number] = {}
+        for outer, row in inner:
+            for d, u in row.items():
+                for e, v in table.get((outer, d), empty).items():
+                    increase(total, e, times(u, v))
+        left = {e: value for e, value in total.items() if isinstance(value, Fraction) or not vanishes(value)}
+        if left:
+            return (a, b, c), left
+    return None

@@ -85,6 +85,7 @@ class _Check:
             raise Rejected(f"there is no proof of what is {str(self.verdict)[:40]!r}")
         self.s = Statement(certificate["tables"], certificate["known"], self.verdict)
         self.cases = obligations(self.s)
+        self.s.check_names()
         words = chain.from_iterable(self.s.words.values())
         self.real = "complex" not in words and ("s", "1j") not in self.s.f.ops
         self.numbers = Numbers(real=self.real)
@@ -95,12 +96,14 @@ class _Check:
             return self._witness(self.data["witness"])
         if self.data.get("witness") is not None:
             raise Rejected("a proof with a witness against it")
+        if len(self.data["cases"]) != len(self.cases):
+            raise Rejected(f"{len(self.data['cases'])} cases are shown, but the claim has {len(self.cases)}")
         trusted = []
         for case, data in zip(self.cases, self.data["cases"], strict=True):
             if self.verdict == "refuted":  # by an exact argument: what must not vanish everywhere does
                 case = Case(case.nonzeros[0] if case.nonzeros else [], [], case.images)
                 if not case.zeros:
-                    return [f"an exact argument: {self.data.get('method', '')}"]
+                    raise Unknown("a refutation without a point, by an argument that there is no rule for")
             trusted += self._case(case, data)
         return trusted
 
@@ -153,7 +156,7 @@ class _Check:
             raise Rejected(f"the name {min(clash)} of a kernel is one of the claim's")
         places = self._values(case, kernels, free, targets)
         if not places:
-            return [*trusted, "no point of the domain was found by the checker itself"]
+            raise Unknown("the checker found no point of the domain")
         order = list(kernels)
         for name, relation in relations.items():
             if not _is_triangular(relation, name, order[order.index(name) :]):

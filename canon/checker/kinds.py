@@ -29,6 +29,7 @@ class Motion:
         self.v = list(s.claim["velocities"])
         taken = {*s.declared, *self.v, *s.names}
         self.a = list(s.claim.get("accelerations", [_unused(f"{x}_tt", taken) for x in self.q]))
+        s.declared |= {*self.a}
         if not len(self.q) == len(self.v) == len(self.a):
             raise Unreadable("so many velocities as coordinates are needed")
 

@@ -145,6 +145,7 @@ def bracketed(s: Statement) -> tuple[Callable[[int, int], int], list[str]]:
         return lambda a, b: f.bracket(a, b, f.pairs), []
     pairs = {tuple(n.strip() for n in pair.split(",")): text for pair, text in claim.get("structure", {}).items()}
     x = claim.get("coordinates") or list(dict.fromkeys(name for pair in pairs for name in pair))
+    s.declared |= {*x}
     if "tensor" in claim:
         entries = {(i, j): f.read(claim["tensor"][i][j], s.names) for i, j in combinations(range(len(x)), 2)}
     else:

@@ -13,6 +13,8 @@ from canon.checker.functions import Unknown, Unreadable
 TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("p", -1, "P", 1)}
 """Of each type of generating function: its old variable, the sign of ∂F by it, its new one, the sign of ∂F by that."""
 
+NAMING = ("parameter", "velocities", "accelerations", "coordinates", "constants", "energy", "order")
+"""The keys of claims that declare names."""
 LARGEST = 12
 """The most rows of a Pfaffian; of a determinant, half of it."""
 KNOWN = {"proved": ("determinant", "potential"), "refuted": ("fails_at_order",)}
@@ -48,6 +50,14 @@ class Statement:
         """The surface, and what the inequalities say, in the coordinates."""
         self.surface = [self.pull(self.f.read(text, self.names)) for text in self.domain.get("on", [])]
         self.conditions = [c for text in self.domain.get("where", []) for c in self._relation(text)]
+
+    def check_names(self) -> None:
+        """Refuse a name that nothing declares: a section of the file, or a key of the claim that holds names."""
+        own = [self.claim.get(key, []) for key in NAMING]
+        named = {str(name) for value in own for name in (value if isinstance(value, list) else [value])}
+        for op in self.f.ops:
+            if op[0] == "s" and op[1] not in self.declared | named | {self.time, "pi", "1j"}:
+                raise Unreadable(f"the name {op[1][:40]!r} is not declared")
 
     def without_map(self) -> None:
         """Leave the map out of the domain: the claim is one in the old variables, without conditions on new ones."""

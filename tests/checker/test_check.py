@@ -178,6 +178,27 @@ def test_a_proof_of_something_false_is_rejected() -> None:
     assert check(resealed(data)).status == "rejected"
 
 
+def test_a_proof_is_no_refutation() -> None:
+    """Without a witness there is nothing to be said against a claim, unless what must not vanish is shown to."""
+    answer = check(resealed({**made("new H"), "verdict": "refuted", "known": {}}))
+    assert str(answer) == "not confirmed: a refutation without a point, by an argument that there is no rule for"
+    assert check(resealed({**made("implicit"), "verdict": "refuted"})).status == "rejected"
+    assert check(resealed({**made("not conserved"), "verdict": "proved", "witness": None})).status != "confirmed"
+
+
+def test_a_name_that_nothing_declares_is_unreadable() -> None:
+    data = made("polar")
+    data["tables"]["transformation"]["P"][1] += " + z - z"
+    with pytest.raises(Unreadable, match="'z' is not declared"):
+        check(resealed(data))
+
+
+def test_a_domain_without_points_confirms_nothing() -> None:
+    data = made("identity")
+    data["tables"]["domain"] = {"where": ["x > 1", "x < 1"]}
+    assert str(check(resealed(data))) == "not confirmed: the checker found no point of the domain"
+
+
 def test_a_relation_defines_its_own_kernel_and_nothing_else() -> None:
     """A residual that vanishes is no relation, though it holds at every point of the domain."""
     data = made("identity")

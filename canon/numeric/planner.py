@@ -18,7 +18,7 @@ from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method
 from canon.numeric.progress import Progress, Trial
 from canon.numeric.run_difference import agreement, distance
-from canon.numeric.step_search import BUDGET_USED, MOST_STEPS, Keep, Search, Task, Verdict, Watch
+from canon.numeric.step_search import BUDGET_USED, MOST_STEPS, Keep, Reserve, Search, Task, Verdict, Watch
 
 
 @dataclass(frozen=True)
@@ -52,6 +52,7 @@ def run_for_accuracy(
     exact: bool = False,
     t0: float = 0.0,
     budget: float | None = None,
+    reserve: Reserve | None = None,
     watch: Watch | None = None,
     keep: Keep | None = None,
     resume: Callable[[Task], Progress] | None = None,
@@ -60,10 +61,11 @@ def run_for_accuracy(
     `budget` of seconds allows. `exact`: the method makes no error but rounding, whatever its steps.
 
     `watch` is told which part of a run is done, and `keep` what can be gone on with, both now and then; `resume` gives
-    the progress of an interrupted search for this task, which then goes on as if it had not been interrupted.
+    the progress of an interrupted search for this task, which then goes on as if it had not been interrupted. Of the
+    budget, what `reserve` says of the last run is left for what comes after it.
     """
     task = Task(problem, method, state, duration, samples, t0)
-    search = Search(task, accuracy, exact, budget, watch, keep, resume(task) if resume else Progress())
+    search = Search(task, accuracy, exact, budget, watch, keep, resume(task) if resume else Progress(), reserve)
     verdict = search.verdict()
     while verdict is None and not search.stopped:
         search.next()

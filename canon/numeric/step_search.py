@@ -45,6 +45,8 @@ Watch = Callable[[float], None]
 """Is told, now and then, which part of a run is done."""
 Keep = Callable[[Progress], None]
 """Is given, now and then, what the search can be gone on with."""
+Reserve = Callable[[float], float]
+"""From the seconds of a run to those that a budget must leave for what comes after it."""
 
 
 @dataclass(frozen=True)
@@ -78,10 +80,10 @@ class Search:
 
     def __init__(
         self, task: Task, accuracy: float | None, exact: bool, budget: float | None, watch: Watch | None,
-        keep: Keep | None, progress: Progress,
+        keep: Keep | None, progress: Progress, reserve: Reserve | None = None,
     ) -> None:  # fmt: skip
         self.task, self.accuracy, self.exact = task, accuracy, exact
-        self.watch, self.keep = watch, keep
+        self.watch, self.keep, self.reserve = watch, keep, reserve or (lambda seconds: 0.0)
         self.order = task.method.traits.order
         self.runs, self.current = [*progress.runs], progress.current
         self.trials, self.agreed = [*progress.trials], [*progress.agreed]
@@ -90,6 +92,7 @@ class Search:
         self.compile_seconds = 0.0
         self.interrupted = self.out_of_time = False
         self.began = self.kept = time.monotonic()
+        self.budget = max(budget or 0.0, 0.0)
         self.deadline = None if budget is None else self.kept + budget
         self.pause = KEEP_EVERY
 
@@ -178,9 +181,15 @@ class Search:
                 self.keep(self.progress())
                 self.kept = time.monotonic()
                 self.pause = max(KEEP_EVERY, KEEP_SHARE * (self.kept - now))
-            if self.deadline is not None and now > self.deadline and self.current.done < self.current.chunks:
+            if now > self.latest() and self.current.done < self.current.chunks:
                 self.out_of_time = True
                 return
+
+    def latest(self) -> float:
+        """When the current run is left, if it is not finished: the first one gets twice the budget."""
+        if self.deadline is None:
+            return np.inf
+        return self.deadline - self.reserve(0.0) if self.runs else self.deadline + self.budget
 
     def error(self) -> float:
         """The estimated error of the last run."""
@@ -235,5 +244,6 @@ class Search:
         if steps > MOST_STEPS:
             return f"it would take more than {MOST_STEPS:.0e} steps"
         if self.deadline is not None:
-            return BUDGET_USED if time.monotonic() + expected > self.deadline else ""
+            ready = time.monotonic() + expected + self.reserve(expected)
+            return BUDGET_USED if ready > self.deadline else ""
         return f"the next run would take {expected:.0f} s: give --budget to allow it" if expected > PATIENCE else ""

@@ -20,6 +20,7 @@ from canon.scenes.identity import identity_of
 from canon.scenes.methods import Choice, choose
 from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
+from canon.scenes.monitors.price import price
 from canon.scenes.problem import Problem, problem_of
 from canon.scenes.saved import Arrays, differing_versions, restored, resumable, saved
 from canon.scenes.scattering import Scattered, scattered
@@ -65,6 +66,7 @@ def simulate(
     **Raises:** `InputError` where the initial state is no state of the system, a method cannot solve the problem, or
     what is to be resumed is damaged or of another scene.
     """
+    entered = time.monotonic()
     _check_start(scene)
     begun = time.process_time()
     settings = scene.settings
@@ -88,8 +90,10 @@ def simulate(
     if settings.step is not None:
         planned = run_with_step(problem.value, choice.method, state, step=settings.step, **shared)
     else:
+        left = None if settings.budget is None else settings.budget - (time.monotonic() - entered)
+        reserve = price(settings.monitors, scene.model.n)
         planned = run_for_accuracy(
-            problem.value, choice.method, state, accuracy=settings.accuracy, budget=settings.budget, **shared
+            problem.value, choice.method, state, accuracy=settings.accuracy, budget=left, reserve=reserve, **shared
         )
     run = planned.run
     operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)

@@ -84,7 +84,7 @@ def test_what_is_kept_on_the_way_is_enough(monkeypatch: pytest.MonkeyPatch) -> N
 
 def test_a_budget_ends_a_run_and_a_new_one_goes_on_with_it() -> None:
     search = lambda **more: run_for_accuracy(PENDULUM, KAHAN_LI_6, STATE, accuracy=None, **SHARED, **more)
-    part = search(budget=1e-9)
+    part = search(budget=-1.0)
     assert part.reason == step_search.BUDGET_USED
     assert part.progress.current is not None
     packed = stored(part.progress)
@@ -92,6 +92,14 @@ def test_a_budget_ends_a_run_and_a_new_one_goes_on_with_it() -> None:
     assert further.error is not None
     assert further.error < 1e-9
     assert same_bits(replace(further, trials=()), replace(search(budget=100.0), trials=()))
+
+
+def test_a_budget_leaves_time_for_what_comes_after_the_run() -> None:
+    search = lambda **more: run_for_accuracy(PENDULUM, KAHAN_LI_6, STATE, accuracy=None, **SHARED, **more)
+    found = search(budget=100.0, reserve=lambda seconds: 1000.0)
+    assert found.reason == step_search.BUDGET_USED
+    assert len(found.trials) == 1
+    assert found.run.completed == 41
 
 
 def test_what_is_damaged_is_refused() -> None:

@@ -8,6 +8,8 @@ from typing import Any, Final
 from canon.scenes.simulate import Result
 from canon.scenes.states import named_states
 
+NAMED: Final = 10
+"""Bodies whose names a legend has room for."""
 FORMATS: Final = ("png", "svg", "pdf")
 
 
@@ -32,10 +34,13 @@ def _orbit(axes: Any, result: Result) -> None:
     if model.rigid:
         _tops(axes, result)
         return
+    if bodies and bodies[0].ray:
+        _rays(axes, result)
+        return
     if bodies:
         for body in bodies:
             _path(axes, result, body.first, body.dimension, body.name)
-        if len(bodies) > 1:
+        if 1 < len(bodies) <= NAMED:
             axes.legend()
         names = ("x", "y") if bodies[0].dimension > 1 else ("x", "p")
     else:
@@ -44,6 +49,15 @@ def _orbit(axes: Any, result: Result) -> None:
     axes.set(xlabel=names[0], ylabel=names[1])
     if bodies and names[1] == "y":
         axes.set_aspect("equal", adjustable="datalim")
+
+
+def _rays(axes: Any, result: Result) -> None:
+    """Rays along the axis, their first coordinate across it."""
+    for body in result.scene.bodies:
+        axes.plot(result.times, result.q[:, body.first], lw=1, label=body.name)
+    if 1 < len(result.scene.bodies) <= NAMED:
+        axes.legend()
+    axes.set(xlabel=str(result.scene.model.t), ylabel="x")
 
 
 def _tops(axes: Any, result: Result) -> None:
@@ -72,5 +86,5 @@ def _against_time(axes: Any, result: Result) -> None:
     symbols, rows = (model.p, result.p) if model.rigid else (model.q, result.q)
     for k, symbol in enumerate(symbols[:6]):
         axes.plot(result.times, rows[:, k], lw=1, label=str(symbol))
-    axes.set(xlabel="t")
+    axes.set(xlabel=str(model.t))
     axes.legend()

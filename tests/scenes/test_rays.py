@@ -1,8 +1,11 @@
 """Rays of light in a medium: Snell's law, a graded fibre, and what is no ray."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+from canon.cli.main import main
 from canon.errors import InputError
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import Result, simulate
@@ -55,6 +58,16 @@ def test_a_ray_that_turns_round_ends_the_run() -> None:
     assert not result.ok
     assert np.isfinite(result.q).all()
     assert result.times[-1] == pytest.approx(2 + (1.5 - 0.1 * 2 - 1.3 / np.sqrt(2)) / 0.1, abs=0.1)
+
+
+def test_rays_in_a_plane_are_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene, figure = tmp_path / "plane.toml", tmp_path / "plane.svg"
+    body = '[[body]]\nname = "{}"\nposition = [{}, 0.0]\n'
+    rays = "".join(body.format(name, x) for name, x in (("a", 0.1), ("b", -0.2)))
+    scene.write_text(rays + '[[effect]]\nkind = "refractive_index"\nn = "1.5 - x**2/10"\n[run]\nduration = 3.0\n')
+    assert main(["simulate", str(scene), "--plot", str(figure)]) == 0
+    assert "from y = 0 to 3" in capsys.readouterr().out
+    assert figure.read_text().startswith("<?xml")
 
 
 def test_a_momentum_may_be_given() -> None:

@@ -70,6 +70,7 @@ if TYPE_CHECKING:
     from canon.mechanics.separation.staeckel import Separation, separation
     from canon.mechanics.statements import (
         action,
+        algebra,
         bracket,
         conserved,
         equations_of_motion,
@@ -154,6 +155,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.separation.staeckel": ("Separation", "separation"),
     "canon.mechanics.conventions": ("GOLDSTEIN", "LANDAU_LIFSHITZ", "SICM", "Conventions"),
     "canon.mechanics.statements": (
+        "algebra",
         "action",
         "bracket",
         "conserved",
@@ -217,6 +219,7 @@ __all__ = [
     "Verdict",
     "__version__",
     "action",
+    "algebra",
     "algebra_of_matrices",
     "audit",
     "birkhoff_gustavson",

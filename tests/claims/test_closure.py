@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from canon import InputError, PhaseSpace, closure, closure_of_fields
+from canon import InputError, PhaseSpace, algebra, closure, closure_of_fields, verify
 
 SPACE = PhaseSpace("x y z", "px py pz", positive="m a", negative="E0")
 r, p = sp.Matrix(SPACE.q), sp.Matrix(SPACE.p)
@@ -77,3 +77,11 @@ def test_ill_posed_closures():
         closure(SPACE, {"f": M[2], "g": 2 * M[2]})
     with pytest.raises(InputError, match="no functions"):
         closure(SPACE, {})
+
+
+def test_the_claim_in_python():
+    basis = {"Mx": M[0], "My": M[1], "Mz": M[2]}
+    assert verify(algebra(SPACE, basis, equals="so(3)")).status == "proved"
+    assert verify(algebra(SPACE, basis, equals="sl(2,R)")).status == "refuted"
+    with pytest.raises(InputError, match="isn.t understood: known are"):
+        algebra(SPACE, basis, equals="so")

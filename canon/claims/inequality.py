@@ -57,7 +57,13 @@ def _decided(question: Question, gap: Node, region: Region, *, strict: bool) -> 
     if below is not None:
         witness = Witness.of(tape, below, below.balls[gap])
         value = witness.value if below.balls[gap] < 0 else "0"
-        return Outcome("refuted", "ball at 64 bits", witness=witness.as_table(), detail={"difference": value})
+        return Outcome(
+            "refuted",
+            "ball at 64 bits",
+            numeric=_evidence(gap, [below]),
+            witness=witness.as_table(),
+            detail={"difference": value},
+        )
     method = "sampling" if question.method == "numeric" else "balls at points"
     return Outcome("supported", method, numeric=_evidence(gap, seen), note="no sign was found for the difference")
 

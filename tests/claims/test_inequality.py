@@ -54,6 +54,9 @@ def test_on_a_box(ask, lhs, relation, rhs, expected, method):
     (verdict,) = ask(_claim(lhs, relation, rhs), space=PLANE, symbols=SYMBOLS, domain=UNIT)
     assert verdict.status == expected
     assert method in verdict.method
+    assert verdict.numeric is not None
+    difference, off = verdict.numeric.max_residual, verdict.numeric.bound
+    assert difference + off < 0 if expected == "refuted" else difference > -off
 
 
 def test_the_cover_leaves_out_what_the_domain_does(status):

@@ -46,8 +46,13 @@ def _portrait(axes: Any, motion: Motion, orbit: Orbit) -> None:
         most = _most(motion, well)
         last = _CURVES if most is None else int(most / step)
         for k in range(1, last + 1):
-            if most is None or k * step < most:
-                _orbit_at(axes, motion, motion.energy(k * step, well=well).value, well, color="C0", lw=0.8)
+            if most is not None and k * step >= most:
+                break
+            try:
+                energy = motion.energy(k * step, well=well).value
+            except InputError:  # a well that is bound up to the energy of escape has no larger actions
+                break
+            _orbit_at(axes, motion, energy, well, color="C0", lw=0.8)
         if most is not None:
             _separatrix(axes, motion, well)
     if motion.domain.period is not None:

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 DIGITS: Final = 768
 BITS: Final = 58
 _ROUNDS: Final = 200
+_AGREED: Final = 40
 
 
 def point_of(motion: Motion, J: Ball, w: Ball, well: float | None, kind: str | None) -> tuple[Bounded, Bounded]:
@@ -75,15 +76,22 @@ def _course(motion: Motion, J: Ball, kind: str, well: float | None) -> Course:
         while at(low + step)[1] < J:
             step = 2 * step
         high = low + step
-    last: list[Course] = []
+    last: list[tuple[Course, Ball]] = []
 
     def defect(E: Ball) -> tuple[Ball, Ball]:
         course, action, period = at(E)
-        last[:] = [course]
+        last[:] = [(course, action)]
         return action - J, period
 
     _increasing(defect, low, high, J)
-    return last[0]
+    course, action = last[0]
+    if abs(action - J) > abs(J) / 2**_AGREED:
+        raise InputError(
+            f"no {kind} has the action {float(J):.10g}: they end at {float(action):.10g}, where E = "
+            f"{float(course.E):.10g} is that of escape",
+            "action",
+        )
+    return course
 
 
 def _branch(motion: Motion, E: Ball, kind: str, lowest: Critical | None) -> Branch:

@@ -241,6 +241,16 @@ def test_actions_beyond_the_branch(pendulum: Motion) -> None:
         pendulum.point(7, 0.1, branch="rotation")
 
 
+def test_the_largest_action_of_a_well_that_can_be_left() -> None:
+    """Morse's well: J < 2π√2 below the energy of escape."""
+    morse = motion("p**2/2 + (1 - exp(-q))**2")
+    with mp.workdps(40):
+        exact = 1 - (1 - mp.mpf("8.8") / (2 * mp.pi * mp.sqrt(2))) ** 2
+    assert holds(morse.energy("8.8"), exact, 2.0)
+    with pytest.raises(InputError, match=r"no libration has the action 9: they end at 8\.8857"):
+        morse.energy(9)
+
+
 @pytest.mark.parametrize("time", [0.2, 0.7, 2.0, 3.0])
 def test_the_angle_of_a_cyclic_coordinate_grows_evenly(time: float) -> None:
     """x = 2 cos t, y = sin t: in polar coordinates w_θ = t/2π, although θ itself hurries and lingers. sec-14.5-b."""

@@ -32,7 +32,7 @@ Formula = Any
 class SplitHamiltonian:
     """H as a sum of solvable `terms`, outermost first, with their `names`; `kind` says by which rule.
 
-    `nystrom`: H = T(p) + V(q, t) with T quadratic. `time_dependent`: t occurs in a term.
+    `nystrom`: H = A + V(q, t) with A at most quadratic in the momenta. `time_dependent`: t occurs in a term.
     """
 
     kind: str
@@ -237,10 +237,10 @@ def _kepler(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Sy
         made: list[Part] = [kepler_part(1 / _number(masses[0], parameters), _number(strength, parameters))]
         if not none_left:
             made.append(shear(rest, q, p, t, parameters, "perturbation"))
-        return with_clock(made, timed, False)
+        return with_clock(made, timed, not none_left)
 
     names = ("Kepler", "perturbation")[: len(terms)]
-    return SplitHamiltonian("Kepler and perturbation", terms, names, False, any(timed), build)
+    return SplitHamiltonian("Kepler and perturbation", terms, names, not none_left, any(timed), build)
 
 
 def _quadratic(
@@ -278,10 +278,12 @@ def _quadratic(
         made: list[Part] = [first]
         if left != 0:
             made.append(shear(left, q, p, t, parameters, "rest"))
-        return with_clock(made, timed[: len(made)], False)
+        return with_clock(made, timed[: len(made)], left != 0)
 
     terms = (solved, with_well) if with_well != 0 else (solved,)
-    return SplitHamiltonian("quadratic and rest", terms, ("quadratic", "rest")[: len(terms)], False, any(timed), build)
+    return SplitHamiltonian(
+        "quadratic and rest", terms, ("quadratic", "rest")[: len(terms)], with_well != 0, any(timed), build
+    )
 
 
 def _sum(terms: Iterable[Formula]) -> Formula:

@@ -49,6 +49,8 @@ def choose(problem: Problem, accuracy: float | None, name: str | None, where: st
         chosen = known["nystrom8"] if nystrom else known["kahan_li8"]
     else:
         chosen = known["nystrom6a"] if nystrom else known["blanes_moan6"]
-    plain = chosen.needs == "nystrom" and problem.kind == "T(p) + V(q)"
-    what = "T(p) + V(q, t) with a quadratic T" if plain else "parts that are solved exactly"
+    what = "parts that are solved exactly"
+    if chosen.needs == "nystrom":
+        plain = problem.kind == "T(p) + V(q)"
+        what = "T(p) + V(q, t) with a quadratic T" if plain else "a part that is quadratic in the momenta, and V(q, t)"
     return Choice(chosen, f"order {chosen.traits.order} for the accuracy, {chosen.stages} stages, for {what}")

@@ -7,6 +7,7 @@ import sympy as sp
 from canon.errors import InputError
 from canon.numeric.integrate import integrate
 from canon.numeric.integrators.blanes_moan import BLANES_MOAN_4, BLANES_MOAN_6
+from canon.numeric.integrators.nystrom_8 import NYSTROM_8
 from canon.numeric.integrators.parts import quadratic_part, rayleigh_part
 from canon.numeric.split_hamiltonian import shear, split_hamiltonian
 
@@ -54,6 +55,19 @@ def test_nystrom_is_recognised() -> None:
     assert split_hamiltonian(CASES["henon-heiles"][0], (x, y), (px, py))[0].nystrom
     assert not split_hamiltonian(relativistic, (x,), (px,))[0].nystrom
     assert not split_hamiltonian(sp.exp(-t) * px**2 + x**2, (x,), (px,), t)[0].nystrom
+
+
+@pytest.mark.parametrize(("name", "rule", "steps"), [("kepler", 1, (6, 16)), ("rotating", 0, (8, 12))])
+def test_nystrom_methods_keep_their_order_beside_any_part_that_is_quadratic_in_the_momenta(
+    name: str, rule: int, steps: tuple[int, int]
+) -> None:
+    split = split_hamiltonian(CASES[name][0], (x, y), (px, py), t)[rule]
+    assert split.nystrom
+    problem = split.splitting(VALUES)
+    ends = [integrate(problem, NYSTROM_8, STATE, duration=2.0, steps=n).state[0] for n in (*steps, 100)]
+    errors = [np.abs(end - ends[2]).max() for end in ends[:2]]
+    assert errors[1] > 1e-13
+    assert np.log(errors[0] / errors[1]) / np.log(steps[1] / steps[0]) == pytest.approx(8, abs=0.8)
 
 
 def test_components_may_be_arrays_of_orbits() -> None:

@@ -51,7 +51,7 @@ class Splitting:
     The first part is applied most often at the ends of a step, the last one in the middle: the costliest goes last.
     `clock` is the part that time advances with, and it must not itself depend on time (a `clock_part()` of its own
     where every other one does); None where nothing depends on time, so that no time is computed. `nystrom`: there are
-    two parts, T(p) at most quadratic, and V(q, t) last, so that [V,[V,[V,T]]] = 0.
+    two parts, the first at most quadratic in p, and V(q, t) last, so that [V,[V,[V,A]]] = 0.
     """
 
     parts: tuple[Part, ...]

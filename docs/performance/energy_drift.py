@@ -1,6 +1,6 @@
 """How the energy drifts in runs of ten and a hundred million steps, with and without compensated sums.
 
-    python docs/performance/long_runs.py [--steps 1e7] [--orbits 4] [--figure FILE]
+    python docs/performance/energy_drift.py [--steps 1e7] [--orbits 4] [--figure FILE]
 
 Hénon–Heiles at E = 1/12, nystrom8 with a step of 0.1: the method's own error of the energy is below rounding, so that
 what is seen is rounding. A random walk grows as √t. The table has the root mean square over orbits that begin at

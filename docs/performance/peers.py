@@ -1,6 +1,7 @@
 """canon beside other packages: how long each takes to an accuracy, both sides in turns in one run.
 
-    pip install -e '.[peers]' && python docs/performance/peers.py [--only orbits kepler bodies pendulum] [--json FILE]
+    pip install -e '.[peers]'
+    python docs/performance/peers.py [--only orbits orbit kepler pendulum bodies] [--json FILE]
 
 All times are CPU times, medians of nine runs. Of every package the fastest of the settings that are listed in
 `peers_*.py` is taken that reaches the error. Compilation is not counted; docs/performance/peers.md tells it apart.
@@ -19,7 +20,7 @@ from pathlib import Path
 
 from peers_common import Row
 
-TASKS = ("orbits", "kepler", "pendulum", "bodies")
+TASKS = ("orbits", "orbit", "kepler", "pendulum", "bodies")
 PACKAGES = ("canon-mechanics", "jax", "heyoka", "diffrax", "rebound", "numba", "numpy")
 
 

@@ -60,8 +60,7 @@ def by_rebound() -> Iterator[Setting]:
             simulation.add(m=1.0)
             simulation.add(m=0.0, x=Q[0], y=Q[1], vx=P[0], vy=P[1])
             simulation.integrator = "ias15"
-            if hasattr(simulation, "ri_ias15"):
-                simulation.ri_ias15.epsilon = epsilon
+            simulation.integrator.epsilon = epsilon
             simulation.integrate(PERIODS * TURN)
             body, star = simulation.particles[1], simulation.particles[0]
             return np.array([body.x - star.x, body.y - star.y])

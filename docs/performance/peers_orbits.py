@@ -1,4 +1,4 @@
-"""Hénon–Heiles: a thousand orbits to t = 100, and five, one by one, to t = 10 000, beside heyoka and diffrax."""
+"""Hénon–Heiles: a thousand orbits to t = 100, beside heyoka and diffrax; and what `peers_orbit` shares."""
 
 from __future__ import annotations
 
@@ -148,9 +148,6 @@ def rows() -> Iterator[Row]:
     for word, metric in metrics.items():
         for target, goal in zip(TARGETS, (8, 4, 2.5), strict=True):
             yield row(f"1000 orbits, t = 100, {word} error", many, metric, target, goal, TIME, COUNT, diffrax=50)
-    few = {"canon": [*by_canon(LONG, FEW)], "heyoka": [*by_heyoka(LONG, FEW)]}
-    for target, goal in zip(TARGETS, (2.5, 1, 0.7), strict=True):
-        yield row("five orbits one by one, t = 10 000, median error", few, np.median, target, goal, LONG, FEW)
 
 
 def row(

@@ -39,7 +39,7 @@ def table(rows: Sequence[Row]) -> Iterator[str]:
             mark = "" if goal is None or ratio is None else "✓" if ratio >= goal else "not met"
             asked = "" if goal is None else f"{goal:.3g}"
             yield (
-                f"| {row.task} | {row.target} | {mine} | {theirs} | {'' if ratio is None else f'{ratio:.2g}'} "
+                f"| {row.task} | {row.target} | {mine} | {theirs} | {'' if ratio is None else f'{ratio:.0f}' if ratio >= 10 else f'{ratio:.2g}'} "
                 f"| {asked} | {mark} |"
             )
 

@@ -36,12 +36,10 @@ def table(rows: Sequence[Row]) -> Iterator[str]:
             theirs = f"{name} –" if side is None else f"{name} {shown(side.seconds)} ({side.error:.0e})"
             ratio = None if ours is None or side is None else side.seconds / ours.seconds
             goal = row.goals.get(name)
+            shown_ratio = "" if ratio is None else f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
             mark = "" if goal is None or ratio is None else "✓" if ratio >= goal else "not met"
             asked = "" if goal is None else f"{goal:.3g}"
-            yield (
-                f"| {row.task} | {row.target} | {mine} | {theirs} | {'' if ratio is None else f'{ratio:.0f}' if ratio >= 10 else f'{ratio:.2g}'} "
-                f"| {asked} | {mark} |"
-            )
+            yield f"| {row.task} | {row.target} | {mine} | {theirs} | {shown_ratio} | {asked} | {mark} |"
 
 
 def shown(seconds: float) -> str:

@@ -79,6 +79,17 @@ def test_a_string_that_is_never_slack_is_a_rod(speed: float) -> None:
     assert np.allclose(string.q, rod.q, atol=1e-9)
 
 
+def test_a_jerk_at_the_very_beginning() -> None:
+    """At full length outwards: the radial half of (1, 1) is lost at once, and the other goes on."""
+    text = BOB.format(speed=1.0, kind="string", duration=0.5).replace("[1.0, 0.0]", "[1.0, -1.0]")
+    result, found = run(text, "energy")
+    (jerk,) = result.events
+    assert (jerk.time, jerk.taut, jerk.lost) == (0.0, True, pytest.approx(1.0, abs=1e-14))
+    rod, _ = run(BOB.format(speed=1.0, kind="rod", duration=0.5))
+    assert np.allclose(result.q, rod.q, atol=1e-9)
+    assert found["energy"].expected == "broken by string"
+
+
 def test_two_bodies_pull_each_other() -> None:
     """A string that is slack at first: the jerk is between the two, and keeps their momentum; then they turn."""
     text = """

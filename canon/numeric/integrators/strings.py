@@ -167,8 +167,17 @@ def _stepper(base: OneStep, problem: Held) -> Stepper:
             speeds[k] < -TAUT * jnp.sqrt(dot(rows[k], rows[k])) if k in strings else False for k in range(len(rows))
         ]
         held = jnp.where(jnp.stack([jnp.asarray(x) for x in inward]), 0.0, held)
-        after, held, _ = switched(state, held, time.at(0.0))
+        after, held, lost = switched(state, held, time.at(0.0))
         unknown = active[0] < 0
+        # a body that is thrown outwards at full length is jerked at once
+        jerked = unknown & (dot(state[1] - after[1], state[1] - after[1]) > (TAUT**2) * dot(state[1], state[1]))
+        events = Events(
+            events.times.at[0].set(jnp.where(jerked, time.at(0.0), events.times[0])),
+            events.strings.at[0].set(jnp.where(jerked, strings[0], events.strings[0])),
+            events.taut.at[0].set(jnp.where(jerked, 1.0, events.taut[0])),
+            events.lost.at[0].set(jnp.where(jerked, lost, events.lost[0])),
+            jnp.where(jerked, 1, events.count),
+        )
         state = tuple(jnp.where(unknown, new, old) for new, old in zip(after, state, strict=True))
         return _Carry(state, jnp.where(unknown, held, active), events)
 

@@ -18,7 +18,8 @@ def read_jerked(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
     if flow.events is not None:
         count = min(int(flow.events.count), len(flow.events.times))
         when, lost = np.asarray(flow.events.times)[:count], np.asarray(flow.events.lost)[:count]
-    predicted = values[0] - np.array([lost[when <= t].sum() for t in times])
+    # the first state is that before a jerk at the very beginning
+    predicted = values[0] - np.array([0.0, *(lost[when <= t].sum() for t in times[1:])])
     drift = float(np.abs(values - predicted).max())
     breaking = [*breakers((model.H,), model, q, p), *(["string"] if lost.any() else [])]
     expected = f"broken by {', '.join(dict.fromkeys(breaking))}" if breaking else "conserved"

@@ -160,7 +160,7 @@ class Search:
         except KeyboardInterrupt:
             self.interrupted = True
         run, before = self.current, self.runs[-1] if self.runs else None
-        if self.stopped:
+        if self.stopped and run.done < run.chunks and not run.ended:
             return run
         self.runs, self.current = [*self.runs[-2:], run], None
         self.agreed.append(agreement(run, before) if before else 0)

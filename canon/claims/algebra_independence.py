@@ -58,11 +58,12 @@ def independent_outcome(
     inside = [x for x in parameters if any(x in tape.support(f) for f in basis)]
     if at_unit and not parameters:
         return exact("proved", BY_POINTS)
-    if _by_ideals(question, basis, inside, algebra):
+    everywhere = not region.surface  # what follows speaks of open sets, not of values on a surface
+    if everywhere and _by_ideals(question, basis, inside, algebra):
         return exact("proved", BY_IDEALS)
     if at_unit and same_in_other_units(question, region, basis, variables, unit):
         return exact("proved", BY_UNITS)
-    if _by_places(question, basis, inside):
+    if everywhere and _by_places(question, basis, inside):
         return exact("proved", BY_POINTS)
     if _in_each_case(question, region, basis, variables, parameters, algebra):
         return exact("proved", f"{BY_UNITS}, for each sign of a parameter")

@@ -210,3 +210,17 @@ def test_an_arbitrary_function_in_the_basis(ask):
 def test_small_and_odd_bases(ask, basis, name, verdict):
     (found,) = ask(stated(basis, equals=f'"{name}"'), space=SPACE)
     assert found.status == verdict, found
+
+
+def test_what_vanishes_on_the_surface_is_not_independent_there(ask):
+    """q, p, 1 on q = 0, and M on M = 0: brackets restrict as claimed, but the functions don't make a basis."""
+    heisenberg = stated({"f": "q", "g": "p", "one": "1"}, structure='{"f,g" = "one"}', equals='"heisenberg(1)"')
+    (found,) = ask(heisenberg, space=SPACE, domain='on = ["q"]')
+    assert found.status not in ("proved", "supported"), found
+    scaled = heisenberg.replace('"p"', '"k*p"').replace('= "one"', '= "k*one"')
+    (found,) = ask(scaled, space=SPACE, domain='on = ["q"]', symbols='k = "positive"')
+    assert found.status not in ("proved", "supported"), found
+    basis = {f"M{i}": f"M{i}" for i in "xyz"}
+    rotations = '{"Mx,My" = "Mz", "My,Mz" = "Mx", "Mz,Mx" = "My"}'
+    (found,) = ask(stated(basis, structure=rotations), domain='on = ["Mz - m"]', **KEPLER)
+    assert found.status != "refuted", found

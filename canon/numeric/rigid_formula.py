@@ -13,15 +13,21 @@ from canon.numeric.lower import lower
 
 
 def rigid_bodies_under(
-    torques: Sequence[sp.Expr], moments: Sequence[Sequence[float]], q: Sequence[sp.Symbol], t: sp.Symbol
+    torques: Sequence[sp.Expr],
+    moments: Sequence[Sequence[float]],
+    q: Sequence[sp.Symbol],
+    t: sp.Symbol,
+    *,
+    closed: bool = True,
 ) -> Splitting:
     """The splitting of bodies with torques K(q, t) (3k,) in their frames, q being the attitudes (4k,), or nothing.
+    `closed` as for `rigid_bodies`.
 
     **Raises:** `InputError` where `moments` are none of a body.
     """
     turning = len(q) > 0
     if all(K == 0 for K in torques):
-        return rigid_bodies(moments, attitude=turning)
+        return rigid_bodies(moments, attitude=turning, closed=closed)
     lowered = lower(tuple(torques), (*q, t))
 
     def torque(state: Any, now: Any) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import sympy as sp
@@ -48,8 +48,14 @@ class Problem:
 
 def problem_of(model: Model, *, exact: bool = True) -> Problem:
     """The problem of a model; `exact`: a motion that is known in closed form is taken so, where it also splits."""
+    found = _problem(model, exact)
+    # a method that is asked for need not know that its one part is the motion
+    return found if exact else replace(found, exact=False, closed=False)
+
+
+def _problem(model: Model, exact: bool) -> Problem:
     if model.rigid:
-        return rigid_problem(model)
+        return rigid_problem(model, exact)
     if model.gliders:
         return skate_problem(model)
     if model.constraints:
@@ -127,17 +133,18 @@ def skate_problem(model: Model) -> Problem:
     return Problem(splitting, "free motion on skates, and forces along their headings", tuple(shown), exact)
 
 
-def rigid_problem(model: Model) -> Problem:
-    """The problem of rigid bodies: free tops in closed form, or rotations and a kick."""
-    splitting = rigid_splitting(model)
+def rigid_problem(model: Model, closed: bool = True) -> Problem:
+    """The problem of rigid bodies: free tops, in closed form unless it's said otherwise, or rotations and a kick."""
+    splitting = rigid_splitting(model, closed)
     exact = len(splitting.parts) == 1
     free = _text(model.terms[0].expr)
     rest = [f"{term.effect}: {_text(term.expr)}" for term in model.terms[1:]]
     rest += [f"{torque.effect}: K = ({', '.join(map(_text, torque.force))})" for torque in model.frictions]
     shown = [(part.name, free if exact else "" if part.name == "torque" else "exact") for part in splitting.parts]
-    if not exact:
+    if rest:
         shown[-1] = ("torque", "; ".join(rest))
-    kind = "free rigid bodies, in closed form" if exact else "free motion and torques (Lie–Poisson)"
+    parts = "free motion and torques" if rest else "rotations about the bodies' axes"
+    kind = "free rigid bodies, in closed form" if exact else f"{parts} (Lie–Poisson)"
     return Problem(splitting, kind, tuple(shown), exact, TOPS if exact else "", closed=exact)
 
 

@@ -55,12 +55,12 @@ def without_attitude(model: Model, monitors: Collection[str]) -> Model:
     return replace(model, q=(), angular_momenta={}, brackets=own)
 
 
-def rigid_splitting(model: Model) -> Any:
-    """The free motion of all bodies, and one kick of all torques; in closed form where there is none."""
+def rigid_splitting(model: Model, closed: bool = True) -> Any:
+    """The free motion of all bodies, and one kick of all torques; where there is none in closed form, or not."""
     rates = []
     V = sp.Add(*(term.expr for term in model.terms if term.effect != KINETIC))
     for k, M in enumerate(model.p):
         own = [bracket * V.diff(a) for a, v, bracket in model.brackets if v == M]
         rates.append(-sp.Add(*own) + sp.Add(*(torque.force[k] for torque in model.frictions)))
     moments = [[float(I) for I in body.moments] for body in model.rigid]
-    return rigid_bodies_under(rates, moments, model.q, model.t)
+    return rigid_bodies_under(rates, moments, model.q, model.t, closed=closed)

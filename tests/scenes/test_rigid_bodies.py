@@ -152,6 +152,16 @@ def test_a_torque_without_a_potential_raises_the_alarm() -> None:
     assert found == {"energy": True, "symplecticity": True, "volume": False}
 
 
+def test_a_method_that_is_asked_for_is_used() -> None:
+    """Gauss's keeps the attitude's norm, and the brackets to its error alone: that is no alarm."""
+    text = TOP.replace("[1.0, 1.0, 0.5]", "[1.0, 2.0, 2.7]").replace("8.0]", "-0.5]")
+    text = text.replace("samples = 21", 'samples = 6\nstep = 0.2\nintegrator = "gauss6"')
+    result, found = run(text, ("symplecticity",))
+    assert not result.problem.exact
+    assert 1e-12 < found["symplecticity"].max_drift <= found["symplecticity"].bound
+    assert np.allclose((result.q**2).sum(axis=1), 1, atol=1e-13)
+
+
 def operations(effects: str, body: str = TOP) -> int:
     scene = read_scene_text(body + effects)
     return operations_per_step(problem_of(scene.model).value, VERLET, (np.array(scene.q), np.array(scene.p)))

@@ -46,18 +46,19 @@ def rigid_bodies(
     *,
     time_dependent: bool = False,
     attitude: bool = True,
+    closed: bool = True,
 ) -> Splitting:
     """Several bodies, in slots (attitudes (4k, …), momenta (3k, …)); without `attitude` the first slot is left alone.
 
     **Arguments:** `moments` of each; `torque(state, t)` returns (3k, …), in the bodies' frames. Without a torque the
-    free motion is one part, in closed form. With one, bodies with two equal moments move in closed form between kicks,
-    and others by three rotations, which cost less than elliptic functions.
+    free motion is one part, in closed form, unless `closed` is False. Else bodies with two equal moments move in closed
+    form, between kicks, and others by three rotations, which cost less than elliptic functions.
 
     **Raises:** `InputError` as `rigid_body` does.
     """
     checked = [check_moments(I) for I in moments]
     slow = [len({*I}) == 3 for I in checked]
-    if torque is None or not any(slow):
+    if (torque is None and closed) or not any(slow):
         free = [_all_of([_free(I, attitude) for I in checked], attitude, "free tops")]
     else:
         firsts = [_turning(0, I[0], attitude) if s else _free(I, attitude) for I, s in zip(checked, slow, strict=True)]

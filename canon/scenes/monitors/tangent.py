@@ -11,6 +11,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from canon.numeric.integrators.splitting import SplittingMethod
 from canon.numeric.transport import flow_differences
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import Frame, carried, frame_at, frame_on_surface, onto_attitudes
@@ -91,7 +92,9 @@ def _tangent(flow: Flow, q: np.ndarray, p: np.ndarray, before: Frame, after: Fra
     size = float(np.linalg.norm(M, 2)) ** 2
     rounding = SAFETY * ROUNDING * size * float(np.sqrt(max(flow.steps, 1)))
     # friction that is linear is a part of its own, whose flow contracts areas exactly
-    if flow.method.traits.symplectic is True and all(friction.matrix is not None for friction in flow.model.frictions):
+    kept = flow.method.traits.symplectic is True and all(f.matrix is not None for f in flow.model.frictions)
+    # only sums of exact flows keep brackets that are not constant
+    if kept and (not flow.model.brackets or isinstance(flow.method, SplittingMethod)):
         return M, rounding, 0.0
     return M, rounding, SAFETY * (flow.error if flow.error is not None else np.inf) * size
 

@@ -114,10 +114,12 @@ def with_caustics(
     least = DEEP if of_type is None else LOSES
     waiting = [int(k) for k in order if found.solved[k] and found.condition[k] > least][:most]
     tried = {F.pattern.types}
+    regular: tuple[Types, ...] = ()
     while waiting:
         k, *waiting = waiting
         far = found.condition[k] > DEEP
-        deep = solve_deeply(F, z[k], found.u[k, n:], k, float(found.condition[k]))
+        deep = solve_deeply(F, z[k], found.u[k, n:], k, float(found.condition[k]), regular)
+        regular = regular if deep is None else deep.regular
         if deep is not None and far:
             images[k], M[k], types[k], bits[k] = deep.image, deep.M, deep.regular[0], deep.bits
             errors[k], condition[k] = UNIT * np.abs(deep.image), 1.0

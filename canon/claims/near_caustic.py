@@ -17,12 +17,14 @@ from flint import arb, arb_mat
 from canon.claims.mixed_derivatives import OnTape
 from canon.decide.enclosure import Ball, OutOfDomain, precision
 from canon.decide.tape import Unsupported
-from canon.numeric.mixed_variables import Types, comparable
+from canon.numeric.mixed_variables import Types, comparable, condition_of
 
 Array = Any  # numpy arrays
 STEPS: Final = 40
 EXTRA_BITS: Final = 96
 GUARD: Final = 2.0**-70
+WELL: Final = 100.0
+"""A type whose condition is less than this is as good as any."""
 
 
 @dataclass(frozen=True)
@@ -38,10 +40,13 @@ class Deep:
     bits: int
 
 
-def solve_deeply(F: OnTape, z: Array, y: Array, row: int, condition: float) -> Deep | None:
+def solve_deeply(
+    F: OnTape, z: Array, y: Array, row: int, condition: float, known: tuple[Types, ...] = ()
+) -> Deep | None:
     """The image of one phase point z (2n,), from a first guess y (n,) of the new arguments; None without convergence.
 
-    **Arguments:** `condition`, by how much F's own type amplifies rounding there: so many bits are added.
+    **Arguments:** `condition`, by how much F's own type amplifies rounding there: so many bits are added; `known`,
+    types that were best at another point: where the first is well conditioned here, no others are compared.
     """
     bits = EXTRA_BITS + 2 * int(np.ceil(np.log2(min(max(condition, 2.0), 2.0**200))))
     pattern, n = F.pattern, len(y)
@@ -59,19 +64,21 @@ def solve_deeply(F: OnTape, z: Array, y: Array, row: int, condition: float) -> D
                 steps = [move[k, 0].mid() for k in range(n)]
                 new = [(value - step).mid() for value, step in zip(new, steps, strict=True)]
                 if all(abs(float(s)) <= GUARD * abs(float(value)) for s, value in zip(steps, new, strict=True)):
-                    return _rounded(F, x, new, row, bits)
+                    return _rounded(F, x, new, row, bits, known)
         except (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError):
             return None
     return None
 
 
-def _rounded(F: OnTape, x: list[Ball], y: list[Ball], row: int, bits: int) -> Deep:
+def _rounded(F: OnTape, x: list[Ball], y: list[Ball], row: int, bits: int, known: tuple[Types, ...]) -> Deep:
     pattern, n = F.pattern, len(y)
     gradient, hessian = F.deeply([*x, *y], row, bits)
     image = np.empty(2 * n)
     image[pattern.new_arguments] = [float(value) for value in y]
     image[pattern.new_conjugates] = pattern.new_signs * [float(g) for g in gradient[n:]]
     M = _jacobian(F, hessian)
+    if known and condition_of(known[0], M[None]) <= WELL:
+        return Deep(image, M, known, bits)
     return Deep(image, M, comparable(M[None], pattern.types), bits)
 
 

@@ -17,11 +17,13 @@ from canon.budget import Budget
 from canon.claims.mixed_derivatives import OnTape
 from canon.claims.question import Question
 from canon.errors import InputError
+from canon.mechanics.one_form import tidy
 from canon.numeric.mixed_variables import Types
 
 if TYPE_CHECKING:
     from canon.mechanics import GeneratingFunction
 
+DIGITS: Final = 50
 LONGEST: Final = 500
 """Equations of more operations are not solved."""
 
@@ -50,6 +52,25 @@ def of_type(generating: GeneratingFunction, types: Types, parameters: Mapping[st
         if any(slope.free_symbols & gone.keys() for slope in slopes):
             return None
     try:
-        return valued(generating.converted(types), parameters)[1]
+        found = generating.converted(types)
+        return valued(type(generating)(generating.space, types, _gathered(found)), parameters)[1]
     except InputError:
         return None
+
+
+def _gathered(generating: GeneratingFunction) -> sp.Expr:
+    """F with the coefficient of each monomial in a shorter form: what cancels in it would cost digits."""
+    F = generating.F.expr
+    try:
+        terms = sp.Poly(sp.expand(F), *generating.mixed).terms()
+    except sp.PolynomialError:
+        return F
+    powers = [(coefficient, zip(generating.mixed, exponents, strict=True)) for exponents, coefficient in terms]
+    return sp.Add(*(_short(coefficient) * sp.Mul(*(u**k for u, k in monomial)) for coefficient, monomial in powers))
+
+
+def _short(coefficient: sp.Expr) -> sp.Expr:
+    """A shorter form of a coefficient; of a number its value, to more digits than any that is computed with it."""
+    if coefficient.free_symbols or coefficient.is_Rational or not coefficient.is_real:
+        return tidy(coefficient)
+    return sp.Rational(coefficient.evalf(DIGITS))

@@ -170,7 +170,7 @@ def _value(question: Question, setting: Setting, place: Place, branch: str, want
     if orbit is None or not _stays(question, setting, integrand, orbit.left, orbit.right):
         return None
     if question.key("well") is None:
-        _check_one_well(question, integrand, orbit)
+        _check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
     value = action(integrand, orbit) if energy is None else period(integrand, orbit, energy)
     with precision(BITS):
         leading = integrand.at(question.load(setting.motion.leading), arb(rational(place.inside)))
@@ -221,11 +221,24 @@ def _all_hold(question: Question, conditions: list[Any], point: dict[Node, Ball]
     return all(holds(requirement, balls) for requirement in requirements)
 
 
-def _check_one_well(question: Question, integrand: Integrand, orbit: Orbit) -> None:
-    """**Raises** `InputError` where another well shows at the same energy, among a hundred points on either side."""
+def translation(square: sp.Expr, q: sp.Symbol) -> Fraction | None:
+    """A little less than a period of the square in q that shows at sight; None where none does."""
+    for length in (sp.pi / 2, sp.pi, 2 * sp.pi, 4 * sp.pi):
+        if sp.expand(sp.expand(square.xreplace({q: q + length})) - sp.expand(square)) == 0:  # type: ignore[operator]
+            return Fraction(float(length)) * Fraction(10**9 - 1, 10**9)
+    return None
+
+
+def _check_one_well(question: Question, integrand: Integrand, orbit: Orbit, length: Fraction | None) -> None:
+    """**Raises** `InputError` where another well shows at the same energy, among a hundred points on either side.
+
+    Of a square with a period the wells between the orbit and its next images count: the images are the same well.
+    """
     width = orbit.right - orbit.left
     for k in range(1, 101):
         for where in (orbit.outer[0] - width * k / 20, orbit.outer[1] + width * k / 20):
+            if length is not None and not orbit.outer[1] - length < where < orbit.outer[0] + length:
+                continue
             if (integrand.low is not None and where <= integrand.low) or (
                 integrand.high is not None and where >= integrand.high
             ):

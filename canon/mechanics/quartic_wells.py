@@ -6,6 +6,8 @@ to the middle of the well (Gradshteyn and Ryzhik 3.155; Byrd and Friedman 1971, 
 - ∫₀ᵃ √((a² − q²)(b² + q²)) dq = √(a² + b²)/3 · (b² K + (a² − b²) E), m = a²/(a² + b²), for any a, b;
 - ∫_b^a √((a² − q²)(q² − b²)) dq = a/3 · ((a² + b²) E − 2b² K), m = 1 − b²/a²;
 - ∫₀ᵇ √((a² − q²)(b² − q²)) dq = a/3 · ((a² + b²) E − (a² − b²) K), m = b²/a².
+
+At a separatrix, where b is 0 or a, they are a³/3 and 2a³/3.
 """
 
 from collections.abc import Iterator
@@ -14,6 +16,7 @@ from typing import Any
 import sympy as sp
 
 from canon.mechanics.action_angle import NOT_NEGATIVE, ClosedAction, OneDegree
+from canon.mechanics.standard_actions import SEPARATRIX
 from canon.sign import known_sign
 
 _NOT_POSITIVE = ("negative", "zero", "nonpositive")
@@ -50,7 +53,9 @@ def quartic_wells(motion: OneDegree) -> Iterator[ClosedAction]:
     right = (motion.low, motion.high) == (sp.S.Zero, sp.S.Infinity)
     if known_sign(C) == "negative":
         outer = (B + root) / (-2 * C)
-        if right:
+        if right and A == 0:
+            yield ClosedAction(2 * B * sp.sqrt(B) / (-3 * C), (B,), (), SEPARATRIX)
+        elif right:
             inner = (B - root) / (-2 * C)
             m = 1 - inner / outer
             both = (outer + inner) * sp.elliptic_e(m) - 2 * inner * sp.elliptic_k(m)
@@ -61,6 +66,9 @@ def quartic_wells(motion: OneDegree) -> Iterator[ClosedAction]:
             m = outer / (outer + other)
             both = other * sp.elliptic_k(m) + (outer - other) * sp.elliptic_e(m)
             yield ClosedAction(4 * sp.sqrt(-C) * sp.sqrt(outer + other) / 3 * both, (A,), (), "an even quartic")
+    elif known_sign(C) == "positive" and whole and sp.expand(root**2) == 0:
+        edge = sp.sqrt(-B / (2 * C))
+        yield ClosedAction(8 * sp.sqrt(C) * edge**3 / 3, (A, -B), (), SEPARATRIX)
     elif known_sign(C) == "positive" and whole:
         inner, outer = (-B - root) / (2 * C), (-B + root) / (2 * C)
         m = inner / outer

@@ -197,3 +197,29 @@ def test_a_mass_of_unknown_sign_leaves_the_sense_open(ask):
     right, wrong = ask(_claim("2*pi*E/abs(w)"), _claim("2*pi*E/w"), space=LINE, **sections)
     assert (right.status, wrong.status) == ("supported", "refuted")
     assert Fraction(wrong.witness["w"]) < 0
+
+
+@pytest.mark.parametrize(
+    ("potential", "domain", "energy", "area"),
+    [
+        ("q**4/4 - q**2/2", 'where = ["q > 0"]', "0", "4/3"),
+        ("a*q**4/4 - q**2/2", 'where = ["q > 0"]', "0", "4/(3*a)"),
+        ("q**2/2 - q**4/4", "", "1/4", "4*sqrt(2)/3"),
+        ("q**2/2 - a*q**4/4", "", "1/(4*a)", "4*sqrt(2)/(3*a)"),
+    ],
+)
+def test_the_area_inside_a_separatrix_of_a_quartic(status, potential, domain, energy, area):
+    sections = {"symbols": 'a = "positive"', "hamiltonian": f'H = "p**2/2 + {potential}"', "domain": domain}
+    for value, expected in ((area, "proved"), (f"{area} + 1/10**9", "refuted")):
+        assert status(_claim(value, fixed=f'{{E = "{energy}"}}'), space=LINE, **sections) == expected
+
+
+@pytest.mark.parametrize(("potential", "expected"), [("b*cos(q)", "supported"), ("b**2*tan(q)**2", "supported")])
+def test_the_images_of_a_well_under_a_translation_are_the_same_well(status, potential, expected):
+    areas = {
+        "b*cos(q)": "16*sqrt(abs(b))*(elliptic_e((1+E/abs(b))/2) - (1-E/abs(b))/2*elliptic_k((1+E/abs(b))/2))",
+        "b**2*tan(q)**2": "2*pi*(sqrt(2*E + 2*b**2) - sqrt(2)*abs(b))",
+    }
+    sections = {"symbols": 'b = "nonzero"', "hamiltonian": f'H = "p**2/2 + {potential}"'}
+    assert status(_claim(areas[potential], branch='"libration"'), space=LINE, **sections) == expected
+    assert status(_claim("1", branch='"libration"'), space=LINE, **sections) == "refuted"

@@ -49,6 +49,13 @@ def test_completeness_must_hold_for_all_values_of_parameters(ask):
     assert verdict.status == "proved"
 
 
+@pytest.mark.parametrize("slope", ["abs(a) + a", "sqrt(a**2) - a", "asin(sin(a)) - a"])
+def test_an_integral_that_is_complete_in_a_part_of_its_domain_alone_is_supported(ask, slope):
+    keys = {"W": f'"({slope})*q"', "constants": '["a"]', "energy": f'"({slope})**2/2"'}
+    (verdict,) = ask(_claim(**keys), space=LINE, hamiltonian='H = "p**2/2"')
+    assert verdict.status == "supported"
+
+
 def test_the_energy_may_be_an_expression_of_the_constants(status):
     W = '"J/(2*pi)*asin(q*sqrt(m*pi*omega/J)) + q*sqrt(m*omega*J/pi - m**2*omega**2*q**2)/2"'
     for energy, expected in (("omega*J/(2*pi)", "proved"), ("omega*J", "refuted")):

@@ -165,7 +165,8 @@ def _outward(edge: Edge, side: int) -> Fraction:
         return edge.rational
     with precision(64):
         ball = arb(rational(edge.rational)) + arb.pi() * arb(rational(edge.pi))
-    return Fraction(float(ball.mid())) + side * Fraction(1, 2**40)
+        mantissa, exponent = (ball.upper() if side > 0 else ball.lower()).man_exp()
+    return Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def first_points(tape: Tape, node: Node, region: Region, rng: random.Random, budget: Budget) -> list[Sample]:

@@ -59,6 +59,13 @@ def test_on_a_box(ask, lhs, relation, rhs, expected, method):
     assert difference + off < 0 if expected == "refuted" else difference > -off
 
 
+def test_the_cover_reaches_an_edge_that_is_a_large_multiple_of_pi(status):
+    domain = 'where = ["0 < x < 1000000000*pi"]'
+    expected = {"1e-9": "supported", "1e-8": "supported", "-1e-9": "proved"}  # false for a while before the edge
+    for less, verdict in expected.items():
+        assert status(_claim("x", "<", f"1000000000*pi - ({less})"), space=PLANE, domain=domain) == verdict
+
+
 def test_the_cover_leaves_out_what_the_domain_does(status):
     ring = 'where = ["-2 < x < 2", "-2 < y < 2", "x**2 + y**2 < 1"]'
     claim = _claim("exp(x) + exp(y)", "<", "5")  # false on the square, true on the disc

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from canon.mechanics.algebra.from_matrices import MatrixAlgebra, algebra_of_matrices
     from canon.mechanics.algebra.identify import Identification, identify
     from canon.mechanics.algebra.lie_algebra import LieAlgebra
+    from canon.mechanics.algebra_statements import algebra, casimir, group, matrix_algebra
     from canon.mechanics.birkhoff import NormalForm, birkhoff_gustavson
     from canon.mechanics.composition import (
         compose,
@@ -70,7 +71,6 @@ if TYPE_CHECKING:
     from canon.mechanics.separation.staeckel import Separation, separation
     from canon.mechanics.statements import (
         action,
-        algebra,
         bracket,
         conserved,
         equations_of_motion,
@@ -154,8 +154,8 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.separation.levi_civita": ("levi_civita",),
     "canon.mechanics.separation.staeckel": ("Separation", "separation"),
     "canon.mechanics.conventions": ("GOLDSTEIN", "LANDAU_LIFSHITZ", "SICM", "Conventions"),
+    "canon.mechanics.algebra_statements": ("algebra", "casimir", "group", "matrix_algebra"),
     "canon.mechanics.statements": (
-        "algebra",
         "action",
         "bracket",
         "conserved",
@@ -226,6 +226,7 @@ __all__ = [
     "bracket",
     "bracket_matrix",
     "cartan_loop_invariant",
+    "casimir",
     "central_actions",
     "certify",
     "characteristic_function",
@@ -238,6 +239,7 @@ __all__ = [
     "extended_by_time",
     "frequency",
     "frequency_lines",
+    "group",
     "hamiltonian_field",
     "identify",
     "identity",
@@ -255,6 +257,7 @@ __all__ = [
     "levi_civita",
     "lie_series",
     "loop_invariant",
+    "matrix_algebra",
     "motion",
     "normal_form",
     "orthogonal_coordinates",

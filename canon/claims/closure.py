@@ -23,7 +23,7 @@ from canon.decide.tape import Node
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
-from canon.mechanics.formulas import Expression, as_formula, check_symbols
+from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.subject import Subject
 from canon.verdict import Status
@@ -158,7 +158,7 @@ def closure_of_fields(
         if len(components) != len(coordinates):
             raise InputError(f"{len(components)} components for {len(coordinates)} coordinates", name)
         functions[name] = sp.Add(
-            *(momentum * sp.sympify(c).xreplace(renamed) for momentum, c in zip(space.p, components, strict=True))
+            *(p * as_expression(c, name).xreplace(renamed) for p, c in zip(space.p, components, strict=True))
         )
     found = closure(space, functions, **options)  # type: ignore[arg-type]
     if found.algebra is None:

@@ -153,7 +153,8 @@ class _Keys:
         if symbol is None:
             raise InputError(f"{name!r} is a function or an abbreviation, not a constant", where)
         if symbol in (*space.old, space.t):
-            raise InputError(f"{name!r} moves, so it is no constant", where)
+            advice = "; time may be called otherwise: time = ... in [phase_space]" if symbol == space.t else ""
+            raise InputError(f"{name!r} moves, so it is no constant{advice}", where)
         return symbol
 
     def _velocities(self, value: Any, where: str) -> tuple[sp.Symbol, ...]:

@@ -164,12 +164,3 @@ def _of_orbit(
     if fixed:
         keys["fixed"] = {symbol: as_formula(value, f"fixed, {symbol}") for symbol, value in fixed.items()}
     return keys
-
-
-def algebra(space: PhaseSpace, basis: Mapping[str, Expression], *, equals: str) -> Claim:
-    """Functions on phase space, by name, close under the Poisson bracket as the Lie algebra `equals`, as "so(4)"."""
-    from canon.mechanics.algebra.names import read_name
-
-    read_name(equals)
-    formulas = {name: as_formula(f, f"basis, {name}") for name, f in basis.items()}
-    return _about(space).claim("algebra", {"basis": formulas, "equals": equals})

@@ -6,7 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
+from typing import Any
 
+import sympy as sp
 from flint import fmpq, fmpq_mat
 
 from canon.errors import InputError
@@ -14,8 +16,9 @@ from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.coefficients import Number
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
-Entry = Fraction | int | tuple[Fraction, Fraction]
-"""A rational number, or a pair (real part, imaginary part)."""
+Entry = Fraction | int | sp.Expr | tuple[Fraction, Fraction]
+"""A rational number, a pair (real part, imaginary part), or a sympy number with rational parts."""
+Rows = Sequence[Sequence[Entry]] | sp.MatrixBase
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +51,7 @@ class Dependent(InputError):
         self.relation = relation
 
 
-def algebra_of_matrices(matrices: Mapping[str, Sequence[Sequence[Entry]]]) -> MatrixAlgebra:
+def algebra_of_matrices(matrices: Mapping[str, Rows]) -> MatrixAlgebra:
     """The real Lie algebra that square matrices of (Gaussian) rational entries span.
 
     The bracket is the commutator where the real span closes under it; where it doesn't but closes under −i[A, B], that
@@ -84,18 +87,29 @@ def algebra_of_matrices(matrices: Mapping[str, Sequence[Sequence[Entry]]]) -> Ma
     return MatrixAlgebra(LieAlgebra(names, constants), physicists)
 
 
-def _parts(matrices: Mapping[str, Sequence[Sequence[Entry]]]) -> tuple[list[fmpq_mat], list[fmpq_mat]]:
+def _parts(matrices: Mapping[str, Rows]) -> tuple[list[fmpq_mat], list[fmpq_mat]]:
     real, imaginary = [], []
     if not matrices:
         raise InputError("no matrices are given")
-    size = len(next(iter(matrices.values())))
-    for name, rows in matrices.items():
+    first = next(iter(matrices.values()))
+    size = first.rows if isinstance(first, sp.MatrixBase) else len(first)
+    for name, given in matrices.items():
+        rows = given.tolist() if isinstance(given, sp.MatrixBase) else given
         if not rows or len(rows) != size or any(len(row) != size for row in rows):
             raise InputError(f"square matrices of one size are expected: {name} isn't {size} by {size}")
-        entries = [entry if isinstance(entry, tuple) else (entry, 0) for row in rows for entry in row]
+        entries = [_complex_parts(entry) for row in rows for entry in row]
         real.append(fmpq_mat(size, size, [_rational(a) for a, _ in entries]))
         imaginary.append(fmpq_mat(size, size, [_rational(b) for _, b in entries]))
     return real, imaginary
+
+
+def _complex_parts(entry: Any) -> tuple[Any, Any]:
+    if isinstance(entry, sp.Expr):
+        real, imaginary = entry.as_real_imag()
+        if not (isinstance(real, sp.Rational) and isinstance(imaginary, sp.Rational)):
+            raise InputError(f"{entry} is no rational number, nor one times i: a claim 'matrix_algebra' takes others")
+        return Fraction(real.p, real.q), Fraction(imaginary.p, imaginary.q)
+    return entry if isinstance(entry, tuple) else (entry, 0)
 
 
 def _rational(value: Fraction | int) -> fmpq:

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 
 from flint import fmpq_mat
 
+from canon.errors import InputError
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.families import recognised
 from canon.mechanics.algebra.ideals import centraliser, centre, derived
 from canon.mechanics.algebra.identity import Identity, RealSimple
 from canon.mechanics.algebra.levi import levi_decomposition
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
+from canon.mechanics.algebra.rescaling import rescaled
 from canon.mechanics.algebra.semisimple import SimpleIdeal, simple_ideals
 
 
@@ -49,13 +51,21 @@ class Identification:
 def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
     """The isomorphism class over the reals of an algebra with rational structure constants.
 
+    Where a change of scale of the basis makes them rational, the `algebra` that is identified is the rescaled one.
+
     Direct factors are split off (simple ideals that commute with the radical, central elements outside of [g, g]);
     simple ones are named by complex type, real form or complex structure; of the rest the families of
     `canon.mechanics.algebra.families` are recognised, and others described.
 
-    **Raises:** `InputError` for structure constants that aren't rational, `ArithmeticError` where a type can't be told.
+    **Raises:** `InputError` for other structure constants, `ArithmeticError` where a type can't be told.
     """
-    n = algebra.dimension
+    scaled = rescaled(algebra)
+    if scaled is None:
+        raise InputError(
+            "no change of scale that the assumptions allow makes the structure constants rational: declare the signs "
+            "of their parameters (positive, negative), or give values to them"
+        )
+    algebra, n = scaled.algebra, algebra.dimension
     S, R = levi_decomposition(algebra)
     inner = algebra if S.nrows() == n else algebra.in_basis(S)
     ideals = simple_ideals(inner, seed)

@@ -1,0 +1,111 @@
+"""Claims about Lie algebras of functions, of matrices and of group laws, and about Casimir functions.
+
+Structure constants are a table "A,B" = {"C": coefficient} of the basis.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from canon.claim import Claim
+from canon.errors import InputError
+from canon.expression import Formula
+from canon.mechanics.algebra.names import read_name
+from canon.mechanics.formulas import Expression, as_formula, as_formulas
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.subject import Subject
+
+Structure = Mapping[str, Mapping[str, Expression]]
+"""Brackets "A,B" as combinations {name: coefficient}; what isn't listed follows by antisymmetry or is 0."""
+Rows = Sequence[Sequence[Expression]]
+
+
+def algebra(
+    space: PhaseSpace,
+    basis: Mapping[str, Expression],
+    *,
+    equals: str | None = None,
+    structure: Structure | None = None,
+) -> Claim:
+    """Functions, by name, close under the Poisson bracket as `equals`, say "so(4)", or with these constants."""
+    formulas = {name: as_formula(f, f"basis, {name}") for name, f in basis.items()}
+    return _claim(space, "algebra", {"basis": formulas} | _stated(tuple(basis), equals, structure))
+
+
+def matrix_algebra(
+    space: PhaseSpace,
+    basis: Mapping[str, Rows | sp.MatrixBase],
+    *,
+    equals: str | None = None,
+    structure: Structure | None = None,
+) -> Claim:
+    """Square matrices, by name, close under [A, B], or where they don't under −i[A, B], as that Lie algebra.
+
+    **Arguments:** `space`, for its parameters; `basis`, sympy matrices, or nested lists of expressions in parameters.
+
+    **Raises:** `InputError` where the matrices aren't square of one size.
+    """
+    matrices: dict[str, tuple[tuple[Formula, ...], ...]] = {}
+    size = 0
+    for name, given in basis.items():
+        rows = given.tolist() if isinstance(given, sp.MatrixBase) else given
+        matrices[name] = tuple(as_formulas(row, f"basis, {name}") for row in rows)
+        size = size or len(rows)
+        if not rows or len(rows) != size or any(len(row) != size for row in matrices[name]):
+            raise InputError(f"a square matrix is expected, {size} by {size} as the first of them", f"basis, {name}")
+    return _claim(space, "matrix_algebra", {"basis": matrices} | _stated(tuple(basis), equals, structure))
+
+
+def group(
+    space: PhaseSpace,
+    composition: Sequence[Expression],
+    first: Sequence[sp.Symbol],
+    second: Sequence[sp.Symbol],
+    *,
+    equals: str | None = None,
+    structure: Structure | None = None,
+) -> Claim:
+    """θ(a, b) = `composition`, of real symbols a = `first` and b = `second`, is a local group law about 0.
+
+    Its Lie algebra has C^a_bc = f^a_cb − f^a_bc of the second-order Taylor coefficients, in the basis `first`.
+    """
+    keys = {"composition": as_formulas(composition), "first": tuple(first), "second": tuple(second)}
+    for symbol in (*keys["first"], *keys["second"]):
+        if symbol in (*space.old, *space.new, space.t) or not symbol.is_real:
+            raise InputError(f"{symbol} is no parameter of a group: give real symbols, and none that moves")
+    return _claim(space, "group", keys | _stated(tuple(x.name for x in first), equals, structure))
+
+
+def casimir(space: PhaseSpace, f: Expression, coordinates: Sequence[sp.Symbol], tensor: Rows | sp.MatrixBase) -> Claim:
+    """{f, x} = 0 for all coordinates x, real symbols with the brackets {x_i, x_j} = `tensor`, which obeys Jacobi."""
+    given = tensor.tolist() if isinstance(tensor, sp.MatrixBase) else tensor
+    rows = tuple(as_formulas(row, f"tensor, row {i}") for i, row in enumerate(given, 1))
+    return _claim(space, "casimir", {"f": as_formula(f, "f"), "coordinates": tuple(coordinates), "tensor": rows})
+
+
+def _claim(space: PhaseSpace, kind: str, keys: Mapping[str, object]) -> Claim:
+    return Subject(space, domain=space.domain, functions=space.functions).claim(kind, keys)
+
+
+def _stated(names: tuple[str, ...], equals: str | None, structure: Structure | None) -> dict[str, object]:
+    """The keys for what is claimed of a basis with these names."""
+    keys: dict[str, object] = {}
+    if equals is None and structure is None:
+        raise InputError("say which algebra it is: equals = a name as 'so(4)', or structure = its constants")
+    if equals is not None:
+        read_name(equals)
+        keys["equals"] = equals
+    if structure is not None:
+        keys["brackets"] = {}
+        seen: set[frozenset[str]] = set()
+        for pair, row in structure.items():
+            words = [word.strip() for word in pair.split(",")]
+            where = f"structure, {pair!r}"
+            if len(words) != 2 or len(set(words)) < 2 or not {*words, *row} <= set(names):
+                raise InputError(f'"A,B" = {{"C": coefficient}} is expected, of the basis {", ".join(names)}', where)
+            if frozenset(words) in seen:
+                raise InputError(f"the bracket of {words[0]} and {words[1]} is stated twice", where)
+            seen.add(frozenset(words))
+            combination = {name: as_formula(value, where) for name, value in row.items()}
+            keys["brackets"] |= {",".join(words): combination}  # type: ignore[operator]
+    return keys

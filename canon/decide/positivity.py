@@ -142,13 +142,27 @@ def positive_by_boxes(tape: Tape, node: Node, region: Region, budget: Budget, *,
 def _mean_value(
     tape: Tape, order: Sequence[Node], node: Node, slopes: Mapping[Node, Node], box: Box, place: Mapping[Node, Ball]
 ) -> arb | None:
-    """f(c) + Σ ∂f/∂x(box)·(x − c), an enclosure of f on the box that is narrow where the slopes are."""
+    """f(c) + Σ ∂f/∂x(box)·(x − c), an enclosure of f on the box that is narrow where the slopes are.
+
+    It takes f for smooth on the box: None where a part of it has a pole, a cut or a jump there, as |x|/x at 0.
+    """
+    if not slopes or tape.is_complex(node) or not _is_smooth(tape, order, place):
+        return None
     centre = {x: arb(rational((low + high) / 2)) for x, (low, high) in box.items()}
-    total = _ball(tape, order, node, centre) if slopes else None
+    total = _ball(tape, order, node, centre)
     for x, slope in slopes.items():
         ball = None if total is None else _ball(tape, tape.reach([slope]), slope, place)
         total = None if ball is None or total is None else total + ball * (place[x] - centre[x])
     return total
+
+
+def _is_smooth(tape: Tape, order: Sequence[Node], place: Mapping[Node, Ball]) -> bool:
+    """Whether every part of a real node is finite on the box: then no denominator is 0 there, nor is a cut met."""
+    try:
+        balls = evaluate(tape, order, place, {})
+    except (OutOfDomain, ZeroDivisionError, OverflowError, Unsupported):
+        return False
+    return all(isinstance(balls[i], arb) and balls[i].is_finite() for i in order)
 
 
 def _ball(tape: Tape, order: Sequence[Node], node: Node, place: Mapping[Node, Ball]) -> arb | None:

@@ -66,6 +66,20 @@ def test_the_cover_reaches_an_edge_that_is_a_large_multiple_of_pi(status):
         assert status(_claim("x", "<", f"1000000000*pi - ({less})"), space=PLANE, domain=domain) == verdict
 
 
+@pytest.mark.parametrize(
+    ("lhs", "rhs"),
+    [
+        ("sign(x - 1/10**12)", "0"),
+        ("sign(x - 1/10**12) + y", "-1/2"),
+        ("atan2(x - 1/10**12, -1)", "-3"),
+        ("(x - 1/10**12)/sqrt((x - 1/10**12)**2)", "0"),
+    ],
+)
+def test_a_jump_within_a_box_is_not_passed_over(status, lhs, rhs):
+    assert status(_claim(lhs, ">", rhs), space=PLANE, domain=UNIT) == "supported"  # false for x < 1/10**12
+    assert status(_claim(lhs.replace("- 1/10**12", "+ 1/10**12"), ">", rhs), space=PLANE, domain=UNIT) == "proved"
+
+
 def test_the_cover_leaves_out_what_the_domain_does(status):
     ring = 'where = ["-2 < x < 2", "-2 < y < 2", "x**2 + y**2 < 1"]'
     claim = _claim("exp(x) + exp(y)", "<", "5")  # false on the square, true on the disc

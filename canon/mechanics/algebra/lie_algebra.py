@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import combinations
+from types import MappingProxyType
 from typing import Any
 
 import sympy as sp
@@ -41,7 +42,8 @@ class LieAlgebra:
             raise InputError("a name of the basis is given twice")
         table = _antisymmetric(self.names, self.constants)
         object.__setattr__(self, "names", tuple(self.names))
-        object.__setattr__(self, "constants", {pair: dict(row) for pair, row in sorted(table.items())})
+        rows = {pair: MappingProxyType(dict(sorted(row.items()))) for pair, row in sorted(table.items())}
+        object.__setattr__(self, "constants", MappingProxyType(rows))
         object.__setattr__(self, "_table", both_orders(table))
         failure = None if _rescaled_is_right(self.constants, size) else jacobi_failure(self._table, size)
         if failure is not None:
@@ -55,6 +57,12 @@ class LieAlgebra:
     def of(names: Sequence[str], brackets: Mapping[str, Any]) -> LieAlgebra:
         """The algebra of a table "A,B" = combination, as text, as a sympy expression or as {name: coefficient}."""
         return structure(names, brackets)
+
+    def __repr__(self) -> str:
+        return f"LieAlgebra(names={self.names!r}, constants={self.__reduce__()[1][1]!r})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return LieAlgebra, (self.names, {pair: dict(row) for pair, row in self.constants.items()})
 
     def __hash__(self) -> int:
         return hash((self.names, tuple((pair, tuple(row.items())) for pair, row in self.constants.items())))
@@ -81,7 +89,7 @@ class LieAlgebra:
 
     def bracket_of(self, a: int, b: int) -> Combination:
         """[e_a, e_b] by positions."""
-        return self._table.get((a, b), {})
+        return MappingProxyType(self._table.get((a, b), {}))
 
     def bracket(self, x: Mapping[str, Any], y: Mapping[str, Any]) -> dict[str, Number]:
         """[x, y] for elements given as {name: coefficient}; **raises** `InputError` for a name not in the basis."""

@@ -1,6 +1,8 @@
 """Structure constants as a value: verified on construction, transformed, with their classical invariants."""
 
+import copy
 from fractions import Fraction
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -16,7 +18,7 @@ from canon.mechanics.algebra.ideals import (
     radical,
 )
 from canon.mechanics.algebra.levi import levi_decomposition
-from canon.mechanics.algebra.lie_algebra import structure
+from canon.mechanics.algebra.lie_algebra import LieAlgebra, structure
 
 SO3 = {"x,y": {"z": 1}, "y,z": {"x": 1}, "z,x": {"y": 1}}
 EPSILON = {(0, 1): 2, (1, 2): 0, (2, 0): 1}
@@ -107,3 +109,16 @@ def test_levi_subalgebra_of_a_twisted_basis():
     assert radical(twisted) == R
     assert not is_ideal(twisted, S)
     assert quotient(twisted, R).dimension == 3
+
+
+def test_it_is_a_value():
+    """Neither its constants nor a bracket can be written to; a copy is equal, with the same hash."""
+    so3 = LieAlgebra.of(("a", "b", "c"), {"a,b": "c", "b,c": "a", "c,a": "b"})
+    rows: list[Any] = [so3.constants, so3.constants[0, 1], so3.bracket_of(1, 0), so3.bracket_of(0, 0)]
+    for row in rows:
+        with pytest.raises(TypeError):
+            row[2] = 5
+    again = copy.deepcopy(so3)
+    assert (again, hash(again), repr(again)) == (so3, hash(so3), repr(so3))
+    one, other = (LieAlgebra.of(("a", "b"), {"a,b": row}) for row in ({"a": 1, "b": 2}, {"b": 2, "a": 1}))
+    assert (one, hash(one)) == (other, hash(other))

@@ -13,6 +13,7 @@ from canon.decide.ring import Polynomial
 if TYPE_CHECKING:
     from canon.decide.tower import Generator, Tower
 
+PI = Fraction(31415926535897932384626433832795, 10**31)  # a place near it, not a bound
 MOST_DEGREE = 8
 
 
@@ -99,8 +100,8 @@ def sign_by_real_roots(tower: Tower, p: Polynomial) -> str | None:
     for root, _ in roots:
         if root.imag.is_zero() and not _outside(root.real, interval):
             return None
-    value = polynomial(_inside(interval))
-    return "pos" if value > 0 else "neg"
+    place = _inside(interval)
+    return None if place is None else ("pos" if polynomial(place) > 0 else "neg")
 
 
 def _outside(root: Any, interval: Interval) -> bool:
@@ -116,15 +117,22 @@ def _ball(edge: Edge) -> Any:
     )
 
 
-def _inside(interval: Interval) -> fmpq:
-    low = None if interval.low is None else float(interval.low.rational) + 3.141592653589793 * float(interval.low.pi)
-    high = (
-        None if interval.high is None else float(interval.high.rational) + 3.141592653589793 * float(interval.high.pi)
-    )
+def _inside(interval: Interval) -> fmpq | None:
+    """A rational number certainly inside the interval, about its middle; None where it is too thin for that."""
+    low, high = (None if edge is None else edge.rational + PI * edge.pi for edge in (interval.low, interval.high))
     if low is not None and high is not None:
-        value = Fraction((low + high) / 2)
+        value = (low + high) / 2
     elif low is not None:
-        value = Fraction(low) + 1
+        value = low + 1
     else:
-        value = Fraction(high) - 1 if high is not None else Fraction(0)
-    return fmpq(value.numerator, value.denominator)
+        value = high - 1 if high is not None else Fraction(0)
+    place = fmpq(value.numerator, value.denominator)
+    above = interval.low is None or _certainly_below(interval.low, Edge(value))
+    return place if above and (interval.high is None or _certainly_below(Edge(value), interval.high)) else None
+
+
+def _certainly_below(low: Edge, high: Edge) -> bool:
+    """Whether low < high: exactly where π isn't in them, else by balls."""
+    if low.pi == high.pi:
+        return low.rational < high.rational
+    return bool(_ball(low) < _ball(high))

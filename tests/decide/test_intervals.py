@@ -3,8 +3,14 @@
 from fractions import Fraction
 
 import pytest
+import sympy as sp
 
+from canon.budget import Budget
+from canon.decide.enclosure import precision
 from canon.decide.intervals import Edge, Interval
+from canon.decide.sign_intervals import sign_by_real_roots
+from canon.decide.tape import Tape
+from canon.decide.tower import Tower, combine
 
 
 @pytest.mark.parametrize(
@@ -27,3 +33,18 @@ def test_multiples_of_pi_below(edge: Edge, floor: int):
 def test_the_sign_of_a_sine_far_away(start: int, sign: str):
     interval = Interval(Edge(Fraction(start)), Edge(start + Fraction(1, 1000)))
     assert interval.sine_sign() == sign
+
+
+@pytest.mark.parametrize(("above", "expected"), [(3, "pos"), (2**65, "neg")])
+def test_a_polynomial_is_looked_at_inside_of_a_thin_interval(above: int, expected: str):
+    tape = Tape()
+    x = sp.Symbol("x", real=True)
+    node = tape.load(x**2 - 2**120 - above)
+    thin = Interval(Edge(Fraction(2**60 + 1)), Edge(Fraction(2**60 + 2)))
+    tower = Tower(tape, [node], positive=(), intervals={tape.symbol(x): thin}, budget=Budget(10))
+    values = dict(tower.values)
+    for i in tape.reach([node]):
+        if i not in values:
+            values[i] = combine(tower.field, tape.ops[i], values)
+    with precision(256):  # at which roots outside of it are told from its ends
+        assert sign_by_real_roots(tower, values[node][0]) == expected

@@ -5,6 +5,7 @@ uses it has it verified as any other formula.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 from random import Random
 from typing import Any, TypeAlias
 
@@ -17,6 +18,7 @@ from canon.mechanics.one_form import tidy
 Solution: TypeAlias = dict[Any, Any]
 
 _LARGEST = 8  # branches that are followed at once
+_MOST_KINKS = 2  # absolute values whose signs are chosen one by one
 _SAMPLES = 12
 _DIGITS = 30
 
@@ -42,7 +44,8 @@ def branches(
     found: list[Solution] = []
     for solution in _solve(system, everything):
         readable = {x: tidy(_readable(solution[x])) for x in everything}
-        for form in (_smooth(readable), readable):
+        plus, *others = _smooth(readable)
+        for form in (plus, readable, *others):
             if form not in found:
                 found.append(form)
         if len(found) >= _LARGEST:
@@ -216,12 +219,28 @@ def _readable(expression: Any) -> Any:
     plain = {sp.acot: sp.atan, sp.asec: sp.acos, sp.acsc: sp.asin, sp.acoth: sp.atanh}
     for function, direct in plain.items():
         expression = expression.replace(function, lambda x, direct=direct: direct(1 / x))
-    return expression
+    return expression.replace(
+        _is_root_of_a_wave, lambda root: sp.sqrt(sp.factor(sp.trigsimp(root.base))) ** (2 * root.exp)
+    )
 
 
-def _smooth(solution: Solution) -> Solution:
-    """The branch that continues analytically where an absolute value has its kink."""
-    return {x: tidy(value.replace(sp.Abs, lambda inner: inner)) for x, value in solution.items()}
+def _is_root_of_a_wave(expression: sp.Expr) -> bool:
+    """√(a − a sin²x) is to be found as √a |cos x|, whose absolute value can be continued."""
+    if not isinstance(expression, sp.Pow) or expression.exp not in (sp.S.Half, -sp.S.Half):
+        return False
+    return expression.base.is_Add and expression.base.has(sp.sin, sp.cos) and sp.count_ops(expression.base) < 60
+
+
+def _smooth(solution: Solution) -> Iterator[Solution]:
+    """The branches that continue analytically where absolute values have their kinks: |x| as x first, then as -x."""
+    kinks = sorted({kink for value in solution.values() for kink in value.atoms(sp.Abs)}, key=str)
+    for signs in product((1, -1), repeat=min(len(kinks), _MOST_KINKS)):
+        chosen = dict(zip(kinks, signs, strict=False))
+
+        def side(inner: sp.Expr, chosen: Mapping[Any, int] = chosen) -> sp.Expr:
+            return chosen.get(sp.Abs(inner), 1) * inner
+
+        yield {x: tidy(value.replace(sp.Abs, side)) for x, value in solution.items()}
 
 
 def _samples(

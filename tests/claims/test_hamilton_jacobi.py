@@ -124,3 +124,19 @@ def test_orbits_solve_hamiltons_equations(falling):
     assert verify(generating.transformation().new_hamiltonian(integral.H, a)).status == "refuted"
     orbit = integral.orbit("b")
     assert sp.expand(orbit.mapping[q].expr.diff(space.t, 2)) == (-g if falling else 0)
+    assert verify(orbit.canonical()).status == "proved"
+    assert verify(orbit.new_hamiltonian(integral.H, 0)).status == "proved"
+
+
+def test_an_orbit_goes_on_behind_its_turning_points():
+    space = PhaseSpace("x y", "p_x p_y", positive="m omega g a")
+    x, y, p_x, p_y, m, omega, g, a = space.symbols("x y p_x p_y m omega g a")
+    b = sp.Symbol("b", real=True)
+    swing = x * sp.sqrt(2 * m * a - (m * omega * x) ** 2) / 2 + a / omega * sp.asin(x * omega * sp.sqrt(m / (2 * a)))
+    fall = -((2 * m * (b - m * g * y)) ** sp.Rational(3, 2)) / (3 * m**2 * g)
+    H = (p_x**2 + p_y**2) / (2 * m) + m * (omega * x) ** 2 / 2 + m * g * y
+    orbit = CompleteIntegral(space, H, swing + fall, (a, b), energy=a + b).orbit("u v")
+    assert not any(formula.expr.has(sp.Abs) for formula in orbit.formulas)
+    assert verify(orbit.canonical()).status == "proved"
+    assert verify(orbit.new_hamiltonian(H, 0)).status == "proved"
+    assert verify(orbit.new_hamiltonian(H + x**2 / 1000, 0)).status == "refuted"

@@ -148,9 +148,16 @@ class Motion:
 
     def _around(self, found: tuple[Branch, ...], q: Ball) -> Branch:
         """The branch in whose well a point lies."""
-        for branch in found:
-            if holds(branch, q, self.domain):
-                return branch
+        around = [branch for branch in found if holds(branch, q, self.domain)]
+        if len(around) > 1:
+            wells = ", ".join(f"{float(branch.inside[0][0]):.6g}" for branch in around)
+            raise InputError(
+                f"{self.profile.q} = {float(q):.17g} is on the barrier between two wells, in neither: the wells have "
+                f"{self.profile.q} = {wells} inside",
+                "well",
+            )
+        if around:
+            return around[0]
         raise InputError(f"there is no orbit around {self.profile.q} = {float(q):.17g}: {self.ranges()}", "well")
 
     def _measured(

@@ -260,3 +260,10 @@ def test_the_angle_of_a_cyclic_coordinate_grows_evenly(time: float) -> None:
     frequency, angle = radial.drift(r, (x * v + y * w) / r, 2 / radial.profile.q**2, math.atan2(y, x))
     assert frequency.value == pytest.approx(1 / (2 * math.pi), rel=1e-14)
     assert (angle.value - time / (2 * math.pi) + 0.5) % 1 == pytest.approx(0.5, abs=1e-14)
+
+
+def test_a_well_isnt_named_by_the_top_of_its_barrier():
+    double = motion("p**2/2 + (q**2 - 1)**2")
+    with pytest.raises(InputError, match=r"on the barrier between two wells.* q = -1, 1 inside"):
+        double.orbit("1/2", well=0)
+    assert double.orbit("1/2", well="1/100").ends[0].value > 0

@@ -143,12 +143,6 @@ def group_laws(compose: Composition = compose) -> tuple[Law, ...]:
             "inverse last", "f⁻¹ ∘ f = 1", ("elementary map",),
             lambda s, f: _difference(compose(f, f.inverse()), identity_transformation(s)),
         ),
-        Law(
-            "inverse of a product", "f⁻¹ ∘ g⁻¹ ∘ g ∘ f = 1", ("elementary map", "elementary map"),
-            lambda s, f, g: _difference(
-                compose(compose(compose(f, g), g.inverse()), f.inverse()), identity_transformation(s)
-            ),
-        ),
     )  # fmt: skip
 
 

@@ -21,6 +21,9 @@ table as text. An erratum is *proved* where the printed line is refuted and the 
 yet, with the reason; *limit*: how far the claims go, where that is less than the statement. Times are those of the run
 that wrote this page, on one machine.
 
+The table says which claims cite a statement, and the test behind it counts citations; neither weighs them. Some claims
+are only an instance of their statement or one line of algebra of it, and not each of these is marked as a *limit*.
+
 """
 
 ERRATA = """# The course's errata

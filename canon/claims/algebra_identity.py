@@ -88,8 +88,7 @@ def at(algebra: LieAlgebra, values: Mapping[Any, Any]) -> LieAlgebra | None:
     constants: dict[tuple[int, int], dict[int, Any]] = {}
     for pair, row in algebra.constants.items():
         constants[pair] = {
-            c: value if isinstance(value, Fraction) else sp.nsimplify(replaced(value, values), rational=False)
-            for c, value in row.items()
+            c: value if isinstance(value, Fraction) else sp.radsimp(replaced(value, values)) for c, value in row.items()
         }
         if any(not isinstance(v, Fraction) and v.has(sp.zoo, sp.nan, sp.oo) for v in constants[pair].values()):
             return None

@@ -89,6 +89,15 @@ def test_a_parameter_that_is_no_power(ask):
     assert (right.status, wrong.status) == ("proved", "refuted")
 
 
+def test_a_constant_that_is_small_at_the_value_tried_is_no_zero(ask):
+    """[K1, K2] = ((k − 1)² + 10⁻⁶⁰) J3, for positive k: once rounded to 0 at k = 1, and proved to be e(2)."""
+    basis = {name: rows.replace('"k"', '"k**2 - 2*k + 1 + 1/10**60"') for name, rows in BOOSTS.items()}
+    wrong, right = ask(
+        stated(basis, equals='"e(2)"'), stated(basis, equals='"so(2,1)"'), symbols='k = "positive"', **LINE
+    )
+    assert (right.status, wrong.status) == ("proved", "refuted")
+
+
 def test_a_bracket_that_leaves_the_span_and_dependent_generators(ask):
     leaves, depends = ask(
         stated({"J1": J["J1"], "J2": J["J2"]}, equals='"u(1)^2"'),

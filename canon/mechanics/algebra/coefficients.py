@@ -67,8 +67,10 @@ def increase(total: dict[int, Number], c: int, value: Number) -> None:
         total[c] = new
 
 
-def vanishes(value: sp.Expr) -> bool:
-    """Whether an expression that wasn't recognised as 0 is 0 in 60 digits at some values of its parameters."""
+def is_zero(value: Number) -> bool | None:
+    """Whether a number is exactly 0: False where a value in 60 digits isn't, True where algebra shows it; else None."""
+    if isinstance(value, Fraction):
+        return value == 0
     for shift in range(3):
         values = {}
         for k, symbol in enumerate(sorted(value.free_symbols, key=str)):
@@ -76,4 +78,6 @@ def vanishes(value: sp.Expr) -> bool:
             values[symbol] = -number if symbol.is_negative else number
         if abs(sp.N(value.xreplace(values), 60, chop=True)) > sp.Float("1e-40", 60):
             return False
-    return True
+    if sp.expand(value) == 0 or sp.radsimp(sp.cancel(sp.together(value))) == 0:
+        return True
+    return True if sp.simplify(value) == 0 else None

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from itertools import combinations
 
-from canon.mechanics.algebra.coefficients import Combination, Number, increase, times, vanishes
+from canon.mechanics.algebra.coefficients import Combination, Number, increase, is_zero, times
 
 Table = Mapping[tuple[int, int], Combination]
 
@@ -18,7 +18,7 @@ def both_orders(table: Table) -> dict[tuple[int, int], Combination]:
 
 
 def jacobi_failure(table: Table, size: int) -> tuple[tuple[int, int, int], Combination] | None:
-    """The first triple whose cyclic sum [a, [b, c]] + [b, [c, a]] + [c, [a, b]] isn't 0, and that sum; None if none.
+    """The first triple whose cyclic sum [a, [b, c]] + … isn't seen to be 0, and that sum; None where there is none.
 
     `table` has the brackets in both orders.
     """
@@ -34,7 +34,7 @@ def jacobi_failure(table: Table, size: int) -> tuple[tuple[int, int, int], Combi
             for d, u in row.items():
                 for e, v in table.get((outer, d), empty).items():
                     increase(total, e, times(u, v))
-        left = {e: value for e, value in total.items() if isinstance(value, Fraction) or not vanishes(value)}
+        left = {e: value for e, value in total.items() if not is_zero(value)}
         if left:
             return (a, b, c), left
     return None

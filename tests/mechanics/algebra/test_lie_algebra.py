@@ -47,8 +47,9 @@ def test_a_violation_of_jacobis_identity_names_the_triple():
     with pytest.raises(InputError, match=r"Jacobi's identity fails for x, y, h.*add up to -?z"):
         structure("xyzh", {**SO3, "x,h": {"x": 1}})
     a = sp.Symbol("a", positive=True)
-    with pytest.raises(InputError, match="Jacobi"):
-        structure("xyzh", {**SO3, "x,h": {"x": a}})
+    for value in (a, a / 10**50, sp.sqrt(2) / 10**60):  # however small
+        with pytest.raises(InputError, match="Jacobi"):
+            structure("xyzh", {**SO3, "x,h": {"x": value}})
 
 
 @pytest.mark.parametrize(

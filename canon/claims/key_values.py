@@ -9,6 +9,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from canon.claims import algebra_keys, document
+from canon.claims.dimension_keys import bases_of, read_dimension, read_dimensions
 from canon.claims.document import Table, key
 from canon.claims.keys import TENSOR, Form, Key, KeySpec
 from canon.claims.names import Names
@@ -98,6 +99,10 @@ class _Keys:
             "coordinate": self._coordinate,
             "word": document.text,
             "relation": _relation,
+            "truth": _truth,
+            "bases": document.names,
+            "dimension": lambda v, at: read_dimension(v, bases_of(self.table), at),
+            "dimensions": lambda v, at: read_dimensions(v, bases_of(self.table), self.names, at),
         }
         return simple[entry.form](value, where)
 
@@ -278,4 +283,10 @@ class _Keys:
 def _relation(value: Any, where: str) -> str:
     if value not in ("<", "<=", ">", ">="):
         raise InputError("one of < <= > >= is expected", where)
+    return value
+
+
+def _truth(value: Any, where: str) -> bool:
+    if not isinstance(value, bool):
+        raise InputError(f"true or false is expected, not {document.kind_of(value)}", where)
     return value

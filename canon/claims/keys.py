@@ -9,14 +9,15 @@ from typing import Final, Literal
 Form = Literal[
     "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix",
     "structure", "constants", "constant", "functions", "calls", "degrees", "basis", "matrices", "algebra", "brackets",
-    "values", "coordinate", "word", "relation", "square",
+    "values", "coordinate", "word", "relation", "square", "truth", "bases", "dimension", "dimensions",
 ]  # fmt: skip
 """What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
 `["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
 of constants, which may be new variables; an expression of constants, or the name of one that it declares; a table
 "x(t)" = formula of functions that the file declares; a table degree = polynomial; a table name = expression, or
 name = matrix; the name of a Lie algebra; a table "A,B" = combination of a basis; a table name =
-value of constants; one of the coordinates; a word."""
+value of constants; one of the coordinates; a word; a relation; a square matrix; true or false; the base quantities
+of dimensions; a dimension; a table name = dimension."""
 
 Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "jet", "integral", "group"]
 """The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
@@ -167,6 +168,30 @@ KEYS: Final[Mapping[str, KeySpec]] = {
             "second": Key("constants"),
             "composition": Key("expressions", "both"),
             "inverse": Key("expressions", "both", optional=True),
+        }
+    ),
+    "constraint": KeySpec(
+        {
+            "velocities": Key("names"),
+            "forms": Key("expressions", "lagrangian", optional=True),
+            "functions": Key("expressions", "lagrangian", optional=True),
+            "holonomic": Key("truth", optional=True),
+            "stationary": Key("truth", optional=True),
+            "integrals": Key("expressions", "lagrangian", optional=True),
+            "possible": Key("per pair", "lagrangian", optional=True),
+            "virtual": Key("per pair", "lagrangian", optional=True),
+            "L": Key(side="lagrangian", optional=True),
+            "qddot": Key("per pair", "lagrangian", optional=True),
+            "multipliers": Key("expressions", "lagrangian", optional=True),
+            "forces": Key("per pair", "lagrangian", optional=True),
+        }
+    ),
+    "dimension": KeySpec(
+        {
+            "functions": Key("expressions", "both"),
+            "dimensions": Key("dimensions"),
+            "equals": Key("dimension"),
+            "base": Key("bases", optional=True),
         }
     ),
     "inequality": KeySpec({"lhs": Key(side="both"), "relation": Key("relation"), "rhs": Key(side="both")}),

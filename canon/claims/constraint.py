@@ -1,0 +1,241 @@
+"""Constraints: holonomic or not, stationary or not, displacements that they allow, multipliers and reactions.
+
+A constraint on coordinates and velocities is a differential form a·dq + b dt, written a·v + b. Several of them are
+integrable where each dω is a combination of theirs: dω ∧ ω₁ ∧ … ∧ ω_m = 0 (Frobenius; Arnold, Mathematical Methods of
+Classical Mechanics, app. 4; Goldstein, §1.3 and 2.4).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from canon.claims.chart import chart_of
+from canon.claims.determinant import determinant
+from canon.claims.independence import full_rank
+from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.show import with_value
+from canon.claims.velocities import Motion, motion, region_in_velocities
+from canon.decide.derivative import derivative, substitute
+from canon.decide.tape import Node
+from canon.errors import InputError
+from canon.expression import Formula
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+    from canon.decide.region import Region
+
+Form = tuple[Node, ...]
+"""The coefficients of dq₁, …, dq_n and of dt."""
+
+ASKED = ("holonomic", "stationary", "integrals", "possible", "virtual", "multipliers")
+NEED = ("L", "qddot")
+
+
+def constraint(question: Question) -> Outcome:
+    """`constraint`: what is asked of `forms`, expressions a·v + b that vanish, or of `functions` of q and t.
+
+    `holonomic`: integrable almost everywhere (Frobenius), or nowhere on an open set; `stationary`: no term without
+    velocities, and no time; `integrals`: functions whose differentials the forms combine; `possible`: velocities that
+    the forms allow; `virtual`: displacements, the same with time held fixed; `multipliers` λ, with `L` and the
+    accelerations `qddot`: d/dt ∂L/∂v − ∂L/∂q = Σ λ a, and the forms' rates vanish where the forms do.
+    """
+    if not any(question.key(word) is not None for word in ASKED):
+        raise InputError(f"nothing is claimed of the constraints: add one of {', '.join(ASKED)}")
+    written = [word for word in ("forms", "functions") if question.key(word) is not None]
+    if len(written) != 1:
+        raise InputError("give either 'forms', linear in the velocities, or 'functions' of the coordinates and time")
+    given = question.formulas(written[0])
+    jets = motion(question)
+    region = region_in_velocities(question, *given, *_others(question))
+    lines = [question.load(formula) for formula in given]
+    there = region
+    if written == ["functions"]:
+        there = replace(region, surface=(*region.surface, *lines))
+        for formula, node in zip(given, lines, strict=True):
+            if question.tape.support(node) & {*jets.v}:
+                raise InputError(f"{formula} contains velocities: write it under 'forms'", "key 'functions'")
+        lines = [jets.rate(node) for node in lines]
+    forms = [_coefficients(question, jets, node, region) for node in lines]
+    rank = _independent(question, jets, forms, region)
+    if rank.status == "refuted":
+        raise InputError("the constraints depend on each other: leave out those that follow", f"key {written[0]!r}")
+    parts = [rank] if question.key("holonomic") is not None or question.key("integrals") is not None else []
+    return combined([*parts, *_answers(question, jets, forms, region), *_motions(question, jets, forms, lines, there)])
+
+
+def _others(question: Question) -> Iterator[Formula]:
+    for word in ("integrals", "possible", "virtual", "multipliers", "L", "qddot", "forces"):
+        value = question.key(word)
+        if isinstance(value, Formula):
+            yield value
+        elif value is not None:
+            yield from value
+
+
+def _coefficients(question: Question, jets: Motion, node: Node, region: Region) -> Form:
+    """a and b of a·v + b; **raises** `InputError` where it isn't linear."""
+    tape = question.tape
+    rest = dict.fromkeys(jets.v, tape.zero)
+    form = (*(substitute(tape, derivative(tape, node, v), rest) for v in jets.v), substitute(tape, node, rest))
+    linear = tape.plus(*(tape.times(a, v) for a, v in zip(form, jets.v, strict=False)), form[-1])
+    if question.decide([Residual("form", tape.minus(node, linear))], region).status == "refuted":
+        raise InputError("a constraint that isn't linear in the velocities is no differential form", "key 'forms'")
+    return form
+
+
+def _independent(question: Question, jets: Motion, forms: Sequence[Form], region: Region) -> Outcome:
+    variables = [*jets.q, jets.t]
+    chart = chart_of(question.tape, question.space, None)
+    found = full_rank(question, forms, variables, region, everywhere=True, chart=chart)
+    return replace(found, detail={}) if found.status == "proved" else found
+
+
+def _answers(question: Question, jets: Motion, forms: Sequence[Form], region: Region) -> Iterator[Outcome]:
+    """What is claimed of the forms themselves."""
+    if question.key("holonomic") is not None:
+        yield _frobenius(question, jets, forms, region)
+    if question.key("stationary") is not None:
+        yield _stationary(question, jets, forms, region)
+    if question.key("integrals") is not None:
+        yield _integrals(question, jets, forms, region)
+
+
+def _motions(
+    question: Question, jets: Motion, forms: Sequence[Form], lines: Sequence[Node], region: Region
+) -> Iterator[Outcome]:
+    """What is claimed of displacements and motions, on the surface that `functions` define."""
+    for word in ("possible", "virtual"):
+        if question.key(word) is not None:
+            yield _displacement(question, forms, region, word)
+    if question.key("multipliers") is not None:
+        yield _reactions(question, jets, forms, lines, region)
+
+
+def _wedge(question: Question, jets: Motion, forms: Sequence[Form], index: int) -> Iterator[tuple[str, Node]]:
+    """The components of dω ∧ ω₁ ∧ … ∧ ω_m, ω the form of this index, by name."""
+    tape, x = question.tape, [*jets.q, jets.t]
+    own, m = forms[index], len(forms)
+    for chosen in combinations(range(len(x)), m + 2):
+        terms = []
+        for (k, i), (n, j) in combinations(enumerate(chosen), 2):
+            curl = tape.minus(derivative(tape, own[j], x[i]), derivative(tape, own[i], x[j]))
+            rest = [c for c in chosen if c not in (i, j)]
+            minor = determinant(tape, [[form[c] for c in rest] for form in forms])
+            terms.append((tape.times(curl, minor), -1 if (k + n) % 2 == 0 else 1))
+        name = " ".join(f"d{tape.symbol_at(x[c])}" for c in chosen)
+        yield f"coefficient of {name} in dω ∧ ω, form {index + 1}", tape.add(terms)
+
+
+def _frobenius(question: Question, jets: Motion, forms: Sequence[Form], region: Region) -> Outcome:
+    """Are the forms integrable, as is claimed, or not?"""
+    claimed: bool = question.key("holonomic")
+    tape = question.tape
+    components = [entry for k in range(len(forms)) for entry in _wedge(question, jets, forms, k)]
+    kept = [(name, node) for name, node in components if tape.value(node) != 0]
+    theorem = "Frobenius: forms are integrable if and only if each dω ∧ ω₁ ∧ … ∧ ω_m = 0"
+    if claimed:
+        found = question.decide([Residual(name, node, node) for name, node in kept], region)
+        return with_value(question, replace(found, arguments=(*found.arguments, {"theorem": theorem})))
+    vanishing = question.decide([Residual(name, node) for name, node in kept], region)
+    if vanishing.status == "proved":
+        return question.refuted_exactly(region, theorem, integrable="dω ∧ ω₁ ∧ … ∧ ω_m is identically 0")
+    variables = [*jets.q, jets.t, *jets.v]
+    row = [node for _, node in kept]
+    names = [variables[i % len(variables)] for i in range(len(row))]
+    chart = chart_of(tape, question.space, None)
+    found = full_rank(question, [row], [*names, *variables], region, everywhere=True, chart=chart)
+    shown = next(((name, question.show(node)) for name, node in kept), ("", ""))
+    steps = ({"theorem": theorem}, {"not identically 0": shown[0], "value": shown[1]})
+    return replace(found, detail={"frobenius": f"{shown[0]}: {shown[1]}"}, arguments=(*found.arguments, *steps))
+
+
+def _stationary(question: Question, jets: Motion, forms: Sequence[Form], region: Region) -> Outcome:
+    """Neither time nor a term without velocities, as is claimed, or one of them."""
+    tape, claimed = question.tape, question.key("stationary")
+    names = [str(tape.symbol_at(q)) for q in jets.q]
+    residuals = []
+    for k, form in enumerate(forms, 1):
+        rates = [derivative(tape, a, jets.t) for a in form[:-1]]
+        residuals += [
+            Residual(f"time in the coefficient of d{x}, form {k}", n) for x, n in zip(names, rates, strict=True)
+        ]
+        residuals.append(Residual(f"term without velocities, form {k}", form[-1]))
+    if claimed:
+        return question.decide(residuals, region)
+    vanishing = question.decide(residuals, region)
+    if vanishing.status == "proved":
+        return question.refuted_exactly(region, "no coefficient contains time, and no term is without velocities")
+    row = [r.node for r in residuals if tape.value(r.node) != 0]
+    variables = [*jets.q, jets.t, *jets.v]
+    names_of = [variables[i % len(variables)] for i in range(len(row))]
+    chart = chart_of(tape, question.space, None)
+    found = full_rank(question, [row], [*names_of, *variables], region, everywhere=True, chart=chart)
+    return replace(found, detail={"moves": question.show(row[0])}) if found.status == "proved" else found
+
+
+def _integrals(question: Question, jets: Motion, forms: Sequence[Form], region: Region) -> Outcome:
+    """dF is a combination of the forms for each F, and there are as many independent F as forms."""
+    tape, x = question.tape, [*jets.q, jets.t]
+    functions = question.formulas("integrals", len(forms))
+    gradients = []
+    for formula in functions:
+        node = question.load(formula)
+        if tape.support(node) & {*jets.v}:
+            raise InputError(f"{formula} contains velocities", "key 'integrals'")
+        gradients.append([derivative(tape, node, y) for y in x])
+    residuals = []
+    for formula, gradient in zip(functions, gradients, strict=True):
+        for chosen in combinations(range(len(x)), len(forms) + 1):
+            minor = determinant(tape, [[row[c] for c in chosen] for row in (gradient, *forms)])
+            names = " ".join(f"d{tape.symbol_at(x[c])}" for c in chosen)
+            residuals.append(Residual(f"coefficient of {names} in d({formula}) ∧ ω", minor))
+    chart = chart_of(tape, question.space, None)
+    rank = full_rank(question, gradients, x, region, everywhere=True, chart=chart)
+    if rank.status == "refuted":
+        rank = rank.with_detail(integrals="they depend on each other")
+    return combined([question.decide(residuals, region), replace(rank, detail={})])
+
+
+def _displacement(question: Question, forms: Sequence[Form], region: Region, word: str) -> Outcome:
+    """Velocities that the forms allow, or displacements at fixed time."""
+    tape = question.tape
+    steps = [question.load(f) for f in question.formulas(word, question.space.n)]
+    residuals = []
+    for k, form in enumerate(forms, 1):
+        total = tape.plus(*(tape.times(a, step) for a, step in zip(form, steps, strict=False)))
+        if word == "possible":
+            total = tape.plus(total, form[-1])
+        residuals.append(Residual(f"{word} displacement in form {k}", total, total))
+    return with_value(question, question.decide(residuals, region))
+
+
+def _reactions(
+    question: Question, jets: Motion, forms: Sequence[Form], lines: Sequence[Node], region: Region
+) -> Outcome:
+    """Lagrange's equations with multipliers, and accelerations that keep the constraints."""
+    tape, n = question.tape, question.space.n
+    for word in NEED:
+        if question.key(word) is None:
+            raise InputError(f"multipliers need {word!r}", "key 'multipliers'")
+    L = question.load(question.formula("L"))
+    multipliers = [question.load(f) for f in question.formulas("multipliers", len(forms))]
+    accelerations = [question.load(f) for f in question.formulas("qddot", n)]
+    forces = question.formulas("forces", n) if question.key("forces") is not None else ()
+    images = dict(zip(jets.a, accelerations, strict=True))
+    surface = replace(region, surface=(*region.surface, *lines))
+    residuals = []
+    for i, x in enumerate(jets.q):
+        left = substitute(tape, jets.expression(L, i), images)
+        push = tape.plus(*(tape.times(form[i], u) for form, u in zip(forms, multipliers, strict=True)))
+        force = question.load(forces[i]) if forces else tape.zero
+        total = tape.minus(left, tape.plus(push, force))
+        residuals.append(Residual(f"equation of {tape.symbol_at(x)}", total))
+    for k, line in enumerate(lines, 1):
+        residuals.append(Residual(f"rate of form {k}", substitute(tape, jets.rate(line), images)))
+    return question.decide(residuals, surface)
+
+
+KINDS = {"constraint": constraint}

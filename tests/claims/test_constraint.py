@@ -1,0 +1,139 @@
+"""Constraints: Frobenius' test, displacements, multipliers and reactions."""
+
+import pytest
+
+from canon.errors import InputError
+
+SKATE = 'q = ["x", "y", "a"]\np = ["px", "py", "pa"]\n'
+SYMBOLS = 'm = "positive"\ng = "positive"\nR = "positive"\nc = "nonzero"\nk = "real"\nV = "function"'
+KNIFE = "vx*sin(a) - vy*cos(a)"
+TWO_WHEELS = '["vx - R*w*cos(a)", "vy - R*w*sin(a)"]'  # rolling with the heading a turned by the wheel itself
+
+
+def _claim(form: str, *keys: str, word: str = "forms") -> str:
+    listed = form if form.startswith("[") else f'["{form}"]'
+    return "\n".join(['kind = "constraint"', 'velocities = ["vx", "vy", "w"]', f"{word} = {listed}", *keys])
+
+
+@pytest.mark.parametrize(
+    ("form", "holonomic", "expected"),
+    [
+        (KNIFE, "false", "proved"),
+        (KNIFE, "true", "refuted"),
+        ("2*x*vx + 2*y*vy", "true", "proved"),
+        ("2*x*vx + 2*y*vy", "false", "refuted"),
+        ("y*vx - x*vy", "true", "proved"),  # an integrating factor: d(y/x)
+        ("y*vx - 1001/1000*x*vy", "true", "proved"),
+        ("y*vx - x*vy + a*w", "true", "refuted"),
+        ("y*vx - x*vy + k*a*w", "true", "refuted"),
+        ("y*vx - x*vy + k*a*w", "false", "refuted"),  # integrable where k is 0
+        ("y*vx - x*vy + c*a*w", "false", "proved"),
+        ("vx*sin(a) - vy*cos(a) + 1/1000", "false", "proved"),
+        (TWO_WHEELS, "true", "proved"),  # y + R cos a and x - R sin a keep their values
+        ('["vx*sin(a) - vy*cos(a)", "w - vx"]', "true", "proved"),  # two forms in three coordinates
+        ('["vx*sin(a) - vy*cos(a)", "w - vx - t"]', "false", "proved"),
+        ("x*vx + t*vy + y", "true", "proved"),
+        ("x*vx + t*vy + 2*y", "false", "proved"),
+        ("D(V(x*y, t), x)*vx + D(V(x*y, t), y)*vy + D(V(x*y, t), t) + c*w", "true", "proved"),
+    ],
+)
+def test_frobenius(status, form, holonomic, expected):
+    assert status(_claim(form, f"holonomic = {holonomic}"), space=SKATE, symbols=SYMBOLS) == expected
+
+
+def test_a_refuted_integrability_names_the_coefficient(ask):
+    (verdict,) = ask(_claim(KNIFE, "holonomic = true"), space=SKATE)
+    assert "dx dy da" in verdict.detail["fails"]
+    assert verdict.detail["value"] == "-1"
+
+
+@pytest.mark.parametrize(
+    ("form", "word", "stationary", "expected"),
+    [
+        ("x**2 + y**2 - R**2", "functions", "true", "proved"),
+        ("x**2 + y**2 - R**2", "functions", "false", "refuted"),
+        ("x**2 + y**2 - (R + c*t)**2", "functions", "true", "refuted"),
+        ("x**2 + y**2 - (R + c*t)**2", "functions", "false", "proved"),
+        ("vx - t*vy", "forms", "true", "refuted"),
+        ("vx - c", "forms", "false", "proved"),
+        ("vx - k", "forms", "false", "refuted"),  # stationary where k is 0
+    ],
+)
+def test_stationary(status, form, word, stationary, expected):
+    assert status(_claim(form, f"stationary = {stationary}", word=word), space=SKATE, symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
+    ("form", "integrals", "expected"),
+    [
+        ("y*vx - x*vy", '["x/y"]', "proved"),
+        ("y*vx - x*vy", '["x/y + x/1000"]', "refuted"),
+        ("y*vx - x*vy", '["R"]', "refuted"),
+        (TWO_WHEELS, '["x - R*sin(a)", "y + R*cos(a)"]', "proved"),
+        (TWO_WHEELS, '["x - R*sin(a)", "y - R*cos(a)"]', "refuted"),
+        (TWO_WHEELS, '["x - R*sin(a)", "2*x - 2*R*sin(a)"]', "refuted"),
+    ],
+)
+def test_integrals(status, form, integrals, expected):
+    assert status(_claim(form, f"integrals = {integrals}"), space=SKATE, symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
+    ("keys", "expected"),
+    [
+        ('possible = ["c*x/(R + c*t) - y", "c*y/(R + c*t) + x", "1"]', "proved"),
+        ('possible = ["-y", "x", "1"]', "refuted"),  # it stays behind the moving surface
+        ('virtual = ["-y", "x", "1"]', "proved"),
+        ('virtual = ["c*x/(R + c*t) - y", "c*y/(R + c*t) + x", "1"]', "refuted"),
+    ],
+)
+def test_displacements_on_a_moving_surface(status, keys, expected):
+    claim = _claim("x**2 + y**2 - (R + c*t)**2", keys, word="functions")
+    assert status(claim, space=SKATE, symbols=SYMBOLS, domain='where = ["R + c*t > 0"]') == expected
+
+
+@pytest.mark.parametrize(
+    ("multiplier", "expected"),
+    [
+        ("-m*(vx**2 + vy**2 - g*y)/(2*R**2)", "proved"),
+        ("-m*(vx**2 + vy**2 + g*y)/(2*R**2)", "refuted"),
+        ("-1001/1000*m*(vx**2 + vy**2 - g*y)/(2*R**2)", "refuted"),
+    ],
+)
+def test_the_pendulum_by_a_multiplier(status, multiplier, expected):
+    claim = _claim(
+        "x**2 + y**2 - R**2",
+        'L = "m*(vx**2 + vy**2 + w**2)/2 - m*g*y"',
+        f'multipliers = ["{multiplier}"]',
+        'qddot = ["-(vx**2 + vy**2 - g*y)*x/R**2", "-(vx**2 + vy**2 - g*y)*y/R**2 - g", "0"]',
+        word="functions",
+    )
+    assert status(claim, space=SKATE, symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
+    ("force", "expected"), [("m*w*vy*sin(a)", "refuted"), ("m*w*(vx*cos(a) + vy*sin(a))", "proved")]
+)
+def test_the_skate_by_a_multiplier(status, force, expected):
+    claim = _claim(
+        KNIFE,
+        'L = "m*(vx**2 + vy**2 + w**2)/2"',
+        f'multipliers = ["-({force})"]',
+        'qddot = ["-w*(vx*cos(a) + vy*sin(a))*sin(a)", "w*(vx*cos(a) + vy*sin(a))*cos(a)", "0"]',
+    )
+    assert status(claim, space=SKATE, symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
+    ("form", "keys", "message"),
+    [
+        ("vx**2 - vy", ("holonomic = true",), "linear"),
+        ('["vx - vy", "2*vx - 2*vy"]', ("holonomic = true",), "depend"),
+        ("vx - vy", (), "nothing is claimed"),
+        ("vx - vy", ('holonomic = "yes"',), "true or false"),
+        ("vx - vy", ('multipliers = ["0"]',), "need"),
+    ],
+)
+def test_faults(ask, form, keys, message):
+    with pytest.raises((InputError, AssertionError), match=message):
+        ask(_claim(form, *keys), space=SKATE)

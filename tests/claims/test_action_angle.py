@@ -88,6 +88,39 @@ def test_rotations_close_where_a_coordinate_has_grown_by_2_pi(ask):
     assert right.detail["cycle of w"] == "q grows by 2*pi"
 
 
+def test_sampling_knows_rotations_and_takes_no_two_turns_for_one(ask):
+    rotor = {"symbols": 'I = "positive"', "hamiltonian": 'H = "p**2/(2*I)"', "space": SPACE}
+    plain = {"transformation": 'q = ["2*pi*w"]\np = ["J/(2*pi)"]', "options": {"method": "numeric"}}
+    right, wrong, twice = ask(_claim(), _claim("1/2"), _claim("2"), **rotor, **plain)
+    assert [v.status for v in (right, wrong, twice)] == ["supported", "refuted", "undecided"]
+    assert right.numeric.points == 1000
+    assert "closed after 1/2 of the period" in twice.detail["note"]
+    plain["options"] = {"method": "all"}
+    assert [v.status for v in ask(_claim(), _claim("1/2"), _claim("2"), **rotor, **plain)] == [
+        "proved", "refuted", "refuted",
+    ]  # fmt: skip
+
+
+def test_a_cycle_may_go_round_several_angles_at_once(ask, status):
+    space = 'q = ["a", "b"]\np = ["pa", "pb"]\nQ = ["u", "v"]\nP = ["J", "K"]\n'
+    two = {"space": space, "hamiltonian": 'H = "pa**2/2 + pb**2"'}
+    unimodular = 'q = ["2*pi*(u + 3*v)", "2*pi*v"]\np = ["J/(2*pi)", "(K - 3*J)/(2*pi)"]'
+    (verdict,) = ask(_claim(), transformation=unimodular, **two)
+    assert verdict.status == "proved"
+    assert verdict.detail["cycle of v"] == "a grows by 6*pi, b grows by 2*pi"
+    doubled = 'q = ["2*pi*(u + 4*v)", "4*pi*v"]\np = ["J/(2*pi)", "(K - 4*J)/(4*pi)"]'
+    assert status(_claim(), transformation=doubled, **two) == "refuted"
+    assert status(_claim(), transformation=unimodular.replace("3", "3/2"), **two) == "refuted"
+
+
+def test_turns_that_differ_from_part_to_part_refute_nothing(ask):
+    rotor = {"symbols": 'J = "nonzero"', "hamiltonian": 'H = "p**2/2"'}
+    either = 'q = ["2*pi*w*sign(J)"]\np = ["J*sign(J)/(2*pi)"]'
+    (verdict,) = ask(_claim(), space=SPACE, transformation=either, **rotor)
+    assert verdict.status == "undecided"
+    assert "other parts of the domain" in verdict.detail["note"]
+
+
 def test_two_degrees_of_freedom(status):
     space = 'q = ["x", "y"]\np = ["px", "py"]\nQ = ["u", "v"]\nP = ["J", "K"]\n'
     both = {

@@ -4,7 +4,7 @@ A page is read from top to bottom. A `toml` block whose first line is `# name.to
 first line is `# test_name.py` is a test file, whose tests are called; any other `python` block is run, all of a page in
 one namespace. A `text` block after it is what it prints. In a `console` block, what follows `$ canon …` or `$ echo $?`
 is what is printed. Times are left open, so are a witness's digits; a line `…` stands for any lines.
-(README has a test of its own, `test_readme.py`.)
+(README has a test of its own, `test_readme.py`; the notebooks in `docs/proofs` are executed when the site is built.)
 """
 
 import contextlib
@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 import pytest
 
 import canon
+import canon.testing
 from canon.claims.keys import KEYS
 from canon.claims.verify import verify
 from canon.claims.worker import Entry, Record, Recorder, Settings
@@ -33,8 +34,9 @@ from canon.vocabulary import CALLABLE
 
 DOCS = Path(__file__).parents[1] / "docs"
 FENCE = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-RUN = re.compile(r"^```(python|console|\{code-cell\})", re.MULTILINE)
+RUN = re.compile(r"^```(python|console)$", re.MULTILINE)
 PAGES = sorted(page for page in DOCS.rglob("*.md") if RUN.search(page.read_text(encoding="utf-8")))
+TOCTREE = re.compile(r"^```\{toctree\}\n((?::[^\n]*\n)*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
 class Block(NamedTuple):
@@ -145,9 +147,8 @@ def test_a_page_is_true(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPa
             for name, test in tests.items():
                 if name.startswith("test_"):
                     test()
-        elif block.kind in ("python", "{code-cell} python"):
-            program = re.sub(r"\A(?::[^\n]*\n)+", "", block.text)
-            code = compile(program, f"{page.name}", "exec")
+        elif block.kind == "python":
+            code = compile(block.text, page.name, "exec")
             printed, _ = printed_by(lambda code=code: exec(code, names))  # noqa: S102 - our own page
         elif block.kind == "text" and printed:
             check(block.text, printed)
@@ -212,3 +213,22 @@ def test_links_lead_somewhere() -> None:
     for page in DOCS.rglob("*.md"):
         for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
             assert (page.parent / target).exists(), f"{page.relative_to(DOCS)} links to {target}"
+
+
+def test_every_page_is_in_the_table_of_contents_of_one_other() -> None:
+    listed: list[Path] = []
+    for page in DOCS.rglob("*.md"):
+        for options, entries in TOCTREE.findall(page.read_text(encoding="utf-8")):
+            for entry in entries.split():
+                pages = page.parent.glob(f"{entry}.md") if ":glob:" in options else [page.parent / f"{entry}.md"]
+                listed += [found.resolve() for found in pages if found != page]
+    pages = {page.resolve() for page in DOCS.rglob("*.md")} - {DOCS / "index.md"}
+    assert not sorted(pages.symmetric_difference(listed)), "these aren't there, or not in the index.md of their folder"
+    assert len(listed) == len(set(listed))
+
+
+def test_every_public_name_has_its_docstring_on_the_site() -> None:
+    text = "".join(page.read_text(encoding="utf-8") for page in (DOCS / "reference" / "api").glob("*.md"))
+    shown = re.findall(r"^\.\. (?:auto|py:)\w+:: (\w+)$", text, re.MULTILINE)
+    names = {name for module in (canon, canon.testing) for name in module.__all__ if not name.startswith("_")}
+    assert sorted(shown) == sorted(names)

@@ -31,6 +31,8 @@ if TYPE_CHECKING:
     from canon.mechanics.algebra.from_matrices import MatrixAlgebra, algebra_of_matrices
     from canon.mechanics.algebra.identify import Identification, identify
     from canon.mechanics.algebra.lie_algebra import LieAlgebra
+    from canon.mechanics.algebra.roots import Root, RootSystem, roots_of
+    from canon.mechanics.algebra.sums import direct_sum, semidirect_sum
     from canon.mechanics.algebra_statements import algebra, casimir, group, matrix_algebra
     from canon.mechanics.birkhoff import NormalForm, birkhoff_gustavson
     from canon.mechanics.composition import (
@@ -154,6 +156,8 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.separation.levi_civita": ("levi_civita",),
     "canon.mechanics.separation.staeckel": ("Separation", "separation"),
     "canon.mechanics.conventions": ("GOLDSTEIN", "LANDAU_LIFSHITZ", "SICM", "Conventions"),
+    "canon.mechanics.algebra.roots": ("Root", "RootSystem", "roots_of"),
+    "canon.mechanics.algebra.sums": ("direct_sum", "semidirect_sum"),
     "canon.mechanics.algebra_statements": ("algebra", "casimir", "group", "matrix_algebra"),
     "canon.mechanics.statements": (
         "action",
@@ -212,6 +216,8 @@ __all__ = [
     "OrthogonalCoordinates",
     "PhaseSpace",
     "PointTransformation",
+    "Root",
+    "RootSystem",
     "Separability",
     "Separation",
     "Subject",
@@ -235,6 +241,7 @@ __all__ = [
     "closure_of_fields",
     "compose",
     "conserved",
+    "direct_sum",
     "equations_of_motion",
     "extended_by_time",
     "frequency",
@@ -265,6 +272,8 @@ __all__ = [
     "pendulum_angle",
     "poisson_bracket",
     "recovered",
+    "roots_of",
+    "semidirect_sum",
     "separated_actions",
     "separates",
     "separates_here",

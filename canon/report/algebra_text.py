@@ -46,6 +46,10 @@ def as_record(table: AlgebraTable, file: str) -> dict[str, Any]:
             "dimension": g.dimension,
             "killing_form": [[str(entry) for entry in row] for row in linear.rows(g.killing_form())],
             "killing_signature": list(found.killing_signature),
+            "direct_summands": [{"algebra": name, "basis": list(found.words(rows))} for name, rows in found.summands],
+            "radical": list(found.words(found.radical)),
+            "centre": list(found.words(centre(g))),
+            "levi_basis": list(found.words(found.levi)),
             "levi": [s.names[0] for s in found.identity.levi],
             "levi_types": [f"{s.type}(C)" if s.is_complex else str(s.type) for s in found.identity.levi],
             "casimirs": [str(f) for f in casimirs(g)] if g.dimension <= WIDEST else None,
@@ -90,8 +94,14 @@ def as_text(table: AlgebraTable, file: str) -> list[str]:
         f"  derived series   {_chain(record['derived_series'])}; centre of dimension {record['centre_dimension']}",
     ]
     lines += [f"  Casimir          {formula}" for formula in record["casimirs"] or ()]
-    if len(record["simple_ideals"]) > 1:
-        lines += [f"  simple ideal     {', '.join(basis)}" for basis in record["simple_ideals"]]
+    if found.radical.nrows() and found.levi.nrows():
+        lines += [
+            f"  Levi subalgebra  {', '.join(record['levi_basis'])}",
+            f"  radical          {', '.join(record['radical'])}",
+        ]
+    lines += [f"  centre           {', '.join(record['centre'])}"] if record["centre"] else []
+    if len(record["direct_summands"]) > 1:
+        lines += [f"  direct summand   {s['algebra']}: {', '.join(s['basis'])}" for s in record["direct_summands"]]
     return lines
 
 

@@ -22,7 +22,9 @@ class Identification:
     """What was found: the isomorphism class, and the decomposition that shows it.
 
     **Arguments:** `identity`; `algebra`, rational; `levi` and `radical`, rows; `ideals`, the simple ideals of the Levi
-    subalgebra in its own basis; `killing_signature`, the numbers of positive, negative and zero squares.
+    subalgebra in its own basis; `killing_signature`, the numbers of positive, negative and zero squares; `summands`,
+    ideals of which the algebra is the direct sum, each with its name and rows, one ideal for several simple ones that
+    are none over the rationals.
     """
 
     identity: Identity
@@ -31,21 +33,18 @@ class Identification:
     radical: fmpq_mat
     ideals: tuple[SimpleIdeal, ...]
     killing_signature: tuple[int, int, int]
+    summands: tuple[tuple[str, fmpq_mat], ...] = ()
+
+    def words(self, space: fmpq_mat) -> tuple[str, ...]:
+        """The rows of a subspace as formulas in the basis' names."""
+        return tuple(
+            self.algebra.show({c: linear.fraction(v) for c, v in enumerate(row) if v != 0})
+            for row in linear.rows(space)
+        )
 
     def ideal_bases(self) -> tuple[tuple[str, ...], ...]:
         """For each simple ideal that is one over the rationals, its basis as formulas in the basis' names."""
-        levi = linear.rows(self.levi)
-        found = []
-        for ideal in self.ideals:
-            if ideal.basis is None:
-                continue
-            words = []
-            for row in ideal.basis:
-                vector = [sum((linear.rational(u) * s[c] for u, s in zip(row, levi, strict=True)), start=levi[0][0] * 0)
-                          for c in range(self.algebra.dimension)]  # fmt: skip
-                words.append(self.algebra.show({c: linear.fraction(v) for c, v in enumerate(vector) if v != 0}))
-            found.append(tuple(words))
-        return tuple(found)
+        return tuple(self.words(_rows(ideal) * self.levi) for ideal in self.ideals if ideal.basis is not None)
 
 
 def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
@@ -72,10 +71,13 @@ def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
     signature = linear.signature(algebra.killing_form())
     levi = tuple(sorted(_real(ideal) for ideal in ideals))
     if not R.nrows():
-        return Identification(Identity(levi, 0, None, "", levi, n), algebra, S, R, ideals, signature)
+        identity = Identity(levi, 0, None, "", levi, n)
+        return Identification(identity, algebra, S, R, ideals, signature, _simple_summands(algebra, ideals, S))
     idle = linear.intersection(centraliser(algebra, R), S)  # an ideal that commutes with R
     busy = linear.intersection(centraliser(algebra, idle), S) if idle.nrows() else S
-    free = _real_ideals(algebra, idle, seed)
+    free_ideals = simple_ideals(algebra.in_basis(idle), seed) if idle.nrows() else ()
+    free = tuple(sorted(_real(ideal) for ideal in free_ideals))
+    summands = _simple_summands(algebra, free_ideals, idle)
     products, Z = derived(algebra), centre(algebra)
     abelian = linear.complement(linear.intersection(Z, products), Z)
     inside = linear.intersection(products, R)
@@ -90,8 +92,29 @@ def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
         core = recognised(algebra.in_basis(basis), *parts)
         if core is None:
             other = _described(_real_ideals(algebra, busy, seed), core_radical.nrows())
+        summands += ((core.name if core else other, basis),)
     identity = Identity(free, abelian.nrows(), core, other, levi, n)
-    return Identification(identity, algebra, S, R, ideals, signature)
+    if abelian.nrows():
+        summands += ((Identity((), abelian.nrows(), None, "", (), abelian.nrows()).name, abelian),)
+    return Identification(identity, algebra, S, R, ideals, signature, summands)
+
+
+def _simple_summands(
+    algebra: LieAlgebra, ideals: tuple[SimpleIdeal, ...], space: fmpq_mat
+) -> tuple[tuple[str, fmpq_mat], ...]:
+    """Simple ideals of a subalgebra in whose rows they are given, those that are none over the rationals as one."""
+    found = [(_real(ideal).names[0], _rows(ideal) * space) for ideal in ideals if ideal.basis is not None]
+    rest = [_real(ideal).names[0] for ideal in ideals if ideal.basis is None]
+    if rest:
+        known = linear.matrix([row for _, rows in found for row in linear.rows(rows)], algebra.dimension)
+        joint = linear.intersection(centraliser(algebra, known), space) if found else space
+        found.append((" + ".join(rest), joint))
+    return tuple(found)
+
+
+def _rows(ideal: SimpleIdeal) -> fmpq_mat:
+    basis = ideal.basis or ()
+    return linear.matrix(([linear.rational(u) for u in row] for row in basis), len(basis[0]) if basis else 0)
 
 
 def _real(ideal: SimpleIdeal) -> RealSimple:

@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from canon.claims import algebra_keys, document
 from canon.claims.dimension_keys import bases_of, read_dimension, read_dimensions
 from canon.claims.document import Table, key
+from canon.claims.ends import read_end, read_side
 from canon.claims.keys import TENSOR, Form, Key, KeySpec
 from canon.claims.names import Names
 from canon.claims.sections import read_types
@@ -47,7 +48,7 @@ class _Keys:
             self.vocabulary = self.vocabulary.declaring({s.name: s for s in tensor["coordinates"]})
             self._check_hamiltonian(tensor["coordinates"])
         given = [word for word in self.spec.keys if word in self.table and word not in own]
-        given.sort(key=lambda word: self.spec.keys[word].form not in ("name", "names", "constants"))
+        given.sort(key=lambda word: self.spec.keys[word].form not in ("name", "variable", "names", "constants"))
         values = {word: self._value(word, self.spec.keys[word], self.table[word]) for word in given}
         if "structure" in values:  # what is claimed of the basis, not the bracket that is used
             values["brackets"] = values.pop("structure")
@@ -60,7 +61,9 @@ class _Keys:
             if word not in self.table:
                 continue
             value = self.table[word]
-            if entry.form == "name" or (entry.form == "constant" and isinstance(value, str) and value.isidentifier()):
+            if entry.form in ("name", "variable") or (
+                entry.form == "constant" and isinstance(value, str) and value.isidentifier()
+            ):
                 listed: tuple[str, ...] = (document.name(value, key(word)),)
             elif entry.form in ("names", "constants") and word != "coordinates":
                 listed = document.names(value, key(word))
@@ -77,6 +80,8 @@ class _Keys:
             )
         if entry.form in ("expression", "constant"):
             return self._formula(value, entry, where)
+        if entry.form == "end":
+            return read_end(value, where) or self._formula(value, entry, where)
         if entry.form in ("expressions", "per pair"):
             return self._formulas(word, entry, value)
         tables = {
@@ -99,6 +104,8 @@ class _Keys:
             "coordinate": self._coordinate,
             "word": document.text,
             "relation": _relation,
+            "variable": self._variable,
+            "side": read_side,
             "truth": _truth,
             "bases": document.names,
             "dimension": lambda v, at: read_dimension(v, bases_of(self.table), at),
@@ -134,6 +141,12 @@ class _Keys:
 
     def _parameter(self, value: Any, where: str) -> sp.Symbol:
         return self._name(document.name(value, where), where)
+
+    def _variable(self, value: Any, where: str) -> sp.Symbol:
+        name = document.name(value, where)
+        if name not in self.vocabulary.symbols:
+            raise InputError(f"{name!r} is a function or an abbreviation, not a variable", where)
+        return self.vocabulary.symbols[name]
 
     def _constants(self, value: Any, where: str) -> tuple[sp.Symbol, ...]:
         return tuple(self._constant(name, where) for name in document.names(value, where))

@@ -10,6 +10,7 @@ Form = Literal[
     "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix",
     "structure", "constants", "constant", "functions", "calls", "degrees", "basis", "matrices", "algebra", "brackets",
     "values", "coordinate", "word", "relation", "square", "truth", "bases", "dimension", "dimensions",
+    "variable", "end", "side",
 ]  # fmt: skip
 """What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
 `["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
@@ -17,7 +18,8 @@ of constants, which may be new variables; an expression of constants, or the nam
 "x(t)" = formula of functions that the file declares; a table degree = polynomial; a table name = expression, or
 name = matrix; the name of a Lie algebra; a table "A,B" = combination of a basis; a table name =
 value of constants; one of the coordinates; a word; a relation; a square matrix; true or false; the base quantities
-of dimensions; a dimension; a table name = dimension."""
+of dimensions; a dimension; a table name = dimension; a name that may be a variable; an expression or an infinity; "+"
+or "-"."""
 
 Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "jet", "integral", "group"]
 """The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
@@ -192,6 +194,15 @@ KEYS: Final[Mapping[str, KeySpec]] = {
             "dimensions": Key("dimensions"),
             "equals": Key("dimension"),
             "base": Key("bases", optional=True),
+        }
+    ),
+    "limit": KeySpec(
+        {
+            "f": _OLD,
+            "variable": Key("variable"),
+            "to": Key("end"),
+            "side": Key("side", optional=True),
+            "equals": Key("end"),
         }
     ),
     "inequality": KeySpec({"lhs": Key(side="both"), "relation": Key("relation"), "rhs": Key(side="both")}),

@@ -1,0 +1,187 @@
+"""A name that tends to a value or to infinity: the domain near it, and what formulas tend to there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from canon.claims.velocities import region_in_velocities
+from canon.decide import ladder
+from canon.decide.asymptotic import Series, Sign, Unexpanded, expand
+from canon.decide.derivative import derivative, substitute
+from canon.decide.enclosure import certainly_positive
+from canon.decide.positivity import positive_by_signs
+from canon.decide.region import Region, Requirement
+from canon.decide.tape import Node, Tape
+from canon.errors import InputError
+from canon.expression import Formula
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+
+TERMS = (3, 6, 12)
+
+
+@dataclass(frozen=True)
+class Approach:
+    """A name tending to its limit from one side.
+
+    **Arguments:** `x`, its node; `s`, a positive symbol that tends to 0; `image`, x in s; `region`, the conditions on
+    the other names; `near`, those that must hold for small s.
+    """
+
+    x: Node
+    s: Node
+    image: Node
+    region: Region
+    near: tuple[Requirement, ...]
+    words: str
+
+    def at(self, tape: Tape, fixed: Mapping[Node, Node]) -> Approach:
+        """The approach with numbers for the other names, at a point of the region."""
+        image = substitute(tape, self.image, fixed)
+        near = tuple(replace(r, nodes=tuple(substitute(tape, n, fixed) for n in r.nodes)) for r in self.near)
+        return Approach(self.x, self.s, image, Region((), (), ()), near, self.words)
+
+
+def approaching(
+    question: Question, x: sp.Symbol, to: Formula | str, side: int, formulas: Sequence[Formula]
+) -> Approach:
+    """The approach of a name to its limit, with the domain of the claim divided between it and the others."""
+    tape = question.tape
+    s = tape.symbol(sp.Dummy("s", positive=True))
+    if isinstance(to, Formula):
+        image = tape.add([(question.load(to), 1), (s, side)])
+        words = f"{x} -> {to} from {'above' if side > 0 else 'below'}"
+    else:
+        image = tape.scaled(tape.power(s, -1), side)
+        words = f"{x} -> {to}"
+    node = tape.symbol(x)
+    written = region_in_velocities(question, *formulas, images={node: image})
+    near = tuple(r for r in written.requirements if any(s in tape.support(n) for n in r.nodes))
+    if any(s in tape.support(n) for n in written.surface):
+        raise InputError(f"the surface of the domain contains {x}, which is to vary", "[domain], key 'on'")
+    kept = tuple(r for r in written.requirements if r not in near)
+    return Approach(
+        node, s, image, Region(kept, written.surface, tuple(n for n in written.symbols if n != node)), near, words
+    )
+
+
+def signs_on(question: Question, region: Region) -> Callable[[Node], Sign | None]:
+    """The signs that nodes have on all of a region."""
+    tape, known = question.tape, dict[Node, Sign | None]()
+
+    def sign_of(node: Node) -> Sign | None:
+        if node not in known:
+            known[node] = found(node)
+        return known[node]
+
+    def found(node: Node) -> Sign | None:
+        value = tape.value(node)
+        if value is not None:
+            return "zero" if value == 0 else "pos" if value > 0 else "neg"
+        (answer,) = ladder.vanish(tape, [node], region, budget=question.budget.share(0.3), seed=question.seed)
+        if answer.status == "proved":
+            return "zero"
+        if not tape.support(node) and answer.balls:
+            return (
+                "pos"
+                if certainly_positive(answer.balls[0])
+                else "neg"
+                if certainly_positive(-answer.balls[0])
+                else None
+            )
+        if positive_by_signs(tape, node, region, question.budget, strict=True):
+            return "pos"
+        if positive_by_signs(tape, tape.negative(node), region, question.budget, strict=True):
+            return "neg"
+        return None
+
+    return sign_of
+
+
+@dataclass(frozen=True)
+class Limit:
+    """What an expansion shows: a finite limit, or the sign of an infinite one (0: it depends on the other names).
+
+    `leading` is the coefficient of the leading term, of that `order`.
+    """
+
+    value: Node | None
+    infinite: int = 0
+    leading: Node | None = None
+    order: Fraction = Fraction(0)
+
+
+def limit_of(question: Question, approach: Approach, node: Node, also: Sequence[Node] = ()) -> Limit:
+    """The limit of a node, exactly; `also` are other nodes that are smooth on the domain.
+
+    **Raises:** `Unexpanded` where none is found.
+    """
+    tape, sign_of = question.tape, signs_on(question, approach.region)
+    target = substitute(tape, node, {approach.x: approach.image})
+    calls = [tape.ops[i] for i in tape.reach([target, *also]) if tape.ops[i][0] == "u"]
+    written = {(op[1], op[3]) for op in calls if all(approach.s not in tape.support(a) for a in op[3])}
+    nodes = [target, *(n for r in approach.near for n in r.nodes)]
+    reason = Unexpanded("no expansion")
+    for terms in TERMS:
+        try:
+            near, _, expander = expand(tape, nodes[1:], approach.s, sign_of, terms)
+            inside = _hold(approach, near, expander.leading)
+            series, root, expander = expand(tape, nodes, approach.s, sign_of, terms)
+            if not inside and not expander.arbitrary <= written:
+                raise Unexpanded("an arbitrary function at the edge of the domain, where it may not be smooth")
+            return _read_off(series[0], root, sign_of, expander.log, tape)
+        except Unexpanded as found:
+            reason = found
+    raise reason
+
+
+def _hold(approach: Approach, series: Sequence[Series], leading: Callable[[Series], tuple[Series, Sign]]) -> bool:
+    """Whether what must hold for small s does so at s = 0 too. **Raises:** `InputError` where it fails."""
+    index, inside = 0, True
+    for requirement in approach.near:
+        parts = series[index : index + len(requirement.nodes)]
+        index += len(requirement.nodes)
+        if requirement.kind in ("positive", "slit"):
+            found, sign = leading(parts[0])
+            if sign == "neg":
+                raise InputError(
+                    f"{requirement.text} fails for {approach.words}: the domain doesn't reach there (see `side`)",
+                    "key 'to'",
+                )
+        elif requirement.kind == "nonzero":
+            found, _ = leading(parts[0])
+        elif requirement.kind == "uncut":
+            found, sign = leading(parts[1])
+            if sign == "neg":
+                found, _ = leading(parts[0])
+        else:
+            found = Series(0, ())
+        inside = inside and found.start == 0
+    return inside
+
+
+def _read_off(f: Series, root: int, sign_of: Callable[[Node], Sign | None], log: Node, tape: Tape) -> Limit:
+    for k, c in enumerate(f.coefficients):
+        power = f.start + k
+        if power > 0:
+            return Limit(tape.zero)
+        if log in tape.support(c):
+            slope = derivative(tape, c, log)
+            sign = None if log in tape.support(slope) or power < 0 else sign_of(slope)
+            if sign is None or sign == "zero":
+                raise Unexpanded("it grows like a power of a logarithm")
+            return Limit(None, -1 if sign == "pos" else 1, tape.times(slope, log))
+        if power == 0:
+            return Limit(c)
+        sign = sign_of(c)
+        if sign != "zero":
+            return Limit(None, {"pos": 1, "neg": -1, None: 0}[sign], c, Fraction(power, root))
+    if f.end > 0:
+        return Limit(tape.zero)
+    raise Unexpanded("too few terms")

@@ -1,0 +1,103 @@
+"""Limits, by exact expansions in powers of the distance."""
+
+import pytest
+
+from canon.errors import InputError
+
+SYMBOLS = "\n".join(
+    [f'{x} = "positive"' for x in "abcmNw"] + ['v = "real"', 'k = "real"', 'V = "function"', 'l = "nonnegative"']
+)
+
+
+def _claim(f: str, x: str, to: str, equals: str, side: str = "") -> str:
+    more = f'\nside = "{side}"' if side else ""
+    return f'kind = "limit"\nf = "{f}"\nvariable = "{x}"\nto = "{to}"\nequals = "{equals}"{more}'
+
+
+@pytest.mark.parametrize(
+    ("f", "x", "to", "equals", "side", "expected"),
+    [
+        ("sin(q)/q", "q", "0", "1", "", "proved"),
+        ("sin(q)/q", "q", "0", "1001/1000", "", "refuted"),
+        ("(1 - cos(q))/q**2", "q", "0", "1/2", "", "proved"),
+        ("(q**2 - a**2)/(q - a)", "q", "a", "2*a", "", "proved"),
+        ("(q**2 - a**2)/(q - a)", "q", "a", "a", "", "refuted"),
+        ("(1 + k/N)**N", "N", "infinity", "exp(k)", "", "proved"),
+        ("(1 + k/N)**N", "N", "infinity", "exp(k) + 1/1000", "", "refuted"),
+        ("m*c**2/sqrt(1 - v**2/c**2) - m*c**2", "c", "infinity", "m*v**2/2", "", "proved"),
+        ("m*c**2/sqrt(1 - v**2/c**2)", "c", "infinity", "infinity", "", "proved"),
+        ("m*c**2/sqrt(1 - v**2/c**2)", "c", "infinity", "-infinity", "", "refuted"),
+        ("a*b/(a + b)", "b", "infinity", "a", "", "proved"),
+        ("a*b/(a + b)", "b", "infinity", "a + 1", "", "refuted"),
+        ("abs(q)/q", "q", "0", "1", "", "refuted"),
+        ("abs(q)/q", "q", "0", "1", "+", "proved"),
+        ("abs(q)/q", "q", "0", "-1", "-", "proved"),
+        ("k/q", "q", "0", "0", "+", "refuted"),  # but where k is 0
+        ("k*q/q", "q", "0", "k", "", "proved"),
+        ("a/q", "q", "0", "infinity", "+", "proved"),
+        ("a/q", "q", "0", "infinity", "", "refuted"),  # -infinity from below
+        ("sqrt(q)/q", "q", "0", "infinity", "+", "proved"),
+        ("(sqrt(1 + q) - 1)/sqrt(q)", "q", "0", "0", "+", "proved"),
+        ("q*log(q)", "q", "0", "0", "+", "proved"),
+        ("log(q)", "q", "0", "-infinity", "+", "proved"),
+        ("exp(-1/q)/q**3", "q", "0", "0", "+", "proved"),
+        ("asin(q)", "q", "1", "pi/2", "-", "proved"),
+        ("(pi - acos(q))/sqrt(2 + 2*q)", "q", "-1", "1", "+", "proved"),
+        ("(pi - acos(q))/sqrt(2 + 2*q)", "q", "-1", "-1", "+", "refuted"),
+        ("atan(a*q)", "q", "infinity", "pi/2", "", "proved"),
+        ("atan(k*q)", "q", "infinity", "pi/2", "", "refuted"),
+        ("atan2(q, -1)", "q", "0", "pi", "+", "proved"),
+        ("elliptic_k(q**2)", "q", "0", "pi/2", "", "proved"),
+        ("(elliptic_k(q**2) - pi/2)/q**2", "q", "0", "pi/8", "", "proved"),
+        ("(elliptic_e(q**2) - pi/2)/q**2", "q", "0", "-pi/8", "", "proved"),
+        ("(V(q + a*k) - V(q))/a", "a", "0", "k*D(V(q), q)", "+", "proved"),
+        ("(V(q + a*k) - V(q))/a", "a", "0", "D(V(q), q)", "+", "refuted"),
+        ("sin(w*t)/w", "w", "0", "t", "+", "proved"),
+        ("(1 - exp(-2*l*t))/l", "l", "0", "2*t", "+", "proved"),
+    ],
+)
+def test_limits(status, f, x, to, equals, side, expected):
+    assert status(_claim(f, x, to, equals, side), symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
+    ("f", "equals", "expected"),
+    [
+        ("q*sin(1/q)", "0", "supported"),
+        ("sin(1/q)", "0", "undecided"),
+        ("sqrt(q)*V(q)", "0", "undecided"),  # V may be 1/q where q > 0
+        ("q*V(q)*0 + q", "0", "proved"),
+    ],
+)
+def test_what_has_no_expansion(status, f, equals, expected):
+    assert status(_claim(f, "q", "0", equals, "+"), symbols=SYMBOLS) == expected
+
+
+def test_conditions_near_the_limit_are_part_of_the_claim(status):
+    claim = _claim("sqrt(q - a)/sqrt(q - b)", "q", "infinity", "1")
+    assert status(claim, symbols=SYMBOLS) == "proved"
+    claim = _claim("sqrt(q**2)/q", "q", "0", "1", "+")
+    assert status(claim, symbols=SYMBOLS, domain='where = ["q > 0"]') == "proved"
+
+
+def test_numeric_only(ask):
+    true, false = _claim("sin(q)/q", "q", "0", "1"), _claim("sin(q)/q", "q", "0", "2")
+    verdicts = ask(true, false, options={"method": "numeric"})
+    assert [v.status for v in verdicts] == ["supported", "undecided"]
+    assert verdicts[0].numeric.max_residual < 1e-15
+
+
+@pytest.mark.parametrize(
+    ("claim", "message"),
+    [
+        (_claim("sqrt(q - 1)", "q", "0", "0"), "doesn't reach"),
+        (_claim("q", "q", "p", "q"), "tends to its limit"),
+        (_claim("q", "q", "infinity", "infinity", "+"), "one side only"),
+        (_claim("q", "q", "oo", "0"), "infinity"),
+        (_claim("q", "q", "0", "0", "above"), "from above"),
+        (_claim("q", "V", "0", "0"), "function"),
+    ],
+)
+def test_faults(ask, claim, message):
+    with pytest.raises((InputError, AssertionError), match=message):
+        ask(claim, symbols=SYMBOLS)

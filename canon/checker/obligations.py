@@ -15,13 +15,15 @@ from canon.checker.statement import Statement
 class Case:
     """What must vanish, and groups of which a member must not vanish everywhere.
 
-    `images` are values of names that it is about; `trusted`, what would have to be shown besides.
+    `images` are values of names that it is about; `trusted`, what would have to be shown besides; `labels`, what the
+    zeros are called, where they have names.
     """
 
     zeros: list[int]
     nonzeros: list[list[int]] = field(default_factory=list)
     images: dict[str, int] = field(default_factory=dict)
     trusted: str = ""
+    labels: list[str] = field(default_factory=list)
 
 
 def canonical(s: Statement) -> Case:
@@ -33,7 +35,16 @@ def canonical(s: Statement) -> Case:
     if "order" in s.claim:
         name, order = s.claim["order"]
         return Case([c for z in zeros for c in taylor(s, z, name, range(order + 1))], images={name: f.number(0)})
-    return Case(zeros)
+    return Case(zeros, labels=bracket_labels(s, str(s.claim.get("scale", 1))))
+
+
+def bracket_labels(s: Statement, scale: str = "c") -> list[str]:
+    """The names of the brackets of an explicit map, less what they are to be."""
+    names, one = (
+        ((*s.Q, *s.P), scale) if s.direction == "forward" else ((*s.q, *s.p), "1" if scale == "1" else f"1/({scale})")
+    )
+    pairs, half = combinations(range(len(names)), 2), len(names) // 2
+    return [f"bracket({names[i]}, {names[j]}){f' - {one}' if j == i + half else ''}" for i, j in pairs]
 
 
 def hessian(s: Statement) -> int:
@@ -78,7 +89,9 @@ def new_hamiltonian(s: Statement) -> Case:
     for u in s.coordinates:
         moved = [dragged(s, X, u) for X in (s.new, s.old)]
         zeros.append(f.add(f.slope(difference, u), f.sub(moved[0], f.mul(c, moved[1]))))
-    return Case(zeros, [[hessian(s)]] if s.direction == "implicit" else [])
+    labels = [*(bracket_labels(s) if s.direction != "implicit" else [f"b_{k}" for k in range(len(s.lagrange(s.new)))])]
+    labels += [*(f"D(c, {u})" for u in (*s.coordinates, s.time)), *(f"residual_{u}" for u in s.coordinates)]
+    return Case(zeros, [[hessian(s)]] if s.direction == "implicit" else [], labels=labels)
 
 
 def dragged(s: Statement, X: list[int], u: str) -> int:
@@ -135,7 +148,9 @@ def generates(s: Statement) -> Case:
     """The equations of a generating function along the map."""
     types, F = (s.claim["type"], s.key("F")) if s.claim["kind"] == "generating_function" else s.generating
     s.written.append(F)
-    return Case([s.pull(s.f.sub(s.f.node("s", name), slope)) for name, _, slope in s.equations(types, F)])
+    equations = list(s.equations(types, F))
+    labels = [f"{name} {'-' if name in s.p or name in s.Q else '+'} D(F, {u})" for name, u, _ in equations]
+    return Case([s.pull(s.f.sub(s.f.node("s", name), slope)) for name, _, slope in equations], labels=labels)
 
 
 def bracketed(s: Statement) -> tuple[Callable[[int, int], int], list[str]]:
@@ -165,24 +180,26 @@ def brackets(s: Statement) -> Case:
     f, kind = s.f, s.claim["kind"]
     b, coordinates = bracketed(s)
     if kind == "involution":
-        return Case([s.pull(b(x, y)) for x, y in combinations(s.keys("functions"), 2)])
+        labels = [f"bracket(f_{i}, f_{j})" for i, j in combinations(range(1, len(s.claim["functions"]) + 1), 2)]
+        return Case([s.pull(b(x, y)) for x, y in combinations(s.keys("functions"), 2)], labels=labels)
     x = s.key("f")
     if kind == "conserved":
-        return Case([s.pull(f.add(f.slope(x, s.time), b(x, s.H)))])
+        return Case([s.pull(f.add(f.slope(x, s.time), b(x, s.H)))], labels=["D(f, t) + bracket(f, H)"])
     if kind == "casimir":
         nodes = [f.node("s", name) for name in coordinates]
         cycles = (f.add(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y))) for x, y, z in combinations(nodes, 3))
         return Case([s.pull(a) for a in (*(b(x, y) for y in nodes), *cycles)])
     y = s.key("g")
     if kind == "bracket":
-        return Case([s.pull(f.sub(b(x, y), s.key("equals")))])
+        return Case([s.pull(f.sub(b(x, y), s.key("equals")))], labels=["bracket(f, g) - h"])
     z = s.key("h")
-    return Case([s.pull(f.add(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y))))])
+    cycle = "bracket(f, bracket(g, h)) + bracket(g, bracket(h, f)) + bracket(h, bracket(f, g))"
+    return Case([s.pull(f.add(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y))))], labels=[cycle])
 
 
 def identity(s: Statement) -> Case:
     """lhs - rhs."""
-    return Case([s.pull(s.f.sub(s.key("lhs"), s.key("rhs")))])
+    return Case([s.pull(s.f.sub(s.key("lhs"), s.key("rhs")))], labels=["lhs - rhs"])
 
 
 def independent(s: Statement) -> Case:
@@ -224,7 +241,11 @@ def field_of(s: Statement) -> Case:
     H = s.H if kind == "equations_of_motion" else s.key("generator" if kind == "infinitesimal" else "H")
     zeros = [f.sub(f.slope(H, p), x) for p, x in zip(s.p, first, strict=True)]
     zeros += [f.add(f.slope(H, q), x) for q, x in zip(s.q, second, strict=True)]
-    return Case([s.pull(z) for z in zeros])
+    labels = [
+        *(f"D(H, {p}) - {x}_dot" for x, p in zip(s.q, s.p, strict=True)),
+        *(f"D(H, {x}) + {p}_dot" for x, p in zip(s.q, s.p, strict=True)),
+    ]
+    return Case([s.pull(z) for z in zeros], labels=labels if kind == "equations_of_motion" else [])
 
 
 def legendre(s: Statement) -> Case:

@@ -42,9 +42,9 @@ class Memory:
 
 
 def memory(settings: Settings) -> Memory | None:
-    """The memory of this state of the deciders; None where there is no folder for it, or certificates are asked for."""
+    """The memory of this state of the deciders; None where there is no folder for it, or more is asked for."""
     root = cache_folder()
-    if root is None or settings.certificates is not None:
+    if root is None or settings.certificates is not None or settings.proof is not None:
         return None
     words = f"{settings.budget!r} {settings.seed} {settings.method}"
     return Memory(root / "verdicts" / fingerprint(), words)

@@ -43,7 +43,8 @@ class Entry:
 class Settings:
     """What holds for every claim of a run: seconds for each, random seed, method, and bytes of memory a worker.
 
-    `certificates` is the folder into which a certificate of each proof and refutation goes (None: nowhere).
+    `certificates` is the folder into which a certificate of each proof and refutation goes (None: nowhere); `proof`,
+    the notation of the proofs that are to be written out (None: none).
     """
 
     budget: float = 10.0
@@ -51,6 +52,7 @@ class Settings:
     method: Literal["symbolic", "numeric", "all"] = "symbolic"
     memory: int | None = None
     certificates: str | None = None
+    proof: str | None = None
 
     def seconds(self, entry: Entry) -> float:
         """Return the budget of this claim; its own wins."""
@@ -59,7 +61,7 @@ class Settings:
 
     def grace(self, entry: Entry) -> float:
         """Return how many seconds past its budget a claim is left alone before its worker is killed."""
-        writing = 0.0 if self.certificates is None else CERTIFICATE_SECONDS + 2.0
+        writing = 0.0 if self.certificates is None and self.proof is None else CERTIFICATE_SECONDS + 2.0
         return writing + min(5.0, max(1.0, 0.2 * self.seconds(entry)))
 
 

@@ -51,6 +51,11 @@ def declare(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--certificate", metavar="DIR", help="write a certificate of each proof and refutation into this folder"
     )
+    parser.add_argument(
+        "--proof",
+        metavar="FILE",
+        help="write each claim with its proof or refutation into FILE.html, .tex, .md or .txt",
+    )
     parser.add_argument("--jobs", type=count, default=None, metavar="N", help="worker processes (default: the cores)")
 
 
@@ -65,6 +70,9 @@ def execute(arguments: argparse.Namespace) -> int:
 
     if arguments.certificate is not None and (reason := _not_a_folder(arguments.certificate)):
         print(f"canon verify: --certificate: {reason}", file=sys.stderr)
+        return BAD_INPUT
+    if arguments.proof is not None and (reason := _no_proof_file(arguments.proof)):
+        print(f"canon verify: --proof: {reason}", file=sys.stderr)
         return BAD_INPUT
     results: dict[int, Record] = {}
     entries: list[Entry] = []
@@ -88,6 +96,9 @@ def execute(arguments: argparse.Namespace) -> int:
     answers = [results[position] for position in sorted(results)]
     claims = [answer["claim"] for answer in answers if "claim" in answer]
     errors += [answer["error"] for answer in answers if "error" in answer]
+    if arguments.proof is not None and (reason := _write_proofs(arguments.proof, claims, time.monotonic() - start)):
+        print(f"canon verify: --proof: {reason}", file=sys.stderr)
+        return BAD_INPUT
     errors.sort(key=lambda error: (order.get(error["file"], -1), _claim_number(error["where"])))
     record = run_record(claims, errors)
     table = _coverage(entries, record) if arguments.coverage else []
@@ -173,10 +184,43 @@ def _catalogue() -> list[ClaimFile]:
 
 def _settings(arguments: argparse.Namespace) -> Settings:
     from canon.claims.worker import Settings
+    from canon.report.proof_file import notation_of
 
     return Settings(
-        budget=arguments.budget, seed=arguments.seed, method=arguments.method, certificates=arguments.certificate
+        budget=arguments.budget,
+        seed=arguments.seed,
+        method=arguments.method,
+        certificates=arguments.certificate,
+        proof=arguments.proof and notation_of(arguments.proof),
     )
+
+
+def _no_proof_file(name: str) -> str:
+    """Return why proofs can't go into a file of this name, or nothing."""
+    from canon.report.proof_file import NOTATIONS, notation_of
+
+    if notation_of(name) is None:
+        return f"{name!r} has none of the endings {', '.join(NOTATIONS)}"
+    folder = os.path.dirname(name) or "."
+    if os.path.isdir(name) or not os.path.isdir(folder):
+        return f"{name!r} is a folder" if os.path.isdir(name) else f"there is no folder {folder!r}"
+    return "" if os.access(folder, os.W_OK) else f"{folder!r} can't be written to"
+
+
+def _write_proofs(name: str, claims: list[Record], seconds: float) -> str:
+    """Write the sections that the claims' records hold, take them out of these, and return what went wrong, if so."""
+    from canon.report.proof_file import document, notation_of
+
+    files = list(dict.fromkeys(claim["file"] for claim in claims))
+    title = f"Proofs of {files[0]}" if len(files) == 1 else f"Proofs of {len(files)} claim files"
+    text = document(str(notation_of(name)), title, claims, seconds)
+    for claim in claims:
+        claim.pop("proof", None)
+    try:
+        Path(name).write_text(text, encoding="utf-8")
+    except OSError as error:
+        return f"{name!r} can't be written: {error.strerror}"
+    return ""
 
 
 def _not_a_folder(name: str) -> str:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from canon.claims.worker import Entry, Recorder, Settings
+    from canon.claims.worker import Entry, Settings
 
 Record = dict[str, Any]
 Answers = dict[int, Record]
@@ -29,22 +28,12 @@ def run_claims(
         _with_lines(entries, settings, jobs, results)
 
 
-def _recorder(settings: Settings) -> Recorder:
-    """What makes the record of a verdict, with a certificate where they are asked for."""
-    from canon.report.record import claim_record
-
-    if settings.certificates is None:
-        return claim_record
-    from canon.report.certificate_file import record_with_certificate
-
-    return partial(record_with_certificate, settings.certificates)
-
-
 def _answers(
     entries: list[Entry], settings: Settings, jobs: int | None, known: Answers, watch: Watcher | None = None
 ) -> Iterator[tuple[int, Record]]:
     """(position, answer) of the entries that aren't known."""
     from canon.claims.run import run
+    from canon.report.proof_file import recorder
 
     open_ones = [position for position in range(len(entries)) if position not in known]
     asked = [entries[position] for position in open_ones]
@@ -54,7 +43,7 @@ def _answers(
         watch(done + len(entries) - len(asked), [open_ones[k] for k in running])
 
     watcher = None if watch is None else told
-    for position, answer in run(asked, settings, _recorder(settings), jobs=jobs, watch=watcher):
+    for position, answer in run(asked, settings, recorder(settings), jobs=jobs, watch=watcher):
         yield open_ones[position], answer
 
 

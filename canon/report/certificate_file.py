@@ -18,20 +18,30 @@ from canon.verdict import Verdict
 PLAIN = re.compile(r"(?:[\w][\w .-]*/)*[\w][\w .-]*")
 
 
-def record_with_certificate(folder: str, entry: Entry, claim: Claim, verdict: Verdict) -> dict[str, Any]:
-    """The record of a verdict, with the path of the certificate that is written for it.
+def certified(
+    folder: str | None, entry: Entry, claim: Claim, verdict: Verdict
+) -> tuple[dict[str, Any], dict[str, Any], dict[str, Any] | None]:
+    """The record of a verdict, the claim file's tables with this claim, and the certificate where there is one.
 
-    A certificate that can't be written leaves null there, and the reason under `certificate_error` in the detail.
+    With a `folder` the certificate is written there, and its path is in the record; where it can't be written null is,
+    and the reason under `certificate_error` in the detail.
     """
+    from canon.claims import document
+    from canon.claims.certificate_data import certificate, statement_tables
+
     record = claim_record(entry, claim, verdict)
-    if verdict.status in ("proved", "refuted"):
+    tables = statement_tables(document.load(entry.path), entry.index)
+    if verdict.status not in ("proved", "refuted"):
+        return record, tables, None
+    data = certificate(claim, verdict, tables)
+    if folder is not None:
         path = certificate_path(folder, entry)
         try:
-            write_certificate(path, entry, claim, verdict)
+            write_certificate(path, data)
             record["certificate"] = str(path)
         except OSError as error:
             record["detail"]["certificate_error"] = f"{path} can't be written: {error.strerror or error}"
-    return record
+    return record, tables, data
 
 
 def certificate_path(folder: str, entry: Entry) -> Path:
@@ -46,12 +56,8 @@ def certificate_path(folder: str, entry: Entry) -> Path:
     return Path(folder) / f"{name}.{entry.index + 1}.json"
 
 
-def write_certificate(path: Path, entry: Entry, claim: Claim, verdict: Verdict) -> None:
+def write_certificate(path: Path, data: dict[str, Any]) -> None:
     """Write the certificate, all of it or nothing. Raises OSError."""
-    from canon.claims import document
-    from canon.claims.certificate_data import certificate, statement_tables
-
-    data = certificate(claim, verdict, statement_tables(document.load(entry.path), entry.index))
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, temporary = tempfile.mkstemp(prefix=".", suffix=".tmp", dir=path.parent)
     try:

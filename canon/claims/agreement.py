@@ -26,17 +26,25 @@ def compared(symbolic: Outcome, numeric: Outcome) -> Outcome:
         return alarm(symbolic, numeric)
     if numeric.status == "refuted":
         if symbolic.status == "refuted":
-            return symbolic
+            return _beside(symbolic, numeric)
         return alarm(symbolic, numeric) if symbolic.status == "proved" else numeric
     if symbolic.status == "refuted":
         contradicted = symbolic.everywhere and numeric.status == "supported"
-        return alarm(symbolic, numeric) if contradicted else symbolic
+        return alarm(symbolic, numeric) if contradicted else _beside(symbolic, numeric)
     if symbolic.status == "undecided" and numeric.status == "supported":
         merged = {**numeric.detail, **symbolic.detail}
         note = "; ".join(dict.fromkeys(part for part in (symbolic.note, numeric.note) if part))
         return replace(numeric, detail=merged, note=note)
     solved = numeric.detail.get("solved")
-    return replace(symbolic, numeric=numeric.numeric or symbolic.numeric).with_detail(solved=solved)
+    return _beside(symbolic, numeric).with_detail(solved=solved)
+
+
+def _beside(symbolic: Outcome, numeric: Outcome) -> Outcome:
+    """The exact answer with the numbers, or with why there are none; a witness keeps its own."""
+    if symbolic.witness is not None:
+        return symbolic
+    found = numeric.numeric or symbolic.numeric
+    return replace(symbolic, numeric=found).with_detail(numbers=None if found else numeric.detail.get("numbers"))
 
 
 def alarm(symbolic: Outcome, numeric: Outcome) -> Outcome:

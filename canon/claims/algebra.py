@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from canon.claims.algebra_identity import identity_outcome
+from canon.claims.algebra_in_balls import refuted_by_signature
 from canon.claims.algebra_independence import independent_outcome
 from canon.claims.bracket import bracket_of, keys_domain, tensor_of
 from canon.claims.fixed_parameters import unfolded
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from canon.decide.tape import Node
 
 Pair = tuple[int, int]
+IF_THEY_HOLD = "the algebra differs, if the brackets hold, which was only sampled"
 
 
 @dataclass(frozen=True)
@@ -106,7 +108,7 @@ def _with_constants(
     if closed.failed is not None:
         pair = next(pair for pair in basis.brackets if _label(basis, pair) == closed.failed.residual.label)
         return closed.with_detail(value=_true_value(question, region, basis, pair))
-    return _conclusion(question, region, basis, closed, stated_constants(basis, brackets), equals)[0]
+    return _conclusion(question, region, basis, closed, stated_constants(basis, brackets), equals, stated=True)[0]
 
 
 def stated_constants(basis: Basis, brackets: Brackets) -> dict[Pair, dict[int, Any]]:
@@ -167,8 +169,13 @@ def _conclusion(
     closed: Outcome,
     constants: Mapping[Pair, Mapping[int, Any]],
     equals: str | None,
+    *,
+    stated: bool = False,
 ) -> tuple[Outcome, LieAlgebra | None]:
-    """The outcome of the closed brackets, of independence and of the identification together."""
+    """The outcome of the closed brackets, of independence and of the identification together.
+
+    Constants that are `stated` with a name that isn't theirs are refuted whether or not the brackets have them.
+    """
     try:
         value = LieAlgebra(basis.names, {pair: dict(row) for pair, row in constants.items()})
     except InputError as error:
@@ -176,8 +183,10 @@ def _conclusion(
         return Outcome("undecided", note=note, numeric=closed.numeric), None
     independent = independent_outcome(question, region, basis.nodes, basis.variables, value)
     identity = identity_outcome(question, region, value, equals)
-    if identity.status == "refuted" and closed.status != "proved":  # a dependent basis would be no better
-        identity = Outcome("undecided", detail=identity.detail, note="the algebra differs, if the brackets hold")
+    if identity.status == "refuted" and closed.status != "proved" and not stated:  # of constants that were guessed
+        assert equals is not None
+        certain = refuted_by_signature(question, region, basis.nodes, basis.brackets, basis.variables, equals)
+        identity = certain or Outcome("undecided", detail=identity.detail, note=IF_THEY_HOLD)
     if region.surface:
         closed = closed.with_detail(closes="on the surface alone: brackets are computed first, and restricted then")
     if independent.status == "refuted":
@@ -202,7 +211,7 @@ def _outside(question: Question, region: Region, basis: Basis, found: Found) -> 
     label = f"{_label(basis, pair)} in the span of the basis"
     return Outcome(
         "refuted", method="balls at several points", witness=sample, detail={"fails": label, "value": value},
-        arguments=({"theorem": theorem},),
+        arguments=({"theorem": theorem},), numeric=found.missed,
     )  # fmt: skip
 
 

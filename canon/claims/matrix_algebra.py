@@ -8,13 +8,16 @@ bracket: the generators are physicists' ones, and the answer says so.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from canon.claims.agreement import ALARM
 from canon.claims.algebra_identity import identity_outcome
+from canon.claims.matrix_numbers import bracket_evidence
 from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.scale import never_zero
 from canon.errors import InputError
@@ -45,6 +48,16 @@ def matrix_algebra(question: Question) -> Outcome:
     coefficients = [] if brackets is None else [v for row in brackets.values() for v in row.values()]
     region = question.region(*entries, *coefficients)
     matrices = entries_of(basis)
+    outcome, algebra = _decided(question, region, matrices, brackets, equals)
+    if question.method != "numeric":
+        return outcome
+    return _with_numbers(question, region, matrices, outcome, _constants(question, tuple(matrices), algebra, brackets))
+
+
+def _decided(
+    question: Question, region: Region, matrices: Mapping[str, Any], brackets: Brackets | None, equals: str | None
+) -> tuple[Outcome, LieAlgebra | None]:
+    """The outcome by linear algebra, and the algebra where the matrices make one."""
     scaled = scaled_matrices(matrices)
     if scaled is None:
         return _with_parameters(question, region, matrices, brackets, equals)
@@ -52,12 +65,37 @@ def matrix_algebra(question: Question) -> Outcome:
     try:
         found = algebra_of_matrices(plain)
     except (Dependent, NotClosed) as error:
-        return question.refuted_exactly(region, error.message, **_failure(error))
+        return question.refuted_exactly(region, error.message, **_failure(error)), None
     algebra = unscaled(found.algebra, scales)
     outcome = identity_outcome(question, region, algebra, equals).with_detail(bracket=_bracket_words(found))
-    if brackets is None:
-        return outcome
-    return combined([compared(question, region, algebra, brackets), outcome])
+    if brackets is not None:
+        outcome = combined([compared(question, region, algebra, brackets), outcome])
+    return outcome, algebra
+
+
+def _constants(
+    question: Question, names: Sequence[str], algebra: LieAlgebra | None, brackets: Brackets | None
+) -> dict[tuple[int, int], dict[int, int]] | None:
+    """The nodes of the structure constants, by positions: those stated, else those found; None without any."""
+    if brackets is not None:
+        position = {name: k for k, name in enumerate(names)}
+        rows = {(a, b): stated(question, brackets, names[a], names[b]) for a, b in combinations(range(len(names)), 2)}
+        return {pair: {position[c]: node for c, node in row.items()} for pair, row in rows.items()}
+    if algebra is None:
+        return None
+    return {pair: {c: question.load(_sympy(v)) for c, v in row.items()} for pair, row in algebra.constants.items()}
+
+
+def _with_numbers(
+    question: Question, region: Region, matrices: Mapping[str, Any], outcome: Outcome, constants: Any
+) -> Outcome:
+    """The outcome with the brackets in floating-point numbers; an alarm where they deny what was proved."""
+    physicists = outcome.detail.get("bracket") == PHYSICISTS
+    evidence = bracket_evidence(question, region, matrices, constants, physicists=physicists)
+    outcome = replace(outcome, numeric=evidence)
+    if evidence is not None and outcome.status == "proved" and evidence.max_residual > evidence.bound:
+        return outcome.with_status("undecided").with_detail(alarm=ALARM)
+    return outcome
 
 
 def entries_of(basis: Mapping[str, Any]) -> dict[str, list[list[Any]]]:
@@ -186,7 +224,7 @@ def unscaled(algebra: LieAlgebra, scales: Mapping[str, sp.Expr]) -> LieAlgebra:
 
 def _with_parameters(
     question: Question, region: Region, matrices: Mapping[str, Any], brackets: Brackets | None, equals: str | None
-) -> Outcome:
+) -> tuple[Outcome, LieAlgebra | None]:
     """Coefficients from entries that are independent for all values of the parameters, decided for all entries."""
     outcomes = []
     for closed, algebra, words in closings(question, region, matrices):
@@ -194,12 +232,12 @@ def _with_parameters(
         if algebra is not None:
             outcome = identity_outcome(question, region, algebra, equals).with_detail(bracket=words)
             stated_too = [] if brackets is None else [compared(question, region, algebra, brackets)]
-            return combined([closed, *stated_too, outcome])
+            return combined([closed, *stated_too, outcome]), algebra
     if not outcomes:
-        return Outcome("undecided", note="no entries were found by which the matrices are independent throughout")
+        return Outcome("undecided", note="no entries were found by which the matrices are independent throughout"), None
     if all(outcome.status == "refuted" for outcome in outcomes):
-        return outcomes[0]
-    return Outcome("undecided", note="whether the real span closes wasn't decided")
+        return outcomes[0], None
+    return Outcome("undecided", note="whether the real span closes wasn't decided"), None
 
 
 def closings(
@@ -225,7 +263,8 @@ def closings(
             residuals += [Residual(label, question.load(e)) for e in rest if sp.expand(e) != 0]
             residuals += [Residual(f"{label}, a real coefficient", question.load(v)) for v in unreal]
         closed = question.decide(residuals, region) if residuals else exact("proved", "linear algebra")
-        yield closed, LieAlgebra(names, constants) if closed.status == "proved" else None, words
+        sampled = question.method == "numeric" and closed.status == "supported"
+        yield closed, LieAlgebra(names, constants) if closed.status == "proved" or sampled else None, words
 
 
 def _independent_entries(entries: list[list[Any]]) -> list[int] | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -41,7 +42,7 @@ def normal_form(question: Question) -> Outcome:
     conditions = _conditions(question, H, *N.values())
     region = _at_the_origin(question, conditions)
     if question.method == "numeric":
-        return _sampled(question, H, N)
+        return _sampled(question, H, N, region)
     expressions = {degree: formula.expr for degree, formula in N.items()}
     try:
         found = compared(question.space.old, H.expr, expressions, order, question.budget.check)
@@ -53,24 +54,14 @@ def normal_form(question: Question) -> Outcome:
         detail["resonances"] = [str(k) for k in near]
     if found.holds:
         return _holds(question, found, region, conditions).with_detail(**detail)
-    names = sorted(set().union(H.expr.free_symbols, *(e.free_symbols for e in expressions.values())), key=str)
-    parameters = [s for s in names if isinstance(s, sp.Symbol) and s not in question.space.old]
+    parameters = _parameters(question, H.expr, expressions)
     if not parameters:
         outcome = question.refuted_exactly(region, f"{found.reason}; {THEOREM}")
         return outcome.with_detail(**detail, **_failure(question, found))
     for values in _points(question, parameters, region):
-        rules: Any = dict(values)
-        here: dict[int, Any] = {degree: e.xreplace(rules) for degree, e in expressions.items()}
-        at_values: Any = H.expr.xreplace(rules)
-        try:
-            there = compared(question.space.old, at_values, here, order, question.budget.check)
-        except (ValueError, ArithmeticError, InputError):
-            continue
-        if not there.holds:
-            witness = {str(name): str(value) for name, value in values.items()}
-            step = {"theorem": THEOREM, "at": witness, "fails": there.reason}
-            detail |= _failure(question, there)
-            return Outcome("refuted", EXACTLY, witness=witness, detail=detail, arguments=(step,))
+        there = _at(question, H.expr, expressions, values)
+        if isinstance(there, Outcome):
+            return replace(there, detail={**detail, **there.detail})
     return Outcome(
         "undecided", detail=detail, note="fails at generic values of the parameters, but at none that was tried"
     )
@@ -175,8 +166,8 @@ def _points(question: Question, names: list[sp.Symbol], region: Region) -> Itera
             yield {s: sp.Rational(v.numerator, v.denominator) for s, v in values.items() if isinstance(v, Fraction)}
 
 
-def _sampled(question: Question, H: Formula, N: Mapping[int, Formula]) -> Outcome:
-    """Balls for {H₂, N} alone: that N is reached from H isn't a matter of points."""
+def _sampled(question: Question, H: Formula, N: Mapping[int, Formula], inside: Region) -> Outcome:
+    """Balls for {H₂, N} = 0; that N is reached from H, at a few values of the parameters."""
     space, tape = question.space, question.tape
     origin = dict.fromkeys(space.old, sp.S.Zero)
     slopes = [[H.expr.diff(x, y).xreplace(origin) for y in space.old] for x in space.old]
@@ -190,9 +181,48 @@ def _sampled(question: Question, H: Formula, N: Mapping[int, Formula]) -> Outcom
     )
     region = question.region(H, *N.values(), chart=chart_of(tape, space, None), domain=question.subject.domain)
     outcome = question.decide(brackets, region)
-    if outcome.status == "refuted":
+    if outcome.status != "supported":
         return outcome
-    return outcome.with_status("undecided", "{H2, N} = 0 was sampled; that N is reached from H can't be")
+    expressions: dict[int, Any] = {degree: formula.expr for degree, formula in N.items()}
+    parameters = _parameters(question, H.expr, expressions)
+    reached = 0
+    for values in _points(question, parameters, inside) if parameters else [{}]:
+        there = _at(question, H.expr, expressions, values)
+        if isinstance(there, Outcome):
+            return replace(there if parameters else _refuted_inside(question, there, inside), numeric=outcome.numeric)
+        reached += there
+    if not reached:
+        return outcome.with_status("undecided", "{H2, N} = 0 was sampled; that N is reached from H wasn't decided")
+    where = f" at {reached} choices of the parameters" if parameters else ""
+    return outcome.with_status("supported", f"N is reached from H{where}, by linear algebra in rational numbers")
+
+
+def _refuted_inside(question: Question, refuted: Outcome, inside: Region) -> Outcome:
+    """A refutation without values of parameters, for a domain that is shown to have a point."""
+    exactly = question.refuted_exactly(inside, f"{refuted.arguments[0]['fails']}; {THEOREM}")
+    return exactly.with_detail(**refuted.detail) if exactly.status == "refuted" else exactly
+
+
+def _parameters(question: Question, H: Any, N: Mapping[int, Any]) -> list[sp.Symbol]:
+    names = sorted(set().union(H.free_symbols, *(e.free_symbols for e in N.values())), key=str)
+    return [s for s in names if isinstance(s, sp.Symbol) and s not in question.space.old]
+
+
+def _at(question: Question, H: Any, N: Mapping[int, Any], values: Mapping[sp.Symbol, sp.Expr]) -> Outcome | bool:
+    """Whether N is reached at values of the parameters: a refutation there, True, or False where it isn't decided."""
+    rules: Any = dict(values)
+    here = {degree: e.xreplace(rules) for degree, e in N.items()}
+    order = question.key("order")
+    try:
+        there = compared(question.space.old, H.xreplace(rules), here, order, question.budget.check)
+    except (ValueError, ArithmeticError, InputError):
+        return False
+    if there.holds:
+        return True
+    witness = {str(name): str(value) for name, value in values.items()}
+    step = {"theorem": THEOREM, "at": witness, "fails": there.reason}
+    detail = {"order": order, **_failure(question, there)}
+    return Outcome("refuted", EXACTLY, witness=witness or None, detail=detail, arguments=(step,))
 
 
 KINDS = {"normal_form": normal_form}

@@ -94,7 +94,7 @@ def combined(outcomes: Iterable[Outcome]) -> Outcome:
         method=", ".join(dict.fromkeys(methods)),
         findings=tuple(finding for part in parts for finding in part.findings),
         witness=refuted.witness if refuted else None,
-        numeric=refuted.numeric if refuted else merged(part.numeric for part in parts),
+        numeric=refuted.numeric if refuted and refuted.witness else merged(part.numeric for part in parts),
         detail=detail,
         arguments=tuple(argument for part in parts for argument in part.arguments),
         everywhere=refuted.everywhere if refuted else False,

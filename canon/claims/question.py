@@ -287,6 +287,8 @@ class Question:
         """Is there a point of the region where the node doesn't vanish? ("refuted": it vanishes identically.)"""
         if self.method != "numeric":
             return ladder.nonvanishing(self.tape, node, region, budget=self.budget, seed=self.seed)
+        if node == self.tape.zero:  # the number itself: there is nothing to sample
+            return ladder.nonvanishing(self.tape, node, region, budget=self.budget, seed=self.seed)
         outcome = self.sampled([Residual("0", node)], region, SUPPORT_POINTS)
         if outcome.failed is not None:
             return replace(outcome.failed.answer, status="proved", method="nonzero at a point")
@@ -297,7 +299,8 @@ class Question:
         (answer,) = ladder.vanish(self.tape, [self.tape.zero], region, budget=self.budget, seed=self.seed)
         if answer.status != "proved":
             return Outcome("undecided", note=f"{theorem}; but no point of the domain could be certified")
-        return replace(exact("refuted", theorem, **detail), numeric=answer.numeric)
+        seen = answer.numeric if self.method != "numeric" else None  # the number 0 at a point is no sampled residual
+        return replace(exact("refuted", theorem, **detail), numeric=seen)
 
     def show(self, node: Node, *, shorten: bool = True) -> str:
         """A node as a formula for people."""

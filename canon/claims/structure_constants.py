@@ -24,6 +24,7 @@ from canon.claims.structure_search import (
 from canon.decide.enclosure import precision
 from canon.decide.search import Sample
 from canon.sign import declared
+from canon.verdict import Evidence
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -40,9 +41,9 @@ class Found:
 
     **Arguments:** `constants[k]`, the combination {position: expression} of bracket k; `outside`, the number of a
     bracket that is certainly no combination, and a sample that shows it; `chosen`, whether that was for particular
-    functions in place of arbitrary ones; `dependent`, a relation that the basis seems to satisfy, guessed;
-    `unknown`, the number of a bracket whose constants weren't recognised; `independent`, whether the basis certainly
-    is, at the parameters' `values`.
+    functions in place of arbitrary ones; `missed`, by how much the bracket `outside` is none there; `dependent`, a
+    relation that the basis seems to satisfy, guessed; `unknown`, the number of a bracket whose constants weren't
+    recognised; `independent`, whether the basis certainly is, at the parameters' `values`.
     """
 
     constants: list[dict[int, sp.Expr]]
@@ -53,6 +54,7 @@ class Found:
     dependent: dict[int, sp.Expr] | None = None
     unknown: int | None = None
     nothing: str = ""
+    missed: Evidence | None = None
 
 
 def find_constants(
@@ -72,7 +74,7 @@ def find_constants(
         guess = {c: v for c, v in relation.items() if v is not None}
         return Found([], values, dependent=guess if len(guess) == len(relation) else None, nothing="dependent")
     if solution.outside is not None:
-        return Found([], values, solution.independent, solution.outside, chosen)
+        return Found([], values, solution.independent, solution.outside, chosen, missed=solution.missed)
     if products and not solution.constants:
         return Found([], values, nothing="the equations at sample points are singular")
     powers = _powers(question, region, basis, products, varied, values, solution)

@@ -19,11 +19,13 @@ from flint import acb, arb, arb_mat
 
 from canon.claims.dependence import in_place_of_functions
 from canon.claims.fixed_parameters import moved_region
+from canon.decide.answer import largest
 from canon.decide.derivative import substitute
 from canon.decide.enclosure import OutOfDomain, excludes_zero, precision
 from canon.decide.region import Region
 from canon.decide.search import Sample, evaluate_again, samples
 from canon.decide.tape import Node, Unsupported
+from canon.verdict import Evidence
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -57,14 +59,16 @@ class Solution:
     """What the equations at sample points say.
 
     **Arguments:** `constants[k]`, balls of the coefficients of bracket k; `outside`, the number of the first bracket
-    that is certainly no combination, with the sample that shows it; `dependent`, coefficients of a relation that the
-    basis seems to satisfy; `independent`, whether a determinant certainly isn't 0.
+    that is certainly no combination, with the sample that shows it; `missed`, by how much it differs there from the
+    only one that is possible; `dependent`, coefficients of a relation that the basis seems to satisfy; `independent`,
+    whether a determinant certainly isn't 0.
     """
 
     constants: list[list[Any]]
     outside: tuple[int, Sample] | None = None
     dependent: tuple[float, ...] | None = None
     independent: bool = False
+    missed: Evidence | None = None
 
 
 def parameters_of(question: Question, variables: Sequence[Node], nodes: Sequence[Node]) -> list[Node]:
@@ -153,8 +157,10 @@ def solve(found: Frame) -> Solution:
         for number, row in enumerate(constants):
             for k in rest:
                 value = sum((c * f for c, f in zip(row, found.basis[k], strict=True)), start=arb(0))
-                if excludes_zero(found.products[k][number] - value):
-                    return Solution(constants, (number, found.points[k]), independent=independent)
+                difference = found.products[k][number] - value
+                if excludes_zero(difference):
+                    missed = Evidence(len(found.points), *largest([difference]), BITS)
+                    return Solution(constants, (number, found.points[k]), independent=independent, missed=missed)
     return Solution(constants, independent=independent)
 
 

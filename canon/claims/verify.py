@@ -11,6 +11,7 @@ from canon.budget import Budget
 from canon.claim import Claim
 from canon.claims.agreement import alarm_within, compared
 from canon.claims.kinds import Kind, kind_named
+from canon.claims.no_numbers import sampled_only
 from canon.claims.outcome import Outcome
 from canon.claims.question import Question
 from canon.decide.certificate import Certificate
@@ -64,9 +65,7 @@ def _answer(decide: Kind, question: Question) -> Outcome:
         return Outcome("undecided", note="an expression nested too deeply")
     except Contradiction as reason:
         return alarm_within(str(reason))
-    if question.method == "numeric" and outcome.status == "proved":
-        return outcome.with_status("supported", "sampled only")
-    return outcome
+    return sampled_only(outcome) if question.method == "numeric" else outcome
 
 
 def _verdict(question: Question, outcome: Outcome, seconds: float) -> Verdict:

@@ -104,10 +104,23 @@ def test_outside_of_exact_arithmetic(ask):
     assert verdict.status == "undecided"
 
 
-def test_sampling_alone_decides_nothing_for_it(ask):
+def test_sampling_reaches_it_at_values_of_the_parameters(ask):
     options = {"method": "numeric"}
-    good, bad = ask(_claim(4, N4="I**2"), _claim(4, N4="x**4"), space=PLANE, options=options, **RESONANT)
-    assert (good.status, bad.status) == ("undecided", "refuted")
+    good, near, bad = ask(
+        _claim(4, N4="N4"),
+        _claim(4, N4="N4 + I**2/1000"),
+        _claim(4, N4="x**4"),
+        space=PLANE,
+        options=options,
+        **RESONANT,
+    )
+    assert (good.status, near.status, bad.status) == ("supported", "refuted", "refuted")
+    assert good.numeric.points == 1000
+    quartic = {"space": LINE, "symbols": 'b = "positive"', "hamiltonian": 'H = "(p**2 + q**2)/2 + b*q**4"'}
+    I = "3/2*b*((p**2 + q**2)/2)**2"
+    good, near = ask(_claim(4, N4=I), _claim(4, N4=f"1001/1000*{I}"), options=options, **quartic)
+    assert (good.status, near.status) == ("supported", "refuted")
+    assert set(near.witness) == {"b"}
 
 
 @pytest.mark.parametrize(

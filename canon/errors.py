@@ -33,6 +33,10 @@ class InputError(CanonError):
         return InputError(self.message, place)
 
 
+class EmptyDomain(InputError):
+    """No point was found at which the claim is made."""
+
+
 class BudgetExceeded(CanonError):
     """The time given to a claim is spent."""
 

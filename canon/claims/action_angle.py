@@ -1,8 +1,9 @@
 """Action and angle variables: a canonical map to momenta on which alone H depends, and angles that close up.
 
 Of a map given as old variables in new ones the cycle of an angle is the curve along which it alone grows. It must close
-after `angle_period`, and not before (`cycle`). A map given forward, or by a generating function, is inverted first; the
-inverse is verified, and is only one branch of it.
+after `angle_period`, and not before (`cycle`). A map given forward, or by a generating function, is compared with the
+action in closed form where there is one (`cycle_action`); else it is inverted first, and the inverse, which is only one
+branch of it, is verified.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from canon.claims.cycle import Cycle, closes
+from canon.claims.cycle_action import by_action
 from canon.claims.generating_function import generated
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.question import Question
@@ -25,7 +27,10 @@ from canon.errors import InputError
 from canon.mechanics.action_angle import linear_edge
 
 if TYPE_CHECKING:
+    from canon.expression import Formula
     from canon.mechanics import Transformation
+
+NOT_INVERTED = (sp.elliptic_f, sp.elliptic_e, sp.elliptic_k, sp.LambertW, sp.gamma)
 
 
 def action_angle(question: Question) -> Outcome:
@@ -35,8 +40,7 @@ def action_angle(question: Question) -> Outcome:
     period = question.key("angle_period")
     length: Any = sp.S.One if period is None else period.expr
     given = question.map
-    written = [given.generating_function.F] if given.generating_function is not None else given.formulas
-    for formula in (H, *written):
+    for formula in (H, *_written(given)):
         if space.t in formula.expr.free_symbols:
             raise InputError("action and angle variables are those of an H and a map without time")
     if length.free_symbols & {*space.old, *space.new, space.t} or length.is_zero:
@@ -45,6 +49,10 @@ def action_angle(question: Question) -> Outcome:
     if outcome.status == "refuted":
         return outcome
     backward, grounds = question, [outcome]
+    if given.direction != "backward":
+        by_itself = by_action(question, length)
+        if by_itself is not None:
+            return combined([outcome, by_itself])
     if given.direction != "backward":
         inverse = _inverted(question, length)
         if inverse is None:
@@ -61,12 +69,18 @@ def action_angle(question: Question) -> Outcome:
     return combined([*grounds, depends, *cycles])
 
 
+def _written(given: Transformation) -> tuple[Formula, ...]:
+    return (given.generating_function.F,) if given.generating_function is not None else given.formulas
+
+
 def _inverted(question: Question, length: Any) -> tuple[Question, Outcome] | None:
     """A question about the map given backward, with the outcome that it is the map's inverse; None where none is found.
 
     It is verified where the angles lie within a part of one turn: elsewhere the map's angles are on other branches.
     """
     given = question.map
+    if any(formula.expr.has(*NOT_INVERTED) for formula in _written(given)):
+        return None
     for branch in range(2):
         try:
             inverse = given.backward(branch)

@@ -30,7 +30,7 @@ from canon.errors import InputError
 from canon.verdict import Evidence
 
 if TYPE_CHECKING:
-    from canon.claims.action import Setting
+    from canon.claims.action_region import Setting
     from canon.claims.question import Question
 
 PLACES, TRIES = 6, 24

@@ -20,6 +20,7 @@ from flint import acb, arb
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.decide.cells import cells_of
 from canon.decide.derivative import substitute
+from canon.decide.implied import without_implied
 from canon.decide.search import evaluate_again, samples
 from canon.decide.tape import Unsupported
 from canon.decide.winding import winding_number
@@ -180,8 +181,8 @@ def _once(cycle: Cycle, closed: Outcome, turns: Turns) -> Outcome:
 
 def _winds_once(cycle: Cycle) -> Outcome:
     """A winding number ±1 round one point of one plane, on each component of the domain."""
-    question, tape, region = cycle.question, cycle.question.tape, cycle.region
-    chart = question.chart
+    question, tape, chart = cycle.question, cycle.question.tape, cycle.question.chart
+    region = without_implied(tape, cycle.region, question.budget)
     cells = cells_of(tape, region, list(chart.old), question.budget)
     if not cells or not all(cell.connected for cell in cells):
         cells = cells_of(tape, region, list(chart.old), question.budget, finer=True)

@@ -44,6 +44,8 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
     if flipped:
         arguments = [field.negative(arguments[0])]
     known = _find(tower, name, arguments)
+    if known is None and name in ("elliptic_k", "elliptic_e"):
+        known = _by_other_parameter(tower, name, arguments[0])
     if known is None and name == "elliptic_e":
         known = _by_legendre(tower, arguments[0])
     if known is None:
@@ -51,6 +53,22 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
         sign = _sign(tower, name, arguments)
         known = tower.element(_made(tower, name, sign, arguments, constant))
     return field.negative(known) if flipped else known
+
+
+def _by_other_parameter(tower: Tower, name: str, m: Element) -> Element | None:
+    """K(m) = K(m/(m−1))/√(1−m) and E(m) = √(1−m) E(m/(m−1)) where that is there already, for m < 1 (DLMF 19.7.2)."""
+    from canon.decide import radicals
+    from canon.decide.signs import learn_positive
+
+    field = tower.field
+    rest = field.combine([(-ONE, m)], ONE)
+    if not m[0] or not rest[0]:
+        return None
+    other = _find(tower, name, [field.negative(field.product([m, field.inverse(rest)]))])
+    if other is None:
+        return None
+    learn_positive(tower, [rest])  # both are defined for m < 1 alone
+    return field.product([other, radicals.power(tower, rest, Fraction(-1 if name == "elliptic_k" else 1, 2))])
 
 
 def _by_legendre(tower: Tower, m: Element) -> Element | None:

@@ -28,7 +28,7 @@ from canon.decide.search import Sample, evaluate_again, extended, samples
 from canon.decide.slivers import points_between_zeros
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
-from canon.errors import InputError
+from canon.errors import EmptyDomain
 
 DEEPER = (256, 1024, 4096)
 
@@ -177,7 +177,7 @@ class _Ladder:
 
     def _nowhere(self) -> NoReturn:
         words = [requirement.text for requirement in self.region.requirements]
-        raise InputError(
+        raise EmptyDomain(
             f"no point of the domain was found{' on the surface' if self.region.surface else ''}, it seems empty"
             + (f": {'; '.join(words[:6])}" if words else "")
         )

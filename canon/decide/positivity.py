@@ -32,17 +32,20 @@ STARTS, STEPS = 4, 160
 Box = dict[Node, tuple[Fraction, Fraction]]
 
 
-def positive_by_signs(tape: Tape, node: Node, region: Region, budget: Budget, *, strict: bool) -> bool:
+def positive_by_signs(
+    tape: Tape, node: Node, region: Region, budget: Budget, *, strict: bool, thorough: bool = False
+) -> bool:
     """Whether the factors of the normal form make the node positive (not negative) on the whole region.
 
-    The box of the symbols is taken for open; where a symbol may be 0 besides, a strict sign is shown there too, and
-    one that isn't strict follows by continuity.
+    `thorough`: conditions are used that contain functions which the node doesn't, too. The box of the symbols is taken
+    for open; where a symbol may be 0 besides, a strict sign is shown there too, and one that isn't strict follows by
+    continuity.
     """
     value = tape.value(node)
     if value is not None:
         return value > 0 or (value == 0 and not strict)
     positive = [r.nodes[0] for r in region.requirements if r.kind == "positive" and not tape.is_complex(r.nodes[0])]
-    sign = _sign(tape, node, intervals_of(tape, region), positive, budget)
+    sign = _sign(tape, node, intervals_of(tape, region), positive, budget, thorough)
     if sign != "pos" and (strict or sign != "nonneg"):
         return False
     if not strict:
@@ -70,9 +73,17 @@ def _without(tape: Tape, region: Region, x: Node) -> Region:
     return Region(kept, (), region.symbols)
 
 
-def _sign(tape: Tape, node: Node, box: Mapping[Node, Interval], positive: Sequence[Node], budget: Budget) -> str | None:
+def _sign(
+    tape: Tape,
+    node: Node,
+    box: Mapping[Node, Interval],
+    positive: Sequence[Node],
+    budget: Budget,
+    thorough: bool = False,
+) -> str | None:
     try:
-        tower = Tower(tape, [node], positive=positive, intervals=box, budget=budget)
+        targets = [node, *positive] if thorough else [node]
+        tower = Tower(tape, targets, positive=positive, intervals=box, budget=budget)
         values = dict(tower.values)
         for i in tape.reach([node]):
             if i not in values:

@@ -26,6 +26,7 @@ def sign_by_rules(tower: Tower, p: Polynomial) -> str | None:
         constant_sign,
         affine_sign,
         _bounded_pair,
+        _against_wave,
         _against_one,
         sign_on_orthant,
         sign_by_real_roots,
@@ -59,6 +60,29 @@ def _bounded_pair(tower: Tower, p: Polynomial) -> str | None:
         return None
     strict = abs(slope) < abs(constant) or _partner_has_a_sign(tower, made)
     return ("pos" if strict else "nonneg") if constant > 0 else ("neg" if strict else "nonpos")
+
+
+def _against_wave(tower: Tower, p: Polynomial) -> str | None:
+    """a + b·c with a real cosine or sine c, a and b free of it and of its partner: a's sign where b² < a²."""
+    from canon.decide.signs import sign_of
+
+    ring = tower.ring
+    if len(p) > MOST_QUADRATIC:
+        return None
+    for k, degree in enumerate(ring.degrees(p)):
+        made = tower.generators[k] if degree == 1 else None
+        if made is None or made.kind not in ("cos", "sin") or made.sign == "cplx":
+            continue
+        parts = [ring.zero, ring.zero]
+        for monomial, c in ring.terms(p).items():
+            parts[monomial[k]] = parts[monomial[k]] + ring.polynomial({(*monomial[:k], 0, *monomial[k + 1 :]): c})
+        side = sign_of(tower, parts[0]) if parts[0] else None
+        if side not in ("pos", "neg"):
+            continue
+        difference = tower.field.normal(parts[0] * parts[0] - parts[1] * parts[1])
+        if difference and len(difference) <= MOST_TERMS and sign_of_product(tower, difference) == "pos":
+            return side
+    return None
 
 
 def _partner_has_a_sign(tower: Tower, made: Generator) -> bool:

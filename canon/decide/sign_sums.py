@@ -37,10 +37,10 @@ def by_even_powers(tower: Tower, p: Polynomial) -> str | None:
 
 
 def by_known_forms(tower: Tower, p: Polynomial) -> str | None:
-    """A linear form that is a sum of some known to be positive, and of positive symbols: c − a from c > b > a."""
-    if len(p) > MOST_LINEAR or not _is_linear(tower, p):
+    """A form that is a sum of multiples of some known to be positive, and of positive terms: 2c − a·b from c > a·b."""
+    if len(p) > MOST_LINEAR:
         return None
-    facts = [f for f, sign in tower.facts if sign == "pos" and len(f) <= MOST_LINEAR and _is_linear(tower, f)]
+    facts = [f for f, sign in tower.facts if sign == "pos" and 1 < len(f) <= MOST_LINEAR and _share(tower, f, p)]
     if not facts or len(facts) > 2 * MOST_FACTS:
         return None
     for sign, form in (("pos", p), ("neg", -p)):
@@ -49,18 +49,22 @@ def by_known_forms(tower: Tower, p: Polynomial) -> str | None:
     return None
 
 
-def _is_linear(tower: Tower, p: Polynomial) -> bool:
-    return all(sum(monomial) <= 1 for monomial in tower.ring.terms(p))
+def _share(tower: Tower, fact: Polynomial, p: Polynomial) -> bool:
+    """Whether some term of p, not its constant, occurs in the fact too."""
+    return any(any(monomial) for monomial in tower.ring.terms(fact).keys() & tower.ring.terms(p).keys())
 
 
 def _adds_up(tower: Tower, form: Polynomial, facts: list[Polynomial], depth: int) -> bool:
-    """Whether the form, less some of the facts, is a sum of what isn't negative."""
+    """Whether the form, less positive multiples of some of the facts, is a sum of what isn't negative."""
     from canon.decide.signs import sign_at_sight
 
+    terms = tower.ring.terms(form)
     for fact in facts:
-        rest = form - fact
-        if not rest or sign_at_sight(tower, rest) in ("pos", "nonneg"):
-            return True
-        if depth > 1 and len(rest) < len(form) + 1 and _adds_up(tower, rest, facts, depth - 1):
-            return True
+        shared = [(c, terms[m]) for m, c in tower.ring.terms(fact).items() if m in terms]
+        for factor in dict.fromkeys(own / c for c, own in shared if own / c > 0):
+            rest = form - tower.ring.scaled(fact, factor)
+            if not rest or sign_at_sight(tower, rest) in ("pos", "nonneg"):
+                return True
+            if depth > 1 and len(rest) < len(form) + 1 and _adds_up(tower, rest, facts, depth - 1):
+                return True
     return False

@@ -40,6 +40,68 @@ def test_the_oscillator(status, transformation, period, expected):
     assert status(_claim(period), space=SPACE, transformation=transformation, **OSCILLATOR) == expected
 
 
+MORSE = {
+    "symbols": 'c = "positive"\na = "positive"\nm = "positive"\nJ = "positive"',
+    "definitions": 'k = "1 - a*J/c"\ne = "sqrt(a*J*(2*c - a*J))/c"',
+    "hamiltonian": 'H = "(p**2 + c**2*(1 - exp(-a*q))**2)/(2*m)"',
+    "domain": 'where = ["a*J < c"]',
+}
+MORSES = 'q = ["log((1 + e*sin(w))/k**2)/a"]\np = ["c*k*e*cos(w)/(1 + e*sin(w))"]'
+
+
+@pytest.mark.parametrize(("where", "period"), [("c*k*e", "2*pi"), ("1001/1000*c*k*e", "2*pi"), ("c*k*e", "4*pi")])
+def test_a_well_whose_orbits_are_bound_below_an_energy(status, where, period):
+    """The cycles fill a connected domain though the conditions on it have several names, and a sine."""
+    mutant = where != "c*k*e" or period != "2*pi"
+    found = status(_claim(period), space=SPACE, transformation=MORSES.replace("c*k*e", where), **MORSE)
+    assert found == ("refuted" if mutant else "proved")
+
+
+PENDULUM = {
+    "definitions": 'k = "p**2/4 + sin(q/2)**2"',
+    "hamiltonian": 'H = "p**2/2 - cos(q)"',
+    "domain": 'where = ["k < 1", "-pi < q < pi", "p > 0"]',
+}
+PHASE, LIBRATION = "elliptic_f(asin(sin(q/2)/sqrt(k)), k)", "16*(elliptic_e(k) - (1 - k)*elliptic_k(k))"
+
+
+@pytest.mark.parametrize(
+    ("factor", "J", "period", "expected"),
+    [
+        ("1/4", LIBRATION, "1", "proved"),
+        ("-1/4", f"-{LIBRATION}", "1", "proved"),
+        ("1/2", f"({LIBRATION})/2", "2", "proved"),
+        ("1/4", f"{LIBRATION} + 3", "1", "proved"),  # an action from another origin
+        ("1/2", f"({LIBRATION})/2", "1", "refuted"),
+        ("1/4", LIBRATION, "1001/1000", "refuted"),
+        ("1/4", LIBRATION.replace("1 - k", "1 - 1001/1000*k"), "1", "refuted"),
+        ("1/4", f"{LIBRATION} + q**3/1000", "1", "refuted"),
+    ],
+)
+def test_an_angle_on_a_part_of_its_cycle_by_the_action(ask, factor, J, period, expected):
+    """Goldstein, Poole and Safko (2002), section 10.6: compared with the action in closed form, nothing is inverted."""
+    forward = f'Q = ["{factor}*{PHASE}/elliptic_k(k)"]\nP = ["{J}"]'
+    (verdict,) = ask(_claim(period), space=SPACE, transformation=forward, **PENDULUM)
+    assert verdict.status == expected
+    if expected == "proved":
+        assert verdict.detail["cycle of w"] == f"a libration, dJ/dP = {period}"
+
+
+@pytest.mark.parametrize(("period", "expected"), [("1", "proved"), ("2", "refuted")])
+def test_a_turn_of_a_rotation_by_the_action(status, period, expected):
+    forward = 'Q = ["elliptic_f(q/2, 1/k)/(2*elliptic_k(1/k))"]\nP = ["8*sqrt(k)*elliptic_e(1/k)"]'
+    beyond = {**PENDULUM, "domain": 'where = ["k > 1", "-pi < q < pi", "p > 0"]'}
+    assert status(_claim(period), space=SPACE, transformation=forward, **beyond) == expected
+
+
+def test_orbits_that_need_not_be_the_closed_forms_are_not_compared(ask):
+    """With k > 1 on a part of the domain the libration's action says nothing there."""
+    forward = 'Q = ["elliptic_f(q/2, 1/k)/(2*elliptic_k(1/k))"]\nP = ["8*sqrt(k)*elliptic_e(1/k)"]'
+    both = {**PENDULUM, "domain": 'where = ["k > 1/2", "-pi < q < pi", "p > 0"]'}
+    (verdict,) = ask(_claim(), space=SPACE, transformation=forward, **both)
+    assert verdict.status in ("undecided", "supported")
+
+
 def test_what_fails_is_named(ask):
     (verdict,) = ask(_claim("2"), space=SPACE, transformation=MAP, **OSCILLATOR)
     assert verdict.detail["fails"] == "the cycle of w is closed after 1/2 of the period already"

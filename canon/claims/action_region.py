@@ -1,0 +1,125 @@
+"""Where an action's claim is made: the constants for which the motion exists, and the range that its orbit covers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from canon.claims.chart import chart_of
+from canon.decide.intervals import intervals_of
+from canon.decide.region import Region, Requirement
+from canon.decide.sign_on_box import definite_sign
+from canon.decide.tape import Unsupported
+from canon.domain import Condition, Domain, nonzero
+from canon.mechanics.action_angle import ClosedAction, OneDegree, at_most, linear_edge
+from canon.sign import known_sign
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What an action's claim is about.
+
+    **Arguments:** the coordinate and its momentum; `H`, with what is fixed put in; `energy`; `equals`, likewise;
+    `conditions`, all of the domain; `motion`, the orbits H = energy.
+    """
+
+    q: sp.Symbol
+    p: sp.Symbol
+    H: Any
+    energy: Any
+    equals: Any
+    conditions: tuple[Condition, ...]
+    motion: OneDegree
+
+
+def existing(question: Question, setting: Setting, closed: ClosedAction) -> Region:
+    """The constants for which such a motion exists, in the domain."""
+    tape = question.tape
+    variables = {setting.q, setting.p}
+    kept = tuple(c for c in setting.conditions if not any(term.free_symbols & variables for term in c.terms))
+    named = set().union(setting.motion.square.free_symbols, setting.equals.free_symbols)
+    named |= {name for condition in kept for term in condition.terms for name in term.free_symbols}
+    images = {tape.symbol(x): tape.zero for x in question.space.old if x in variables or x not in named}
+    plain = chart_of(tape, question.space, None)
+    region = question.region(domain=Domain(kept), images=images, chart=plain, assumed=False, regular=False)
+    wanted = [(e, "such a motion exists") for e in closed.exists if known_sign(e) != "positive"]
+    well = question.key("well")
+    if well is not None:
+        inside: Any = setting.motion.square.xreplace({setting.q: well.expr})
+        wanted.append((inside, f"{well} lies inside"))
+    return region.also(*(Requirement("positive", (tape.load(e),), f"{e} > 0 ({why})") for e, why in wanted))
+
+
+def oriented(
+    question: Question, setting: Setting, closed: ClosedAction, region: Region, branch: str
+) -> ClosedAction | None:
+    """The action with the motion's own sense: dq/dt has the sign of ∂H/∂p, so that ∮ p dq < 0 for a negative mass."""
+    if branch == "rotation":
+        return closed  # p > 0 by convention
+    leading = setting.motion.leading
+    sign = sign_in_range(question, setting.motion, leading, along(question, setting, region))
+    if sign not in ("positive", "negative"):
+        return None
+    return closed if sign == "positive" else replace(closed, value=-closed.value)
+
+
+def along(question: Question, setting: Setting, region: Region) -> Region:
+    """The coordinate's range beside the constants: where the integrand is compared."""
+    tape, motion = question.tape, setting.motion
+    q = motion.q
+    edges = [q - motion.low] if motion.low != sp.S.NegativeInfinity else []
+    edges += [motion.high - q] if motion.high != sp.S.Infinity else []
+    wanted = [Requirement("positive", (tape.load(e),), f"{e} > 0") for e in edges]
+    return replace(region.also(*wanted), symbols=(*region.symbols, tape.symbol(q)))
+
+
+def not_implied(question: Question, setting: Setting, region: Region, closed: ClosedAction) -> list[Condition]:
+    """Conditions on the coordinate or momentum that the coordinate's range doesn't imply; that the coefficient of p²
+    isn't 0 in it is one of them."""
+    motion = setting.motion
+    whole = along(question, setting, region)
+    leading = nonzero(motion.leading) if motion.leading.has(setting.q) else ()
+    found = []
+    passes = closed.passes_zero and question.hamiltonian().expr.has(sp.Abs)
+    kink = (setting.q, sp.Abs(setting.q)) if passes else ()
+    passed = [c for c in setting.conditions if c.terms[0] not in kink]
+    for condition in (*passed, *leading):
+        names = set().union(*(term.free_symbols for term in condition.terms))
+        term = condition.terms[0]
+        if not names & {setting.q, setting.p}:
+            continue
+        edge = linear_edge(setting.q, condition)
+        if edge is not None and (at_most(edge[0], motion.low) if edge[1] else at_most(motion.high, edge[0])):
+            continue
+        sign = None
+        if setting.p not in names and condition.kind in ("positive", "nonzero", "slit"):
+            sign = sign_in_range(question, motion, term, whole)
+        if sign != "positive" and not (condition.kind == "nonzero" and sign == "negative"):
+            found.append(condition)
+    return found
+
+
+def sign_in_range(question: Question, motion: OneDegree, term: Any, whole: Region) -> str | None:
+    """The sign of a function of the coordinate throughout its range, where it shows."""
+    known = known_sign(term)
+    if known in ("positive", "negative"):
+        return known
+    base = term.base if isinstance(term, sp.Pow) else term
+    if isinstance(base, (sp.sin, sp.cos)):
+        rate = sp.expand(base.args[0]).diff(motion.q)
+        if known_sign(rate) == "positive" and sp.expand(base.args[0] - rate * motion.q) == 0:
+            quarter = sp.pi / 2 / rate
+            ends = (sp.S.Zero, 2 * quarter) if isinstance(base, sp.sin) else (-quarter, quarter)
+            if motion.spans(*ends):
+                return "positive"
+    tape = question.tape
+    try:
+        sign = definite_sign(tape, tape.load(term), intervals_of(tape, whole), question.budget)
+    except Unsupported:
+        return None
+    return {"pos": "positive", "neg": "negative"}.get(sign or "")

@@ -12,10 +12,12 @@ from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.casimirs import casimirs
 from canon.mechanics.algebra.coefficients import as_sympy
 from canon.mechanics.algebra.ideals import centre, derived_series, lower_central_series
+from canon.mechanics.algebra.invariants import motion_casimirs
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
 if TYPE_CHECKING:
     from canon.claims.algebra_table import AlgebraTable
+    from canon.mechanics.algebra.identify import Identification
 
 WIDEST = 12
 """The largest dimension whose brackets and Killing form are shown as square tables."""
@@ -52,7 +54,7 @@ def as_record(table: AlgebraTable, file: str) -> dict[str, Any]:
             "levi_basis": list(found.words(found.levi)),
             "levi": [s.names[0] for s in found.identity.levi],
             "levi_types": [f"{s.type}(C)" if s.is_complex else str(s.type) for s in found.identity.levi],
-            "casimirs": [str(f) for f in casimirs(g)] if g.dimension <= WIDEST else None,
+            "casimirs": [str(f) for f in _casimirs(found)] if g.dimension <= WIDEST else None,
             "radical_dimension": found.radical.nrows(),
             "centre_dimension": centre(g).nrows(),
             "derived_series": [space.nrows() for space in derived_series(g)],
@@ -61,6 +63,14 @@ def as_record(table: AlgebraTable, file: str) -> dict[str, Any]:
             "scales": {n: str(s) for n, s in zip(g.names, table.scaled.scales, strict=True) if s != 1},
         }
     return record
+
+
+def _casimirs(found: Identification) -> tuple[sp.Expr, ...]:
+    """The quadratic ones; of iso(p, q) those that generate all."""
+    core, g = found.identity.core, found.algebra
+    if core is not None and core.family == "iso" and core.dimension == g.dimension and found.levi.nrows():
+        return motion_casimirs(g)
+    return casimirs(g)
 
 
 def as_text(table: AlgebraTable, file: str) -> list[str]:

@@ -5,6 +5,7 @@ Each criterion is necessary and sufficient, so that what isn't recognised here i
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations
 
 from flint import fmpq, fmpq_mat
@@ -44,26 +45,33 @@ def _orthogonal(algebra: LieAlgebra, S: fmpq_mat, R: fmpq_mat) -> Core | None:
 
     For so(p, q) in three or more dimensions such a form is unique up to a factor.
     """
-    r = R.nrows()
-    generators = [action(algebra, x, R) for x in linear.rows(S)]
+    forms = invariant_forms([action(algebra, x, R) for x in linear.rows(S)])
+    if len(forms) != 1:
+        return None
+    positive, negative, zero = linear.signature(forms[0])
+    return None if zero else Core("iso", (max(positive, negative), min(positive, negative)))
+
+
+def invariant_forms(matrices: Sequence[fmpq_mat]) -> list[fmpq_mat]:
+    """A basis of the symmetric forms g that the matrices keep: Xᵀ g + g X = 0."""
+    r = matrices[0].nrows()
     pairs = [(i, j) for i in range(r) for j in range(i, r)]
     position = {pair: k for k, pair in enumerate(pairs)}
     equations = []
-    for X in generators:  # Xᵀ g + g X = 0
+    for X in matrices:
         for i, j in pairs:
             row = [fmpq(0)] * len(pairs)
             for k in range(r):
                 row[position[min(k, j), max(k, j)]] += X[k, i]
                 row[position[min(i, k), max(i, k)]] += X[k, j]
             equations.append(row)
-    forms = linear.rows(linear.null_space(linear.matrix(equations, len(pairs))))
-    if len(forms) != 1:
-        return None
-    form = fmpq_mat(r, r)
-    for (i, j), value in zip(pairs, forms[0], strict=True):
-        form[i, j] = form[j, i] = value
-    positive, negative, zero = linear.signature(form)
-    return None if zero else Core("iso", (max(positive, negative), min(positive, negative)))
+    found = []
+    for values in linear.rows(linear.null_space(linear.matrix(equations, len(pairs)))):
+        form = fmpq_mat(r, r)
+        for (i, j), value in zip(pairs, values, strict=True):
+            form[i, j] = form[j, i] = value
+        found.append(form)
+    return found
 
 
 def _solvable(algebra: LieAlgebra) -> Core | None:

@@ -87,6 +87,15 @@ def algebra_of_matrices(matrices: Mapping[str, Rows]) -> MatrixAlgebra:
     return MatrixAlgebra(LieAlgebra(names, constants), physicists)
 
 
+def real_matrices(matrices: Mapping[str, Rows]) -> list[fmpq_mat]:
+    """The matrices where all are real, or M for physicists' generators iM; **raises** `InputError` else."""
+    real, imaginary = _parts(matrices)
+    for kept, gone in ((real, imaginary), (imaginary, real)):
+        if not any(entry != 0 for values in gone for entry in values.entries()):
+            return kept
+    raise InputError("real matrices are expected, or imaginary ones")
+
+
 def _parts(matrices: Mapping[str, Rows]) -> tuple[list[fmpq_mat], list[fmpq_mat]]:
     real, imaginary = [], []
     if not matrices:

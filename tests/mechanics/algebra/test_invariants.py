@@ -1,12 +1,18 @@
 """Casimirs by linear algebra, and root systems by their Cartan matrices."""
 
+from fractions import Fraction
+
 import pytest
 import sympy as sp
 
 from canon.errors import InputError
-from canon.mechanics.algebra.casimirs import casimirs
+from canon.mechanics.algebra import linear
+from canon.mechanics.algebra.casimirs import casimirs, poisson
 from canon.mechanics.algebra.complex_type import ComplexType
+from canon.mechanics.algebra.from_matrices import algebra_of_matrices
+from canon.mechanics.algebra.invariants import motion_casimirs, orthogonal_casimirs
 from canon.mechanics.algebra.root_system import cartan_matrix, positive_roots
+from tests.mechanics.algebra.matrices import euclidean, hermitian, orthogonal, symplectic
 from tests.mechanics.algebra.test_identify import galilei
 from tests.mechanics.algebra.test_lie_algebra import two_vectors
 
@@ -36,6 +42,54 @@ def test_casimirs_of_galileis_algebra_extended_by_the_mass():
     M, H = sp.symbols("M H")
     P = sum(p**2 for p in sp.symbols("P:3"))
     assert same_span(casimirs(g), [M**2, P - 2 * M * H])
+
+
+def as_table(f, names):
+    return {
+        tuple(k for k, e in enumerate(power) for _ in range(e)): Fraction(int(v.p), int(v.q))
+        for power, v in sp.Poly(f, *sp.symbols(names)).terms()
+    }
+
+
+@pytest.mark.parametrize(
+    ("matrices", "degrees"),
+    [(orthogonal(3), [2]), (orthogonal(3, 1), [2, 2]), (orthogonal(4, 1), [2, 4]), (orthogonal(6), [2, 4, 3])],
+)
+def test_orthogonal_casimirs_commute_with_everything(matrices, degrees):
+    found, g = orthogonal_casimirs(matrices), algebra_of_matrices(matrices).algebra
+    assert [sp.Poly(f).total_degree() for f in found] == degrees
+    assert not any(poisson(g, a, as_table(f, g.names)) for f in found for a in range(g.dimension))
+    assert orthogonal_casimirs(matrices, highest=2) == tuple(f for f, d in zip(found, degrees, strict=True) if d == 2)
+
+
+@pytest.mark.parametrize(("matrices", "degrees"), [(euclidean(3, 1), [2, 4]), (euclidean(5), [2, 4, 3])])
+def test_casimirs_of_motions_commute_with_everything(matrices, degrees):
+    """P², W² of Poincaré's algebra; in a basis in which J_0 + P_0 takes the place of J_0 too."""
+    g = algebra_of_matrices(matrices).algebra
+    rows = [[linear.rational(int(i == j or (i, j) == (0, g.dimension - 1))) for j in range(g.dimension)]
+            for i in range(g.dimension)]  # fmt: skip
+    for algebra in (g, g.in_basis(linear.matrix(rows, g.dimension), g.names)):
+        found = motion_casimirs(algebra)
+        assert [sp.Poly(f).total_degree() for f in found] == degrees
+        assert not any(poisson(algebra, a, as_table(f, g.names)) for f in found for a in range(g.dimension))
+
+
+def test_invariants_span_what_linear_algebra_finds():
+    """Of so(5) to degree 4: C_2² and C_4; of e(3): P² and J·P."""
+    two, four = orthogonal_casimirs(orthogonal(5))
+    assert same_span(casimirs(algebra_of_matrices(orthogonal(5)).algebra, 4), [sp.expand(two**2), four])
+    assert same_span(casimirs(two_vectors(0)), motion_casimirs(two_vectors(0)))
+
+
+def test_what_has_no_such_invariants():
+    with pytest.raises(InputError, match="no basis of so"):
+        orthogonal_casimirs(symplectic(2))
+    with pytest.raises(InputError, match="real matrices"):
+        orthogonal_casimirs(hermitian(2))
+    with pytest.raises(InputError, match=r"the algebra is so\(4\), not iso"):
+        motion_casimirs(two_vectors(1))
+    with pytest.raises(InputError, match="rational"):
+        casimirs(two_vectors(sp.Symbol("k", positive=True)))
 
 
 def test_too_many_monomials():

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from typing import Final
 
 import canon
-from canon.cli import actions, algebra, certificate, scenes, simulate, verify
+from canon.cli import actions, algebra, certificate, hard, scenes, simulate, verify
 from canon.cli.parser import Parser
 
 COMMANDS: Final = {
@@ -23,6 +23,7 @@ COMMANDS: Final = {
     "actions": actions,
     "algebra": algebra,
     "scenes": scenes,
+    "hard": hard,
 }
 EPILOG: Final = """\
 examples:
@@ -35,6 +36,7 @@ examples:
   canon simulate pendulum.toml      run a scene; --plot, --out, --explain, --json
   canon algebra kepler.toml         the Lie algebras of its claims: brackets, Killing form, name; --latex, --json
   canon actions pendulum.toml       actions, frequencies and angles of its orbit, with their bounds
+  canon hard kepler                 digits kept in the hard cases of a family; without a name, in all of them
 
 exit status of verify:
   0  every claim is as expected (proved or supported, unless the claim says otherwise)

@@ -97,3 +97,20 @@ def from_euler(phi: float, theta: float, psi: float) -> Any:
 
     angles = [jnp.asarray(angle, dtype=float) for angle in (phi, theta, psi)]
     return multiply(multiply(about_axis(2, angles[0]), about_axis(0, angles[1])), about_axis(2, angles[2]))
+
+
+def to_euler(a: Any) -> tuple[Any, Any, Any]:
+    """The z-x-z Euler angles (φ, θ, ψ) of an attitude, 0 ≤ θ ≤ π, φ and ψ in (−π, π].
+
+    tan θ/2 = |(x, y)|/|(w, z)| keeps its digits at θ = 0 and θ = π, and (φ ± ψ)/2 are the angles of (w, z) and (x, y),
+    which a quaternion knows to all digits at gimbal lock too. Where θ is 0 or π exactly only one of them exists: then
+    ψ is 0.
+    """
+    import jax.numpy as jnp
+
+    w, x, y, z = a
+    along, across = jnp.arctan2(z, w), jnp.arctan2(y, x)
+    upright, over = jnp.hypot(x, y), jnp.hypot(w, z)
+    along, across = jnp.where(over == 0, across, along), jnp.where(upright == 0, along, across)
+    wrapped = lambda angle: angle - 2 * jnp.pi * jnp.round(angle / (2 * jnp.pi))
+    return wrapped(along + across), 2 * jnp.arctan2(upright, over), wrapped(along - across)

@@ -13,10 +13,13 @@ from canon.numeric.exact.carlson import complete_k
 from canon.numeric.exact.euler_rotor import rotor
 
 
-def pendulum(q: Any, p: Any, t: Any, *, inertia: Any = 1.0, strength: Any = 1.0) -> tuple[Any, Any]:
+def pendulum(
+    q: Any, p: Any, t: Any, *, inertia: Any = 1.0, strength: Any = 1.0, from_top: bool = False
+) -> tuple[Any, Any]:
     """The angle and momentum after a time t: `inertia` I = m R², `strength` k = m g R > 0, q = 0 hanging down.
 
-    The angle is continuous: it counts the turns of a pendulum that rotates.
+    With `from_top` the angle is 0 standing upright, before and after: next to the top it keeps the digits that π + q
+    has no room for. The angle is continuous: it counts the turns of a pendulum that rotates.
     """
     import jax.numpy as jnp
 
@@ -25,8 +28,10 @@ def pendulum(q: Any, p: Any, t: Any, *, inertia: Any = 1.0, strength: Any = 1.0)
     turns = jnp.round(q / (2 * jnp.pi))
     half = (q - 2 * jnp.pi * turns) / 2
     S, C, P = jnp.sin(half), jnp.cos(half), p / scale
+    if from_top:
+        S, C = C, -S
     X, Y, Z = rotor(P, S, C, rate * t)
-    angle = jnp.arctan2(Y, Z)
+    angle = jnp.arctan2(-Z, Y) if from_top else jnp.arctan2(Y, Z)
     mean = _mean_turn(S, C, P, rate * t)
     return 2 * jnp.pi * turns + 2 * (angle + 2 * jnp.pi * jnp.round((half + mean - angle) / (2 * jnp.pi))), scale * X
 

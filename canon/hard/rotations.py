@@ -1,0 +1,270 @@
+"""Rotations near 0 and π, Euler angles at gimbal lock, tops at their limits, and boosts of any size."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from canon.hard.case import HardCase, Number, Quantities, compiled, each
+
+_VECTOR = ("x", "y", "z")
+
+
+def _itself(m: Any, x: Number, y: Number, z: Number) -> Quantities:
+    return ((x, y, z),)
+
+
+def _our_turn(x: Any, y: Any, z: Any) -> Any:
+    """log exp v on SO(3), by the matrix."""
+    import jax.numpy as jnp
+
+    from canon.numeric.groups import so3
+
+    return jnp.moveaxis(so3.log(so3.exp(jnp.stack([x, y, z], -1))), -1, 0)
+
+
+def _naive_turn(x: float, y: float, z: float) -> Quantities:
+    """Rodrigues' matrix; the angle from its trace, the axis from its antisymmetric part."""
+    import numpy as np
+
+    angle = math.sqrt(x * x + y * y + z * z)
+    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]) / angle
+    R = np.eye(3) + np.sin(angle) * K + (1 - np.cos(angle)) * (K @ K)
+    found = np.arccos((np.trace(R) - 1) / 2)
+    w = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
+    return (tuple(float(u) for u in found / (2 * np.sin(found)) * w),)
+
+
+def _scipy_rotation(x: float, y: float, z: float) -> Quantities:
+    from scipy.spatial.transform import Rotation
+
+    v = Rotation.from_matrix(Rotation.from_rotvec([x, y, z]).as_matrix()).as_rotvec()
+    return (tuple(float(u) for u in v),)
+
+
+def _scipy_logm(x: float, y: float, z: float) -> Quantities:
+    from scipy.linalg import expm, logm
+
+    L: Any = logm(expm([[0, -z, y], [z, 0, -x], [-y, x, 0]]))
+    return (tuple(float(u.real) for u in (L[2, 1], L[0, 2], L[1, 0])),)
+
+
+def _euler(m: Any, w: Number, x: Number, y: Number, z: Number) -> Quantities:
+    """(φ), (θ), (ψ) of z-x-z from the rotation's matrix: θ = acos R₃₃, tan φ = −R₁₃/R₂₃, tan ψ = R₃₁/R₃₂.
+
+    Goldstein, Poole and Safko (2002), 4.46.
+    """
+    size = w * w + x * x + y * y + z * z
+    R13, R23 = 2 * (x * z + w * y) / size, 2 * (y * z - w * x) / size
+    R31, R32 = 2 * (x * z - w * y) / size, 2 * (y * z + w * x) / size
+    R33 = 1 - 2 * (x * x + y * y) / size
+    return (m.atan2(R13, -R23),), (m.acos(R33),), (m.atan2(R31, R32),)
+
+
+def _our_euler(w: Any, x: Any, y: Any, z: Any) -> tuple[Any, Any, Any]:
+    import jax.numpy as jnp
+
+    from canon.numeric.rotations import to_euler
+
+    return to_euler(jnp.stack([w, x, y, z]))
+
+
+def _scipy_euler(w: float, x: float, y: float, z: float) -> Quantities:
+    from scipy.spatial.transform import Rotation
+
+    phi, theta, psi = Rotation.from_quat([x, y, z, w]).as_euler("ZXZ")
+    return (float(phi),), (float(theta),), (float(psi),)
+
+
+def _tilted(theta: float, phi: float, psi: float) -> tuple[float, ...]:
+    c, s = math.cos(theta / 2), math.sin(theta / 2)
+    across, along = (phi - psi) / 2, (phi + psi) / 2
+    return (c * math.cos(along), s * math.cos(across), s * math.sin(across), c * math.sin(along))
+
+
+def _turned_over(distance: float, phi: float, psi: float) -> tuple[float, ...]:
+    """The same at θ = π − distance."""
+    w, x, y, z = _tilted(distance, phi, psi)
+    half = math.sqrt(x * x + y * y)
+    whole = math.sqrt(w * w + z * z)
+    return (w * half / whole, x * whole / half, y * whole / half, z * half / whole)
+
+
+def _rapidity(m: Any, x: Number, y: Number, z: Number) -> Quantities:
+    return ((x, y, z),)
+
+
+def _our_boost(x: Any, y: Any, z: Any) -> Any:
+    """log exp of a rapidity on SO(3,1), by the matrix."""
+    import jax.numpy as jnp
+
+    from canon.numeric.groups import lorentz
+
+    zeta = jnp.stack([x, y, z], -1)
+    return jnp.moveaxis(lorentz.log(lorentz.exp(0.0 * zeta, zeta))[1], -1, 0)
+
+
+def _naive_slow(x: float, y: float, z: float) -> Quantities:
+    """The rapidity as arcosh γ."""
+    gamma, column = _first_column(x, y, z)
+    found = math.acosh(gamma)
+    size = math.sqrt(gamma**2 - 1)
+    return (tuple(found * u / size for u in column),)
+
+
+def _naive_fast(x: float, y: float, z: float) -> Quantities:
+    """The rapidity as artanh β."""
+    gamma, column = _first_column(x, y, z)
+    beta = math.sqrt(sum(u * u for u in column)) / gamma
+    return (tuple(math.atanh(beta) * u / gamma / beta for u in column),)
+
+
+def _first_column(x: float, y: float, z: float) -> tuple[float, tuple[float, ...]]:
+    """γ and γβ of a boost's matrix."""
+    zeta = math.sqrt(x * x + y * y + z * z)
+    return math.cosh(zeta), tuple(math.sinh(zeta) * u / zeta for u in (x, y, z))
+
+
+def _naive_matrix(x: float, y: float, z: float) -> Quantities:
+    """The boost's matrix by β and γ = 1/√(1 − β²). Jackson (1999), 11.98."""
+    zeta = math.sqrt(x * x + y * y + z * z)
+    beta = math.tanh(zeta)
+    gamma = 1 / math.sqrt(1 - beta * beta)
+    b = [beta * u / zeta for u in (x, y, z)]
+    rest = [
+        (gamma * b[k], *((1 if i == k else 0) + (gamma - 1) * b[i] * b[k] / beta**2 for i in range(3)))
+        for k in range(3)
+    ]
+    return ((gamma, *(gamma * u for u in b)), *rest)
+
+
+def _scipy_boost(x: float, y: float, z: float) -> Quantities:
+    from scipy.linalg import expm, logm
+
+    L: Any = logm(expm([[0, x, y, z], [x, 0, 0, 0], [y, 0, 0, 0], [z, 0, 0, 0]]))
+    return (tuple(float(u.real) for u in (L[0, 1], L[0, 2], L[0, 3])),)
+
+
+def _boost_matrix(m: Any, x: Number, y: Number, z: Number) -> Quantities:
+    """γ − 1 is not asked for: the columns of the boost, each by its own length."""
+    zeta = m.sqrt(x * x + y * y + z * z)
+    n = (x / zeta, y / zeta, z / zeta)
+    c, s = m.cosh(zeta), m.sinh(zeta)
+    first = (c, *(s * u for u in n))
+    rest = [(s * n[k], *((1 if i == k else 0) + (c - 1) * n[i] * n[k] for i in range(3))) for k in range(3)]
+    return (first, *rest)  # type: ignore[return-value]
+
+
+def _our_boost_matrix(x: Any, y: Any, z: Any) -> tuple[Any, ...]:
+    import jax.numpy as jnp
+
+    from canon.numeric.groups import lorentz
+
+    zeta = jnp.stack([x, y, z], -1)
+    matrix = jnp.moveaxis(lorentz.exp(0.0 * zeta, zeta), (-2, -1), (0, 1))
+    return tuple(matrix[:, k] for k in range(4))
+
+
+def _scipy_boost_matrix(x: float, y: float, z: float) -> Quantities:
+    from scipy.linalg import expm
+
+    matrix = expm([[0, x, y, z], [x, 0, 0, 0], [y, 0, 0, 0], [z, 0, 0, 0]])
+    return tuple(tuple(float(u) for u in matrix[:, k]) for k in range(4))
+
+
+def _along(length: float) -> tuple[float, float, float]:
+    return (length * 2 / 7, length * 3 / 7, length * 6 / 7)
+
+
+NEARLY = {"nearly spherical body": (1.0, 1 + 2.0**-40, 1 + 2.0**-38), "nearly planar body": (1.0, 2.0, 3 - 2.0**-40)}
+
+
+def _body(moments: tuple[float, float, float], times: tuple[float, ...], name: str, states: str) -> HardCase:
+    from canon.hard.separatrix import _tumble
+
+    def reference(m: Any, small: Number, t: Number) -> Quantities:
+        return _tumble(m, small, t, moments)
+
+    def ours(small: Any, t: Any) -> Any:
+        import jax.numpy as jnp
+
+        from canon.numeric.exact.free_top import free_momentum
+
+        return free_momentum(jnp.stack([small, 1.0 + 0.0 * small, 0.0 * small]), moments, t)
+
+    points = tuple((small, t) for small in (0.6, 0.01) for t in times)
+    return HardCase(name, "rotations", states, ("M1", "t"), points, reference, compiled(ours), digits=80)
+
+
+TURNS = {"scipy.spatial": each(_scipy_rotation), "scipy.linalg.logm": each(_scipy_logm)}
+BOOSTS = {"scipy.linalg.logm": each(_scipy_boost)}
+CASES = (
+    HardCase(
+        "SO(3) logarithm near 0",
+        "rotations",
+        "the vector of a rotation by 1e-4 to 1e-150, from its matrix",
+        _VECTOR,
+        tuple(_along(10.0**-k) for k in (4, 8, 12, 150)),
+        _itself,
+        compiled(_our_turn),
+        each(_naive_turn),
+        TURNS,
+    ),
+    HardCase(
+        "SO(3) logarithm near π",
+        "rotations",
+        "the vector of a rotation by π less 1e-4 to 1e-15, from its matrix",
+        _VECTOR,
+        tuple(_along(math.pi - 10.0**-k) for k in (4, 8, 12, 15)),
+        _itself,
+        compiled(_our_turn),
+        each(_naive_turn),
+        TURNS,
+    ),
+    HardCase(
+        "Euler angles at gimbal lock",
+        "rotations",
+        "φ, θ and ψ of an attitude with θ = 1e-6 to 1e-150",
+        ("w", "x", "y", "z"),
+        tuple(_tilted(10.0**-k, 0.7, 0.4) for k in (6, 9, 12, 150)),
+        _euler,
+        compiled(_our_euler),
+        peers={"scipy.spatial": each(_scipy_euler)},
+        digits=360,
+    ),
+    HardCase(
+        "boosts with γ − 1 down to 1e-16",
+        "rotations",
+        "the rapidity of a slow boost, from its matrix",
+        _VECTOR,
+        tuple(_along(math.sqrt(2) * 10.0**-k) for k in (2, 5, 8, 100)),
+        _rapidity,
+        compiled(_our_boost),
+        each(_naive_slow),
+        BOOSTS,
+    ),
+    HardCase(
+        "boosts up to γ = 1e8",
+        "rotations",
+        "the rapidity of a fast boost, from its matrix",
+        _VECTOR,
+        tuple(_along(z) for z in (3.0, 10.0, 19.1138)),
+        _rapidity,
+        compiled(_our_boost),
+        each(_naive_fast),
+        BOOSTS,
+    ),
+    HardCase(
+        "the matrix of a boost, γ = 1 to 1e8",
+        "rotations",
+        "its columns",
+        _VECTOR,
+        tuple(_along(z) for z in (1e-8, 3.0, 10.0, 19.1138)),
+        _boost_matrix,
+        compiled(_our_boost_matrix),
+        each(_naive_matrix),
+        peers={"scipy.linalg.expm": each(_scipy_boost_matrix)},
+    ),
+    _body((1.0, 1 + 2.0**-40, 1 + 2.0**-38), (1e12, 1e13), "nearly spherical body", "its tumbling after 1e12 radians"),
+    _body((1.0, 2.0, 3 - 2.0**-40), (30.0, 1000.0), "nearly planar body", "its tumbling, I₃ = I₁ + I₂ but for 1e-12"),
+)

@@ -205,6 +205,16 @@ KEYS: Final[Mapping[str, KeySpec]] = {
             "equals": Key("end"),
         }
     ),
+    "integral": KeySpec(
+        {
+            "f": _OLD,
+            "variable": Key("variable"),
+            "from": Key("end"),
+            "to": Key("end"),
+            "equals": _OLD,
+            "antiderivative": Key(optional=True),
+        }
+    ),
     "inequality": KeySpec({"lhs": Key(side="both"), "relation": Key("relation"), "rhs": Key(side="both")}),
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
 }

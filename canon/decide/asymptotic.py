@@ -233,7 +233,7 @@ class Expander:
         coefficients, slope, factorial = [], call, 1
         for k in range(self.terms):
             factorial *= max(k, 1)
-            at = substitute(tape, slope, {place: centre})
+            at = self._plain(substitute(tape, slope, {place: centre}))
             coefficients.append(tape.scaled(at, Fraction(1, factorial)))
             if k + 1 < self.terms:
                 try:
@@ -241,6 +241,21 @@ class Expander:
                 except Unsupported as reason:
                     raise Unexpanded(str(reason)) from None
         return self._composed(coefficients, self._rest(u, tape.one))
+
+    def _plain(self, node: Node) -> Node:
+        """The number that a sine or cosine of a multiple of π/2, or its negative, is; else the node as it is."""
+        tape, op = self.tape, self.tape.ops[node]
+        if op[0] == "+" and not op[1] and len(op[2]) == 1:
+            inner, factor = op[2][0]
+            return tape.scaled(self._plain(inner), factor)
+        if op[0] != "f" or op[1] not in ("sin", "cos"):
+            return node
+        turns = tape.times(op[2][0], tape.power(tape.constant("pi"), -1))
+        value = tape.value(tape.scaled(turns, 2))
+        if value is None or value.denominator > 1:
+            return node
+        quarter = (int(value) - (op[1] == "sin")) % 4  # sin x = cos(x − π/2)
+        return tape.number((1, 0, -1, 0)[quarter])
 
     def _arc(self, name: str, u: Series) -> Series:
         """asin or acos at ±1: asin u = atan(u/√(1 − u²)) on both sides of which |u| < 1."""

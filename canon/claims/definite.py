@@ -1,0 +1,260 @@
+"""Definite integrals: by an antiderivative that is verified, or enclosed at points of the other names."""
+
+from __future__ import annotations
+
+import contextlib
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from canon.budget import Budget, BudgetExceeded
+from canon.claims.approach import Limit, approaching, limit_of, signs_on
+from canon.claims.outcome import Outcome, Residual
+from canon.decide.answer import Witness
+from canon.decide.asymptotic import Unexpanded
+from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
+from canon.decide.derivative import derivative
+from canon.decide.enclosure import evaluate, excludes_zero, precision
+from canon.decide.nowhere_zero import has_no_zero
+from canon.decide.positivity import positive_by_boxes, positive_by_signs
+from canon.decide.region import Region, Requirement
+from canon.decide.search import ball_point, samples
+from canon.decide.tape import Node, Unsupported
+from canon.errors import InputError
+from canon.expression import Formula
+from canon.mechanics.formulas import as_formula
+from canon.sign import declared
+from canon.verdict import Evidence
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+
+POINTS = 8
+FOUND_NONE = (
+    ArithmeticError, AttributeError, InputError, LookupError, NotImplementedError, RecursionError, TypeError,
+    ValueError,
+)  # fmt: skip
+"""What sympy raises where it has no rule, and what says that its answer has no place in the language."""
+LONGEST = 60
+"""Operations of an integrand of which an antiderivative is looked for."""
+End = Formula | str
+
+
+class Unproved(Exception):
+    """The integral has no exact value by this argument; says why."""
+
+
+@dataclass(frozen=True)
+class Range:
+    """A variable with the ends of its range, formulas or infinities, and the region of the other names and of it."""
+
+    x: sp.Symbol
+    low: End
+    high: End
+    others: Region
+    inside: Region
+    demanded: tuple[Requirement, ...]
+
+
+def range_of(question: Question, x: sp.Symbol, low: End, high: End, formulas: Sequence[Formula]) -> Range:
+    """The range, with what the claim's formulas demand of x inside of it. **Raises:** `InputError`, `Unproved`."""
+    tape, node = question.tape, question.tape.symbol(x)
+    for word, end in (("from", low), ("to", high)):
+        if isinstance(end, Formula) and x in end.expr.free_symbols:
+            raise InputError(f"{x} is the variable of integration: it can't be in an end of its range", f"key {word!r}")
+    from canon.claims.velocities import region_in_velocities
+
+    whole = region_in_velocities(question, *formulas, *(e for e in (low, high) if isinstance(e, Formula)))
+    demanded = tuple(r for r in whole.requirements if any(node in tape.support(n) for n in r.nodes))
+    if any(node in tape.support(n) for n in whole.surface):
+        raise InputError(f"the surface of the domain contains {x}", "[domain], key 'on'")
+    kept = tuple(r for r in whole.requirements if r not in demanded)
+    others = Region(kept, whole.surface, tuple(n for n in whole.symbols if n != node))
+    walls = []
+    if isinstance(low, Formula):
+        walls.append(Requirement("positive", (tape.minus(node, question.load(low)),), f"{x} > {low}"))
+    if isinstance(high, Formula):
+        walls.append(Requirement("positive", (tape.minus(question.load(high), node),), f"{x} < {high}"))
+    found = Range(x, low, high, others, Region((*kept, *walls), whole.surface, ()), demanded)
+    _ordered(question, found)
+    _assumed(question, found)
+    return found
+
+
+def _ordered(question: Question, span: Range) -> None:
+    low, high = span.low, span.high
+    if low == "infinity" or high == "-infinity":
+        raise InputError("the range runs upwards: exchange 'from' and 'to', and change the sign", "key 'from'")
+    if isinstance(low, Formula) and isinstance(high, Formula):
+        width = question.tape.minus(question.load(high), question.load(low))
+        if not _positive(question, width, span.others):
+            raise Unproved(f"it isn't shown that {low} < {high}: say so under [domain]")
+
+
+def _assumed(question: Question, span: Range) -> None:
+    """What is assumed of the variable must hold all along the range."""
+    facts = declared(span.x)
+    if facts.get("integer") or not facts.get("real"):
+        raise InputError(f"{span.x} is no real variable", "key 'variable'")
+    sides = [word for word in ("nonnegative", "nonpositive") if facts.get(word)]
+    if not sides and facts.get("zero") is not False:
+        return
+    sign_of = signs_on(question, span.others)
+
+    def beyond(end: End, wanted: str) -> bool:
+        return isinstance(end, Formula) and sign_of(question.load(end)) in ("zero", wanted)
+
+    up, down = beyond(span.low, "pos"), beyond(span.high, "neg")
+    if not ((up and sides != ["nonpositive"]) or (down and sides != ["nonnegative"])):
+        raise InputError(f"{span.x} leaves what is assumed of it, from {span.low} to {span.high}", "key 'variable'")
+
+
+def _positive(question: Question, node: Node, region: Region, *, strict: bool = True) -> bool:
+    tape, budget = question.tape, question.budget
+    if not tape.support(node) and not tape.functions_of([node]):
+        with precision(64):
+            ball = evaluate(tape, tape.reach([node]), {})[node]
+        return bool(ball > 0 or (not strict and ball >= 0))
+    if positive_by_signs(tape, node, region, budget.share(0.3), strict=strict):
+        return True
+    with contextlib.suppress(BudgetExceeded):
+        return positive_by_boxes(tape, node, region, budget.share(0.2), strict=strict) is not None
+    return False
+
+
+def holds(question: Question, requirement: Requirement, region: Region, span: Range | None = None) -> bool:
+    """Whether a condition is shown to hold throughout a region, that inside of a range where one is given."""
+    tape, first = question.tape, requirement.nodes[0]
+
+    def positive(node: Node) -> bool:
+        if tape.is_complex(node):
+            return False
+        return _positive(question, node, region) or (span is not None and _above_its_ends(question, node, span))
+
+    if requirement.kind in ("positive", "slit"):
+        return positive(first)
+    if requirement.kind == "uncut" and positive(requirement.nodes[1]):
+        return True
+    if requirement.kind in ("nonzero", "uncut"):
+        free = has_no_zero(tape, first, region, question.budget)
+        return free or positive(first) or positive(tape.negative(first))
+    return False
+
+
+def _above_its_ends(question: Question, node: Node, span: Range) -> bool:
+    """Whether a function is positive inside the range since it is strictly concave, or monotone, and isn't below 0
+    where it is least, at an end."""
+    tape, x = question.tape, question.tape.symbol(span.x)
+    slope = derivative(tape, node, x)
+    signs = []
+    for end, side in ((span.low, 1), (span.high, -1)):
+        if isinstance(end, str):
+            return False
+        near = replace(approaching(question, span.x, end, side, ()), region=span.others)
+        try:
+            value = limit_of(question, near, node, (node,)).value
+        except (Unexpanded, Unsupported, InputError):
+            return False
+        signs.append(None if value is None else signs_on(question, span.others)(value))
+    low, high = (sign in ("zero", "pos") for sign in signs)
+    if low and high and _positive(question, tape.negative(derivative(tape, slope, x)), span.inside):
+        return True
+    return (low and _positive(question, slope, span.inside)) or (
+        high and _positive(question, tape.negative(slope), span.inside)
+    )
+
+
+def antiderivative(question: Question, f: Formula, x: sp.Symbol) -> Formula | None:
+    """An antiderivative that sympy's rules find; it is verified afterwards."""
+    expression: Any = f.expr
+    if sp.count_ops(expression) > LONGEST or expression.has(sp.Derivative, sp.Subs):
+        return None
+    from sympy.integrals.manualintegrate import manualintegrate
+
+    plain = sp.Symbol(x.name, real=True)
+    try:
+        found: Any = manualintegrate(expression.subs(x, plain), plain)
+        if found.has(sp.Integral) or found.has(sp.Piecewise):
+            return None
+        return as_formula(found.subs(plain, x))
+    except FOUND_NONE:
+        return None
+
+
+def exact_value(question: Question, span: Range, f: Node, F: Formula) -> tuple[Limit, Limit, Outcome]:
+    """F's limits at both ends of the range, and that its derivative is f all along it.
+
+    **Raises:** `Unproved` where F isn't shown to be smooth inside the range or has no known limit; `InputError` where
+    its derivative is another function.
+    """
+    tape, x = question.tape, question.tape.symbol(span.x)
+    own = Region.of(tape, replace(question.subject.domain, conditions=F.conditions, surface=()))
+    moving = [r for r in own.requirements if any(x in tape.support(n) for n in r.nodes)]
+    for requirement in (*span.demanded, *moving):
+        if not holds(question, requirement, span.inside, span):
+            raise Unproved(f"it isn't shown that {requirement.text} all along the range")
+    still = [r for r in own.requirements if r not in moving]
+    for requirement in still:
+        if not holds(question, requirement, span.others):
+            raise Unproved(f"the antiderivative needs {requirement.text}")
+    node = question.load(F)
+    rest = Residual("derivative of the antiderivative", tape.minus(derivative(tape, node, x), f))
+    outcome = question.decide([rest], span.inside)
+    if outcome.status == "refuted":
+        raise InputError(
+            f"the derivative of {F} is another function: {outcome.detail.get('residual', '')} off",
+            "key 'antiderivative'",
+        )
+    if outcome.status != "proved":
+        raise Unproved("the antiderivative's derivative was not shown to be the integrand")
+    ends = []
+    for end, side in ((span.low, 1), (span.high, -1)):
+        place = 1 if end == "infinity" else -1 if end == "-infinity" else side
+        try:
+            near = approaching(question, span.x, end, place, (F,))
+            ends.append(limit_of(question, near, node, (node, f)))
+        except (Unexpanded, Unsupported, InputError) as reason:
+            raise Unproved(f"the antiderivative's limit at {end} was not found: {reason}") from None
+    return ends[0], ends[1], outcome
+
+
+def at_points(question: Question, span: Range, f: Node, equals: Node, budget: Budget) -> Outcome:
+    """The integral enclosed at points of the other names: refuted by one of them, else supported."""
+    tape = question.tape
+    if isinstance(span.low, str) or isinstance(span.high, str):
+        return Outcome("undecided", note="an infinite range has no certified quadrature")
+    ends = [question.load(end) for end in (span.low, span.high)]  # type: ignore[arg-type]
+    x = tape.symbol(span.x)
+    names = sorted(set().union(*(tape.support(n) for n in (f, equals, *ends))) - {x})
+    order = tape.reach([equals, *ends])
+    worst: list[Any] = []
+    rng = random.Random(question.seed)
+    try:
+        for place in samples(
+            tape, [*names, equals], span.others, rng, count=POINTS, tries=20, budget=budget, nice=True
+        ):
+            with precision(BITS):
+                at = ball_point(place.point, place.solved)
+                balls = evaluate(tape, order, at, place.functions)
+                value = enclosed(tape, f, x, (balls[ends[0]], balls[ends[1]]), at, place.functions)
+                if value is None:
+                    continue
+                gap = value - balls[equals]
+            if excludes_zero(gap):
+                table = Witness.of(tape, place, gap).as_table()
+                evidence = Evidence(1, float(abs(gap.mid())), float(gap.rad()), BITS)
+                detail = {"value": value.str(15, radius=False), "residual": gap.str(12, radius=False)}
+                return Outcome("refuted", "certified quadrature", witness=table, numeric=evidence, detail=detail)
+            worst.append(gap)
+            if not names:
+                break
+    except (*FAILURES, BudgetExceeded):
+        pass
+    if not worst:
+        return Outcome("undecided", note="the integral could not be enclosed at any point")
+    gap = max(worst, key=lambda ball: float(abs(ball.mid()) + ball.rad()))
+    evidence = Evidence(len(worst), float(abs(gap.mid())), float(gap.rad()), BITS)
+    return Outcome("supported", "certified quadrature", numeric=evidence)

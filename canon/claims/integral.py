@@ -1,0 +1,85 @@
+"""Definite integrals with a closed form."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from canon.budget import BudgetExceeded
+from canon.claims.approach import Limit
+from canon.claims.definite import Range, Unproved, antiderivative, at_points, exact_value, range_of
+from canon.claims.outcome import Outcome, Residual
+from canon.claims.show import with_value
+from canon.decide.tape import Node
+from canon.expression import Formula
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+
+THEOREM = "an antiderivative, continuous inside the range, and its limits at the ends"
+
+
+def integral(question: Question) -> Outcome:
+    """`integral`: ∫ f dx from `from` to `to` is `equals`, x the `variable`, improper where f or the range is unbounded.
+
+    Exact by an antiderivative F, given or found: F' = f and F is smooth throughout the open range, and the limits of F
+    at the ends differ by `equals`. Refuted by that value, or by a certified quadrature at a point of the other names.
+    """
+    f, equals = question.formula("f"), question.formula("equals")
+    x: sp.Symbol = question.key("variable")
+    given = question.key("antiderivative")
+    try:
+        span = range_of(question, x, question.key("from"), question.key("to"), (f, equals))
+    except Unproved as reason:
+        return Outcome("undecided", note=str(reason))
+    return integral_is(question, span, f, question.load(f), question.load(equals), given)
+
+
+def integral_is(
+    question: Question, span: Range, f: Formula, node: Node, claimed: Node, given: Formula | None
+) -> Outcome:
+    """Is the integral of a node, that of the formula f, what is claimed?"""
+    note = ""
+    if question.method != "numeric":
+        try:
+            F = given or antiderivative(question, f, span.x)
+            if F is None:
+                raise Unproved("no antiderivative was given or found")
+            return _by_ends(question, span, claimed, F, *exact_value(question, span, node, F))
+        except Unproved as reason:
+            note = str(reason)
+        except BudgetExceeded:
+            note = "the budget is spent"
+    found = at_points(question, span, node, claimed, question.budget.share(0.8))
+    return replace(found, note="; ".join(part for part in (note, found.note) if part))
+
+
+def _by_ends(
+    question: Question, span: Range, claimed: Node, F: Formula, low: Limit, high: Limit, shown: Outcome
+) -> Outcome:
+    tape = question.tape
+    if low.value is None or high.value is None:
+        if low.value is None and high.value is None:
+            raise Unproved("both limits of the antiderivative are infinite")
+        end = span.high if high.value is None else span.low
+        return question.refuted_exactly(
+            span.others,
+            "the antiderivative grows beyond all bounds at one end",
+            diverges=f"at {end}",
+            antiderivative=str(F),
+        )
+    value = tape.minus(high.value, low.value)
+    residual = Residual("value of the integral", tape.minus(value, claimed), value)
+    outcome = question.decide([residual], span.others)
+    detail = {"antiderivative": str(F)}
+    if outcome.status == "proved":
+        steps = (*shown.arguments, {"theorem": THEOREM, **detail}, *outcome.arguments)
+        outcome = replace(outcome, method=f"antiderivative, {outcome.method}", arguments=steps)
+    elif outcome.status == "refuted":
+        outcome = replace(outcome, method=f"antiderivative, {outcome.method}")
+    return with_value(question, outcome).with_detail(**detail)
+
+
+KINDS = {"integral": integral}

@@ -1,0 +1,89 @@
+"""Definite integrals: exact by an antiderivative, else enclosed."""
+
+import pytest
+
+from canon.errors import InputError
+
+SYMBOLS = "\n".join([f'{x} = "positive"' for x in ("a", "b", "m", "w", "R", "A", "E0", "r")])
+SYMBOLS += '\nV = "function"\nk = "real"\nn = "integer"'
+
+
+def _claim(f: str, x: str, low: str, high: str, equals: str, F: str = "") -> str:
+    more = f'\nantiderivative = "{F}"' if F else ""
+    return f'kind = "integral"\nf = "{f}"\nvariable = "{x}"\nfrom = "{low}"\nto = "{high}"\nequals = "{equals}"{more}'
+
+
+@pytest.mark.parametrize(
+    ("f", "x", "low", "high", "equals", "expected"),
+    [
+        ("q**2", "q", "0", "1", "1/3", "proved"),
+        ("q**2", "q", "0", "1", "334/1000", "refuted"),
+        ("1/(1 + q**2)", "q", "-infinity", "infinity", "pi", "proved"),
+        ("1/(1 + q**2)", "q", "-infinity", "infinity", "2*pi", "refuted"),
+        ("exp(-a*q)", "q", "0", "infinity", "1/a", "proved"),
+        ("exp(-k*q)", "q", "0", "infinity", "1/k", "undecided"),  # it diverges for k <= 0
+        ("1/sqrt(1 - q**2)", "q", "-1", "1", "pi", "proved"),  # improper at both ends
+        ("1/sqrt(q*(2*a - q))", "q", "0", "2*a", "pi", "proved"),
+        ("1/q", "q", "0", "1", "0", "refuted"),  # divergent
+        ("1/q**2", "q", "-1", "1", "-2", "undecided"),  # F(1) - F(-1), but a pole between
+        ("log(q)", "q", "0", "1", "-1", "proved"),
+        ("sqrt(2*m*(E0 - m*w**2*q**2/2))", "q", "-sqrt(2*E0/m)/w", "sqrt(2*E0/m)/w", "pi*E0/w", "proved"),
+        ("sqrt(2*m*(E0 - m*w**2*q**2/2))", "q", "-sqrt(2*E0/m)/w", "sqrt(2*E0/m)/w", "E0/w", "refuted"),
+        ("m*A**2*w**2*sin(w*t)**2/2", "t", "0", "2*pi/w", "pi*m*A**2*w/2", "proved"),
+        ("k*q**3", "q", "0", "b", "k*b**4/4", "proved"),
+        ("k*q**3", "q", "0", "b", "a*b**4/4", "refuted"),
+        ("exp(-q**2)", "q", "0", "1", "sqrt(pi)/2", "refuted"),  # by certified quadrature
+        ("1/(2 + cos(q))", "q", "0", "2*pi", "2*pi/sqrt(3)", "supported"),
+        ("1/(2 + cos(q))", "q", "0", "2*pi", "2*pi/sqrt(3) + 1e-9", "refuted"),
+        ("1/sqrt(1 - r**2)", "r", "0", "1", "pi/2", "proved"),
+    ],
+)
+def test_integrals(status, f, x, low, high, equals, expected):
+    assert status(_claim(f, x, low, high, equals), symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
+    ("F", "expected"),
+    [
+        ("2/sqrt(3)*atan(tan(q/2)/sqrt(3))", "undecided"),  # it jumps at pi
+        ("q/sqrt(3) - 2/sqrt(3)*atan(sin(q)/(2 + sqrt(3) + cos(q)))", "proved"),
+    ],
+)
+def test_an_antiderivative_must_be_smooth_inside(status, F, expected):
+    value = "2*pi/sqrt(3)" if expected == "proved" else "0"
+    found = status(_claim("1/(2 + cos(q))", "q", "0", "2*pi", value, F), symbols=SYMBOLS)
+    assert found == (expected if expected == "proved" else "refuted")  # the quadrature refutes what the jump suggests
+
+
+def test_arbitrary_functions(status):
+    claim = _claim("D(V(q), q)", "q", "a", "b", "V(b) - V(a)", "V(q)")
+    assert status(claim, symbols=SYMBOLS) == "undecided"  # which of a and b is the larger?
+    assert status(claim, symbols=SYMBOLS, domain='where = ["a < b"]') == "proved"
+
+
+def test_the_answer_names_the_antiderivative_and_the_value(ask):
+    (verdict,) = ask(_claim("q**2", "q", "0", "a", "a**3/4"), symbols=SYMBOLS)
+    assert verdict.detail["antiderivative"] == "q**3/3"
+    assert verdict.detail["value"] == "a**3/3"
+
+
+def test_numeric_only(ask):
+    claims = [_claim("sin(q)", "q", "0", "pi", "2"), _claim("sin(q)", "q", "0", "pi", "2.000001")]
+    verdicts = ask(*claims, options={"method": "numeric"})
+    assert [v.status for v in verdicts] == ["supported", "refuted"]
+    assert all(v.method == "certified quadrature" for v in verdicts)
+
+
+@pytest.mark.parametrize(
+    ("claim", "message"),
+    [
+        (_claim("q", "q", "0", "1", "1/2", "q**2"), "another function"),
+        (_claim("q", "q", "infinity", "0", "0"), "upwards"),
+        (_claim("q", "q", "0", "q", "q**2/2"), "variable of integration"),
+        (_claim("r", "r", "-1", "1", "0"), "leaves what is assumed"),
+        (_claim("n", "n", "0", "1", "0"), "no real variable"),
+    ],
+)
+def test_faults(ask, claim, message):
+    with pytest.raises((InputError, AssertionError), match=message):
+        ask(claim, symbols=SYMBOLS)

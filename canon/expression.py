@@ -44,14 +44,16 @@ def read(text: str, vocabulary: Vocabulary, where: str = "", measure: Measure | 
     return _guarded(lambda: _read(text, vocabulary, measure), where)
 
 
-def read_relation(text: str, vocabulary: Vocabulary, where: str = "") -> tuple[Condition, ...]:
+def read_relation(
+    text: str, vocabulary: Vocabulary, where: str = "", measure: Measure | None = None
+) -> tuple[Condition, ...]:
     """The conditions that a chain of inequalities states, and those of its sides.
 
     `>=` says as much as `>`, since claims speak of the open part of a domain.
 
     **Raises:** `InputError` as `read` does; for `==` too, and where the inequality can't hold anywhere.
     """
-    return _guarded(lambda: _read_relation(text, vocabulary), where)
+    return _guarded(lambda: _read_relation(text, vocabulary, measure), where)
 
 
 def _guarded(reading: Callable[[], Any], where: str) -> Any:
@@ -71,11 +73,11 @@ def _read(text: str, vocabulary: Vocabulary, measure: Measure | None) -> Formula
     return Formula(value, tuple(builder.conditions), written, names, builder.has_bracket, calls)
 
 
-def _read_relation(text: str, vocabulary: Vocabulary) -> tuple[Condition, ...]:
+def _read_relation(text: str, vocabulary: Vocabulary, measure: Measure | None) -> tuple[Condition, ...]:
     sides, signs = parse_relation(text)
     if "==" in signs:
         raise InputError("an equation restricts to a surface: write it as a difference under `on`")
-    builder = _Builder(text, vocabulary)
+    builder = _Builder(text, vocabulary, measure)
     values = [builder.value_of(side) for side in sides]
     found = list(builder.conditions)
     for i, sign in enumerate(signs):

@@ -8,7 +8,7 @@ from typing import Any
 
 from canon.checker.functions import Unreadable
 
-BIGGEST = 50_000_000
+BIGGEST = 8_000_000
 """The most bytes that a certificate may have."""
 
 

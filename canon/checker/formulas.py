@@ -11,7 +11,8 @@ from typing import Any
 from canon.checker.functions import SLOPES, Unknown, Unreadable
 
 _NAME = re.compile(r"(?<![\w.])[^\W\d]\w*")
-LONGEST, MOST = 50_000, 1_000_000
+LONGEST, MOST, BITS = 50_000, 50_000, 40_000
+"""The most characters of a formula, operations of a certificate, and bits of a number."""
 ZERO, ONE = 0, 1
 """The nodes of these numbers."""
 
@@ -44,7 +45,10 @@ class Formulas:
 
     def number(self, value: Any) -> int:
         """A rational number."""
-        return self.node("n", Fraction(value))
+        value = Fraction(value)
+        if max(value.numerator.bit_length(), value.denominator.bit_length()) > BITS:
+            raise Unreadable("a number that is too long")
+        return self.node("n", value)
 
     def value(self, a: int) -> Fraction | None:
         """The number that a node is, None for any other."""

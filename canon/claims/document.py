@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import stat
 import sys
 import tomllib
@@ -15,8 +16,15 @@ from canon.errors import InputError
 from canon.tokens import LONGEST, look_alike
 from canon.vocabulary import nearest
 
-BIGGEST: Final = 10_000_000
-"""The most bytes that a claim file may have."""
+BIGGEST: Final = 1_000_000
+"""The most bytes that a claim file or a scene may have: what can be read as TOML in about a second."""
+DEEPEST: Final = 12
+"""The most parts of a dotted key, each of which makes a table in the one before."""
+MOST: Final = 1_000
+"""The most entries of a table or a list, but for claims and bodies: some of what is done takes the square of it."""
+
+_PART: Final = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
+_DOTTED: Final = re.compile(rf"(?<![\w-]){_PART}(?:[ \t]*+\.[ \t]*+{_PART}){{{DEEPEST}}}")
 
 Table = Mapping[str, Any]
 
@@ -32,9 +40,9 @@ def load(path: str | os.PathLike[str]) -> dict[str, Any]:
 
 def parse(text: str) -> dict[str, Any]:
     """The TOML document that `text` is; its decimal numbers are exact. **Raises:** `InputError`."""
-    for number, line in enumerate(text.split("\n"), 1):
-        if line.count(".", 0, line.find("=")) > 1000 and line.find('"') < 0:
-            raise InputError(f"not readable: a key of more than 1000 parts in line {number}")
+    if deep := _DOTTED.search(text):
+        number = text.count("\n", 0, deep.start()) + 1
+        raise InputError(f"not readable: a key of more than {DEEPEST} parts in line {number}")
     try:
         return tomllib.loads(text, parse_float=_exact)
     except tomllib.TOMLDecodeError as error:
@@ -107,6 +115,8 @@ def table(value: Any, where: str) -> Table:
     """A table. **Raises:** `InputError`."""
     if not isinstance(value, dict):
         raise InputError(f"a table is expected, not {kind_of(value)}", where)
+    if len(value) > MOST:
+        raise InputError(f"{len(value)} entries: at most {MOST} are read", where)
     return value
 
 
@@ -117,11 +127,13 @@ def text(value: Any, where: str) -> str:
     return value
 
 
-def listing(value: Any, where: str) -> list[Any]:
-    """A list. **Raises:** `InputError`."""
+def listing(value: Any, where: str, most: int = MOST) -> list[Any]:
+    """A list of at most so many entries. **Raises:** `InputError`."""
     if not isinstance(value, list):
         advice = ": write it in brackets" if isinstance(value, (str, int, Decimal)) else ""
         raise InputError(f"a list is expected, not {kind_of(value)}{advice}", where)
+    if len(value) > most:
+        raise InputError(f"{len(value)} entries: at most {most} are read", where)
     return value
 
 
@@ -157,11 +169,12 @@ def name(value: Any, where: str) -> str:
 
 def names(value: Any, where: str) -> tuple[str, ...]:
     """A list of different names. **Raises:** `InputError`."""
-    found = tuple(name(item, where) for item in listing(value, where))
-    for word in found:
-        if found.count(word) > 1:
+    found = dict[str, None]()
+    for item in listing(value, where):
+        if (word := name(item, where)) in found:
             raise InputError(f"{word!r} is listed twice", where)
-    return found
+        found[word] = None
+    return tuple(found)
 
 
 def kind_of(value: Any) -> str:

@@ -91,7 +91,7 @@ def _listed(tables: Table) -> list[Any]:
     listed = tables["claim"]
     if isinstance(listed, dict):
         raise InputError("claims are a list: write [[claim]], in double brackets", "claim")
-    return document.listing(listed, "claim")
+    return document.listing(listed, "claim", document.BIGGEST)
 
 
 def _claim(value: Any, index: int, subject: Subject, names: Names, source: str | None) -> Claim:

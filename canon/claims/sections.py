@@ -115,7 +115,7 @@ def _domain(value: Any, names: Names, side: Side) -> Domain:
     vocabulary = names.restricted(side)
     for i, relation in enumerate(document.listing(section.get("where", []), key("where", where)), 1):
         place = f"{key('where', where)}, inequality {i}"
-        conditions += read_relation(document.text(relation, place), vocabulary, place)
+        conditions += read_relation(document.text(relation, place), vocabulary, place, names.measure)
     surface = list[Any]()
     for i, equation in enumerate(document.listing(section.get("on", []), key("on", where)), 1):
         place = f"{key('on', where)}, equation {i}"

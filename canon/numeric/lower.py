@@ -126,13 +126,20 @@ def _of_pairs(expression: PairSum | PairSlope, place: dict[Any, Any], numbers: A
     return found if isinstance(expression, PairSum) else found.reshape(-1, *found.shape[2:])[expression.index]
 
 
+def _double(number: sp.Rational) -> float:
+    try:
+        return int(number.p) / int(number.q)
+    except OverflowError:
+        raise InputError("a number of more than 308 digits arises, which is beyond double precision") from None
+
+
 def _value(expression: Any, place: dict[Any, Any], numbers: Any) -> Any:
     if expression in place:
         return place[expression]
     if isinstance(expression, (PairSum, PairSlope)):
         return _of_pairs(expression, place, numbers)
     if isinstance(expression, sp.Rational):
-        return int(expression.p) / int(expression.q)
+        return _double(expression)
     if not expression.args:
         return float(expression)
     if isinstance(expression, sp.Pow):

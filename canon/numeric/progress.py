@@ -89,7 +89,7 @@ def unpack(packed: Packed, begin: Begin) -> Progress:
     """
     try:
         return _unpacked(packed, begin)
-    except (KeyError, TypeError, ValueError, OverflowError) as error:
+    except (LookupError, TypeError, ValueError, OverflowError, AttributeError) as error:
         raise InputError(DAMAGED) from error
 
 
@@ -102,7 +102,7 @@ def _unpacked(packed: Packed, begin: Begin) -> Progress:
     kept = figures["compensated"]
     sound = (
         finished in (len(runs), len(runs) - 1)
-        and finished <= len(trials) == len(agreed)
+        and 0 <= finished <= len(trials) == len(agreed)
         and (finished > 0) == (len(trials) > 0)
         and kept in (None, True, False)
         and all(run.ended or run.done == run.chunks for run in runs[:finished])

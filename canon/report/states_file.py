@@ -35,6 +35,8 @@ def read_arrays(path: str | os.PathLike[str]) -> dict[str, np.ndarray]:
 
     **Raises:** `InputError` where there is no such file, or it is no sound npz file.
     """
+    if os.path.lexists(path) and not os.path.isfile(path):
+        raise InputError("it is not a regular file")
     try:
         with zipfile.ZipFile(path) as archive:
             found: dict[str, np.ndarray] = {}

@@ -32,7 +32,7 @@ def read_bodies(value: Any, rays: bool = False) -> tuple[Start, ...]:
     """The bodies of a scene, which need no mass where they are `rays`. **Raises:** `InputError` with the place."""
     if isinstance(value, dict):
         raise InputError("bodies are a list: write [[body]], in double brackets", "body")
-    tables = document.listing(value, "body")
+    tables = document.listing(value, "body", document.BIGGEST)
     if not 1 <= len(tables) <= MOST:
         raise InputError(f"{len(tables)} bodies: a scene has from 1 to {MOST}", "body")
     starts = list[Start]()
@@ -54,8 +54,10 @@ def read_bodies(value: Any, rays: bool = False) -> tuple[Start, ...]:
 def _body(table: Table, where: str, index: int, count: int, ray: bool) -> Start:
     document.only(table, KEYS, where)
     name = document.text(table.get("name", f"body{index + 1}"), key("name", where))
-    if not name or len(name) > 80:
-        raise InputError("a name of 1 to 80 letters is expected", key("name", where))
+    if not 0 < len(name) <= 80 or not name.isprintable() or set(name) & set("/\\"):
+        raise InputError(
+            "a name of 1 to 80 characters is expected, none of them / or \\ or invisible", key("name", where)
+        )
     position = numbers(needed(table, "position", where), key("position", where), (1, 2, 3))
     if "velocity" in table and "momentum" in table:
         raise InputError("both 'velocity' and 'momentum' are given", where)

@@ -33,7 +33,7 @@ def read_rigid_bodies(value: Any) -> tuple[Spin, ...]:
     """The rigid bodies of a scene. **Raises:** `InputError` with the place."""
     if isinstance(value, dict):
         raise InputError("rigid bodies are a list: write [[rigid_body]], in double brackets", "rigid_body")
-    tables = document.listing(value, "rigid_body")
+    tables = document.listing(value, "rigid_body", document.BIGGEST)
     if not 1 <= len(tables) <= MOST:
         raise InputError(f"{len(tables)} rigid bodies: a scene has from 1 to {MOST}", "rigid_body")
     spins = list[Spin]()

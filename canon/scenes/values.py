@@ -40,7 +40,7 @@ def double(value: Any, where: str, *, positive: bool = False) -> float:
 
 def numbers(value: Any, where: str, counts: Sequence[int]) -> tuple[Any, ...]:
     """A list of exact numbers, as many as one of `counts`. **Raises:** `InputError`."""
-    items = document.listing(value, where)
+    items = document.listing(value, where, document.BIGGEST)
     if len(items) not in counts:
         wanted = " or ".join(map(str, counts))
         raise InputError(f"{len(items)} components where {wanted} are expected", where)
@@ -49,7 +49,7 @@ def numbers(value: Any, where: str, counts: Sequence[int]) -> tuple[Any, ...]:
 
 def matrix(value: Any, where: str, size: int) -> Any:
     """A square matrix of exact numbers. **Raises:** `InputError`."""
-    rows = document.listing(value, where)
+    rows = document.listing(value, where, document.BIGGEST)
     if len(rows) != size:
         raise InputError(f"{len(rows)} rows where {size} are expected: one for each coordinate that it acts on", where)
     return sp.ImmutableMatrix([numbers(row, f"{where}, row {i}", [size]) for i, row in enumerate(rows, 1)])
@@ -69,7 +69,7 @@ def expression(value: Any, names: Mapping[str, Any], where: str) -> Any:
 
 def expressions(value: Any, names: Mapping[str, Any], where: str, count: int) -> tuple[Any, ...]:
     """A list of `count` expressions. **Raises:** `InputError`."""
-    items = document.listing(value, where)
+    items = document.listing(value, where, document.BIGGEST)
     if len(items) != count:
         raise InputError(f"{len(items)} components where {count} are expected", where)
     return tuple(expression(item, names, f"{where}, entry {i}") for i, item in enumerate(items, 1))

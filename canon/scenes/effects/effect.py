@@ -149,7 +149,7 @@ class Given:
         known = {particle.name: particle for particle in everything}
         if "bodies" not in self.table:
             return everything
-        names = document.listing(self.table["bodies"], self.place("bodies"))
+        names = document.listing(self.table["bodies"], self.place("bodies"), document.BIGGEST)
         for name in names:
             if name not in known:
                 advice = nearest(str(name), known) or f": the bodies are {', '.join(known)}"

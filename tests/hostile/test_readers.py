@@ -1,0 +1,282 @@
+"""Hostile files end in an input error, soon and in little memory; none of them is believed or run."""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+import subprocess
+import sys
+import time
+import zipfile
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from canon.checker.check import check, checksum
+from canon.checker.files import load
+from canon.checker.functions import Unreadable
+from canon.claims.document import BIGGEST
+from canon.claims.reader import read_file
+from canon.cli.main import main
+from canon.errors import InputError
+from canon.scenes.reader import read_scene, read_scene_text
+from tests.hostile.attacks import CERTIFICATES, DEFINITIONS, FILES, FORMULAS, LARGE
+
+SECONDS = 1.0
+MEMORY = 500_000_000
+HEAVY = ("expanding power",)
+"""What is a formula after all, if a large one."""
+COSTLY = ("dear definitions",)
+"""Hundreds of formulas, each of them a formula: all that may be asked of the reader in one file."""
+DEAR = ("derivatives nested", "brackets nested", "derivative of a tower", "denested roots", "commas")
+"""What is refused only when it has been built in part; looked at once."""
+
+SCENE = """
+[system]
+q_names = ["q"]
+p_names = ["p"]
+H = {formula}
+q = [0.1]
+p = [0.5]
+[run]
+duration = 1.0
+"""
+
+
+def toml(text: str) -> str:
+    """A text as a string of TOML, whatever is in it."""
+    return '"' + "".join(c if c.isalnum() or c in " +-*/(),." else f"\\U{ord(c):08x}" for c in text) + '"'
+
+
+def spent(action) -> float:
+    start = time.process_time()
+    action()
+    return time.process_time() - start
+
+
+def writable(formula: str) -> bool:
+    return not any(0xD800 <= ord(c) < 0xE000 for c in formula)
+
+
+@pytest.mark.parametrize("place", ["claim", "scene"])
+def test_no_formula_of_the_corpus_is_read(place: str) -> None:
+    from canon.claims.reader import read_text
+
+    head = '[phase_space]\nq = ["q"]\np = ["p"]\n[[claim]]\nkind = "casimir"\n'
+
+    def claim(formula: str) -> str:
+        (problem,) = read_text(f"{head}f = {toml(formula)}\n").problems
+        return problem["message"]
+
+    def scene(formula: str) -> str:
+        with pytest.raises(InputError) as caught:
+            read_scene_text(SCENE.format(formula=toml(formula)))
+        return caught.value.message
+
+    for name, formula in FORMULAS.items():
+        if name in HEAVY or (name in DEAR and place == "scene") or not writable(formula) or len(formula) > 20_001:
+            continue
+        read = claim if place == "claim" else scene
+        said: list[str] = []
+        assert spent(lambda read=read, formula=formula, said=said: said.append(read(formula))) < SECONDS, name
+        assert said[0], name
+        assert len(said[0]) < 2000, name
+
+
+def refused(name: str, data: bytes, path: Path) -> None:
+    """Neither a claim file nor a scene: fails unless both readers say so, soon."""
+    path.write_bytes(data)
+    found = []
+    assert spent(lambda: found.append(read_file(path))) < (10 * SECONDS if name in COSTLY else SECONDS), name
+    claims, problems = found[0]
+    assert problems, name
+    assert not claims or name in COSTLY, name
+    assert all(problem["message"] for problem in problems), name
+    if len(data) < 100_000:
+        with pytest.raises(InputError) as caught:
+            read_scene(path)
+        assert caught.value.message, name
+
+
+def test_no_file_of_the_corpus_is_read(tmp_path: Path) -> None:
+    for name, data in FILES.items():
+        refused(name, data, tmp_path / "file.toml")
+
+
+@pytest.mark.thorough
+@pytest.mark.skipif(sys.platform == "win32", reason="no limit of memory here")
+def test_large_files_are_refused_in_little_memory(tmp_path: Path) -> None:
+    program = (
+        "import resource, sys; from pathlib import Path; from tests.hostile.attacks import FILES, LARGE\n"
+        f"from tests.hostile.test_readers import refused\nresource.setrlimit(resource.RLIMIT_AS, ({MEMORY * 4}, -1))\n"
+        "for name, data in {**FILES, **LARGE}.items():\n    refused(name, data, Path(sys.argv[1]))\n"
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, str(tmp_path / "file.toml")], capture_output=True, text=True, timeout=300
+    )
+    assert done.stderr == ""
+    assert int(done.stdout) < MEMORY
+
+
+def test_the_corpus_has_files_of_every_size() -> None:
+    sizes = [len(data) for data in {**FILES, **LARGE}.values()]
+    assert max(sizes) > 9 * BIGGEST
+    assert sum(BIGGEST * 0.8 < size <= BIGGEST for size in sizes) > 20
+
+
+@pytest.mark.parametrize("command", ["verify", "simulate", "algebra", "actions"])
+def test_the_commands_say_it_in_a_line(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    attacks = {
+        "bytes.toml": FILES["Latin-1"],
+        "deep.toml": FILES["deep tables"],
+        "large.toml": FILES["10 MB of one string"],
+        "twice.toml": FILES["key twice"],
+        "code.toml": FILES["dunder name"],
+    }
+    (tmp_path / "loop.toml").symlink_to("loop.toml")
+    (tmp_path / "folder.toml").mkdir()
+    os.mkfifo(tmp_path / "pipe.toml")
+    for name, data in attacks.items():
+        (tmp_path / name).write_bytes(data)
+    for path in sorted(tmp_path.iterdir()):
+        if command == "verify" and path.name == "folder.toml":
+            continue  # a folder of claim files, if an empty one
+        assert main([command, str(path)]) == 3, path
+        out, err = capsys.readouterr()
+        assert path.name in out + err
+        assert "Traceback" not in out + err
+        assert len(err) < 1000
+
+
+def test_no_certificate_of_the_corpus_is_believed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "certificate.json"
+    for name, data in CERTIFICATES.items():
+        path.write_bytes(data)
+        status: list[int] = []
+        assert spent(lambda status=status: status.append(main(["certificate", "check", str(path)]))) < SECONDS, name
+        assert status[0] in (1, 3), name
+        assert capsys.readouterr().out.startswith(("unreadable", "rejected")), name
+
+
+@pytest.fixture(scope="module")
+def certificate() -> dict:
+    from tests.checker.test_check import made
+
+    return made("bracket")
+
+
+def sealed(certificate: dict, /, **changed) -> dict:
+    """A certificate with other entries, and a checksum that is right."""
+    data = {**copy.deepcopy(certificate), **changed}
+    data["checksum"] = checksum(data)
+    return data
+
+
+@pytest.mark.parametrize("name", DEFINITIONS)
+def test_a_certificate_cant_keep_the_checker_busy(name: str, certificate: dict) -> None:
+    tables = copy.deepcopy(certificate["tables"])
+    tables["definitions"], tables["claim"]["equals"] = DEFINITIONS[name], "a59"
+    start = time.process_time()
+    try:
+        status = check(sealed(certificate, tables=tables)).status
+    except Unreadable:
+        status = "unreadable"
+    assert status in ("unreadable", "rejected", "not confirmed")
+    assert time.process_time() - start < 2 * SECONDS
+
+
+def test_a_certificate_with_attacks_for_formulas_is_refused(certificate: dict) -> None:
+    for name, formula in FORMULAS.items():
+        tables = copy.deepcopy(certificate["tables"])
+        tables["claim"]["equals"] = formula
+        start = time.process_time()
+        with suppress(Unreadable):
+            if writable(formula) and name not in DEAR:
+                assert check(sealed(certificate, tables=tables)).status != "confirmed", name
+        assert time.process_time() - start < 2 * SECONDS, name
+
+
+def test_parts_of_a_certificate_that_are_anything(certificate: dict) -> None:
+    strange = (None, 3, [], {}, "x", [[[[]]]], {"a": {"a": 1}}, 1e308, [3] * 1000)
+    for key in ("certificate", "tables", "verdict", "cases"):
+        for value in strange:
+            with suppress(Unreadable):
+                assert check(sealed(certificate, **{key: value})).status == "rejected", (key, value)
+    for key in certificate["cases"][0]:
+        for value in strange:
+            case = {**certificate["cases"][0], key: value}
+            with suppress(Unreadable):
+                assert check(sealed(certificate, cases=[case])).status != "confirmed", (key, value)
+
+
+def test_what_is_no_file_is_not_read_as_a_certificate(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.json")
+    (tmp_path / "loop.json").symlink_to("loop.json")
+    for path in (tmp_path / "pipe.json", tmp_path / "loop.json", tmp_path / "absent.json", tmp_path):
+        with pytest.raises(Unreadable):
+            load(str(path))
+
+
+HEADERS = {
+    "an array of a terabyte": "{'descr': '<f8', 'fortran_order': False, 'shape': (1000000000000,), }",
+    "a negative shape": "{'descr': '<f8', 'fortran_order': False, 'shape': (-1,), }",
+    "objects": "{'descr': '|O', 'fortran_order': False, 'shape': (1,), }",
+    "code": "{'descr': __import__('os').system('echo gotcha'), 'fortran_order': False, 'shape': (1,), }",
+    "parentheses": "{'descr': '<f8', 'fortran_order': False, 'shape': " + "(" * 3000 + ")" * 3000 + ", }",
+    "a record of a terabyte": "{'descr': [('a', '<f8', (999, 999, 999999))], 'fortran_order': False, 'shape': (1,), }",
+}
+
+
+@pytest.mark.parametrize("name", HEADERS)
+def test_a_run_that_is_an_attack_is_not_gone_on_with(name: str, tmp_path: Path, capfd: pytest.CaptureFixture) -> None:
+    from canon.report.states_file import read_arrays
+
+    header = HEADERS[name].encode()
+    member = b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header + b"cos\nsystem\n(S'echo gotcha'\ntR."
+    with zipfile.ZipFile(tmp_path / "run.npz", "w") as archive:
+        archive.writestr("q.npy", member)
+    with pytest.raises(InputError, match="damaged"):
+        read_arrays(tmp_path / "run.npz")
+    assert "gotcha" not in capfd.readouterr().out
+
+
+def test_a_run_is_read_of_a_file_alone(tmp_path: Path) -> None:
+    from canon.report.states_file import read_arrays
+
+    os.mkfifo(tmp_path / "pipe.npz")
+    (tmp_path / "loop.npz").symlink_to("loop.npz")
+    for name in ("pipe.npz", "loop.npz", "."):
+        with pytest.raises(InputError, match="not a regular file"):
+            read_arrays(tmp_path / name)
+
+
+def test_figures_of_a_run_that_are_anything_are_damage() -> None:
+    from canon.numeric.progress import Packed, unpack
+
+    figures = {"runs": [], "finished": 0, "trials": [], "agreed": [], "compensated": None}
+
+    def begin(steps: int, compensated: bool):
+        raise AssertionError("nothing is begun")
+
+    for key in figures:
+        for value in (10**300, -1, "a", 1.5, [1], [{}], [[None]], {"a": 1}):
+            with pytest.raises(InputError, match="damaged"):
+                unpack(Packed({**figures, key: value}, {"resume_0_carry_0": np.zeros(1)}), begin)
+
+
+@pytest.mark.parametrize("name", ["../../etc/x", "a\\b", "a\0b", "a\nb", "\u202ea"])
+def test_names_of_bodies_name_no_place(name: str) -> None:
+    scene = f"[[body]]\nname = {json.dumps(name)}\nmass = 1\nposition = [0, 0]\n[run]\nduration = 1\n"
+    with pytest.raises(InputError, match="a name of 1 to 80 characters"):
+        read_scene_text(scene)
+
+
+def test_numbers_beyond_double_precision_are_input_errors(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE.format(formula='"10**400*q**2 + p**2"'))
+    assert main(["simulate", str(path)]) == 3
+    assert "beyond double precision" in capsys.readouterr().err

@@ -97,6 +97,7 @@ if TYPE_CHECKING:
     from canon.numeric.actions.orbit import Orbit
     from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
     from canon.numeric.actions.separable import staeckel_actions
+    from canon.report.proof.of_claim import Proof, proof
     from canon.scenes.audit import audit
     from canon.verdict import Verdict
 
@@ -105,6 +106,7 @@ __version__ = "0.1.0"
 _HOMES: dict[str, tuple[str, ...]] = {
     "canon.errors": ("CanonError", "ClaimFailed", "InputError"),
     "canon.verdict": ("Verdict",),
+    "canon.report.proof.of_claim": ("Proof", "proof"),
     "canon.claim": ("Claim",),
     "canon.domain": ("Condition", "Domain"),
     "canon.expression": ("Formula",),
@@ -216,6 +218,7 @@ __all__ = [
     "OrthogonalCoordinates",
     "PhaseSpace",
     "PointTransformation",
+    "Proof",
     "Root",
     "RootSystem",
     "Separability",
@@ -271,6 +274,7 @@ __all__ = [
     "pendulum_actions",
     "pendulum_angle",
     "poisson_bracket",
+    "proof",
     "recovered",
     "roots_of",
     "semidirect_sum",

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal
 
+from canon.display import list_in_html, status_in_html
 from canon.errors import ClaimFailed
 
 Status = Literal["proved", "refuted", "supported", "undecided"]
@@ -104,6 +105,10 @@ class Verdict:
         status, _, remainder = first.partition(": ")
         items = "".join(f"\n- {_escaped(line.strip())}" for line in rest)
         return f"**{status}**: {_escaped(remainder)}" + (f"\n{items}" if items else "")
+
+    def _repr_html_(self) -> str:
+        first, *rest = str(self).split("\n")
+        return f"<div>{status_in_html(self.status, first.partition(': ')[2])}{list_in_html(map(str.strip, rest))}</div>"
 
     def _repr_latex_(self) -> str:
         words = self.kind.replace("_", r"\ ")

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal
 
+from canon.display import list_in_html, status_in_html, table_in_html
 from canon.errors import CanonError
 from canon.numeric.worst import Defect
 
@@ -141,6 +142,23 @@ class AuditReport:
             lines.append(f"  {item.name} {item.before:.12g}, after the map {item.after:.12g} (bound {item.bound:.2g})")
         lines += [f"  note: {text}" for text in self.notes]
         return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        first, *rest = str(self).split("\n")
+        measured = [*self.brackets.values(), self.symplectic, self.volume, *self.invariants]
+        names = [
+            *self.brackets,
+            "M J Mᵀ − c J",
+            "|det M|",
+            *(f"invariant {k + 1}" for k in range(len(self.invariants))),
+        ]
+        rows = [
+            (name, f"{d.size:.2g}", f"{d.bound:.2g}", "yes" if d.size <= d.bound else "no, " + self.at(d))
+            for name, d in zip(names, measured, strict=True)
+        ]
+        table = table_in_html(("residual", "largest", "bound", "within it"), rows)
+        told = [line.strip() for line in rest if line.strip().startswith(("fails", "in doubt", "confirmed", "note"))]
+        return f"<div>{status_in_html(self.verdict, first.partition(': ')[2])}{table}{list_in_html(told)}</div>"
 
     def as_record(self) -> dict[str, Any]:
         """The report as data for JSON: numbers that are not finite are text."""

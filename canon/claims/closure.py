@@ -20,6 +20,7 @@ from canon.claims.structure_constants import Found, find_constants
 from canon.decide.derivative import poisson_bracket
 from canon.decide.region import Region
 from canon.decide.tape import Node
+from canon.display import text_in_html
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
@@ -45,6 +46,8 @@ class Closure:
     status: Status
     name: str
     note: str = ""
+
+    _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         lines = [f"{self.status}: {self.name or 'no algebra'}, of dimension {len(self.basis)}"]

@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from canon.display import text_in_html
+
 
 @dataclass(frozen=True)
 class DefectBound:
@@ -37,6 +39,8 @@ class DefectBound:
     degree: int
     bits: int
     seconds: float = field(default=0.0, compare=False)
+
+    _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         c = "" if self.scale == 1 else f"{self.scale:g} "

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from canon.display import text_in_html
 from canon.errors import CanonError
 from canon.numeric.images import Comparison
 
@@ -16,6 +17,8 @@ class NotInvariant(CanonError):
     def __init__(self, report: Invariance) -> None:
         super().__init__(report)
         self.report = report
+
+    _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         return str(self.report)
@@ -77,6 +80,8 @@ class Invariance:
         if not self.preserved:
             raise NotInvariant(self)
         return self
+
+    _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         factor = "" if self.found.factor == 1 else f", {self.found.factor:g} times which is expected"

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from canon.claims.audit_report import AuditReport
+from canon.display import text_in_html
 from canon.numeric.repaired_map import RepairedMap
 
 Array = np.ndarray
@@ -33,6 +34,8 @@ class MatrixRepair:
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> Array:
         return np.array(self.matrix, dtype=dtype)
+
+    _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         others = ", ".join(f"{name} {size:.3g}" for name, size in self.distances.items())
@@ -101,6 +104,8 @@ class MapRepair:
     def typical(self) -> float:
         """The median of `moved`."""
         return float(np.nanmedian(self.moved))
+
+    _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         kinds = str(self.types[0]) if len(set(self.types)) == 1 else f"({', '.join(map(str, self.types))})"

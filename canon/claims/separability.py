@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from canon.claims.verify import verify
+from canon.display import text_in_html
 from canon.domain import Condition
 from canon.mechanics.formulas import Expression
 from canon.mechanics.phase_space import PhaseSpace
@@ -29,6 +30,8 @@ class Separability:
     coordinates: str
     verdict: Verdict
     separation: Separation | None = None
+
+    _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         words = {"proved": "separates", "refuted": "does not separate"}

@@ -94,12 +94,12 @@ class _Bar:
 class part_bar:  # noqa: N801 - it is called as a function, and kept while a run goes on
     """A progress bar of one run, which appears when the wait has become long."""
 
-    def __init__(self) -> None:
-        self.bar = _Bar(100, Console(stderr=True))
+    def __init__(self, label: str = "simulating") -> None:
+        self.bar, self.label = _Bar(100, Console(stderr=True)), label
 
     def update(self, part: float) -> None:
         """Draw the bar anew: this part of the run is done."""
-        self.bar.update(round(100 * part), "simulating")
+        self.bar.update(round(100 * part), self.label)
 
     def close(self) -> None:
         """Take the bar away."""

@@ -32,6 +32,10 @@ class MatrixAlgebra:
     algebra: LieAlgebra
     physicists: bool
 
+    def _repr_latex_(self) -> str:
+        bracket = r"[A, B] = -i\,(A B - B A)" if self.physicists else "[A, B] = A B - B A"
+        return self.algebra._repr_latex_().replace(r"\begin{aligned}", rf"{bracket}\colon\quad \begin{{aligned}}", 1)
+
 
 class NotClosed(InputError):
     """A bracket that leaves the real span: `pair`, the names, and `value`, the commutator's entries."""

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from html import escape
 
 from flint import fmpq_mat
 
+from canon.display import list_in_html
 from canon.errors import InputError
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.families import recognised
@@ -34,6 +36,15 @@ class Identification:
     ideals: tuple[SimpleIdeal, ...]
     killing_signature: tuple[int, int, int]
     summands: tuple[tuple[str, fmpq_mat], ...] = ()
+
+    def _repr_html_(self) -> str:
+        plus, minus, zero = self.killing_signature
+        said = [
+            f"dimension {self.algebra.dimension}",
+            f"Killing form with {plus} positive, {minus} negative, {zero} zero squares",
+            *(f"{name}: spanned by {', '.join(self.words(rows))}" for name, rows in self.summands),
+        ]
+        return f"<div><b>{escape(str(self.identity))}</b>{list_in_html(said)}</div>"
 
     def words(self, space: fmpq_mat) -> tuple[str, ...]:
         """The rows of a subspace as formulas in the basis' names."""

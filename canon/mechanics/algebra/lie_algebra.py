@@ -61,6 +61,16 @@ class LieAlgebra:
     def __repr__(self) -> str:
         return f"LieAlgebra(names={self.names!r}, constants={self.__reduce__()[1][1]!r})"
 
+    def _repr_latex_(self) -> str:
+        rows = [
+            rf"[{_tex(a)}, {_tex(b)}] &= {sp.latex(as_sympy(row, self.names))}"
+            for (i, j), row in self.constants.items()
+            for a, b in [(self.names[i], self.names[j])]
+            if row
+        ]
+        body = " \\\\ ".join(rows) or rf"[\cdot, \cdot] &= 0 \quad \text{{in dimension {self.dimension}}}"
+        return rf"$\begin{{aligned}} {body} \end{{aligned}}$"
+
     def __reduce__(self) -> tuple[Any, ...]:
         return LieAlgebra, (self.names, {pair: dict(row) for pair, row in self.constants.items()})
 
@@ -162,6 +172,10 @@ class LieAlgebra:
             for pair, row in zip(pairs, found, strict=True)
         }
         return LieAlgebra(tuple(names) or tuple(f"e{k + 1}" for k in range(size)), constants)
+
+
+def _tex(name: str) -> str:
+    return sp.latex(sp.Symbol(name))
 
 
 def structure(names: Sequence[str], brackets: Mapping[str, Any]) -> LieAlgebra:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from flint import arb
 
+from canon.display import text_in_html
 from canon.numeric.actions.balls import Ball
 
 
@@ -19,6 +20,8 @@ class Bounded:
 
     def __float__(self) -> float:
         return self.value
+
+    _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         if self.bound == 0:

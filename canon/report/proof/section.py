@@ -28,7 +28,7 @@ def section(record: Data, tables: Data, certificate: Data | None) -> Section:
     kind = record["kind"].replace("_", " ")
     return Section(
         title=visible(record["title"] or f"{kind[0].upper()}{kind[1:]}"),
-        place=f"{visible(record['file'])} #{record['index'] + 1}, {kind}",
+        place=f"{visible(record['file'])} #{record['index'] + 1}, {kind}" if record["file"] else kind,
         status=record["verdict"],
         source=visible(str(tables["claim"].get("source") or tables.get("source") or "")),
         setting=tuple(setting(tables)),

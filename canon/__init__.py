@@ -6,6 +6,8 @@ The public names below are loaded when they are first used, so `import canon` it
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from canon.version import __version__
+
 if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.claims.audit_report import AuditFailed, AuditReport
@@ -101,7 +103,6 @@ if TYPE_CHECKING:
     from canon.scenes.audit import audit
     from canon.verdict import Verdict
 
-__version__ = "0.1.0"
 
 _HOMES: dict[str, tuple[str, ...]] = {
     "canon.errors": ("CanonError", "ClaimFailed", "InputError"),

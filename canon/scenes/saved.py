@@ -9,10 +9,10 @@ from typing import Any, Final
 
 import numpy as np
 
-import canon
 from canon.errors import InputError
 from canon.numeric.progress import Begin, Packed, Progress, pack, unpack
 from canon.scenes.identity import check_same
+from canon.version import __version__
 
 FORMAT: Final = 1
 KEY: Final = "resume"
@@ -50,7 +50,7 @@ def differing_versions(arrays: Arrays) -> str:
 
 def versions() -> dict[str, str]:
     """The programs on which every bit of a run depends."""
-    return {"canon": canon.__version__, **{name: version(name) for name in ("jax", "jaxlib", "numpy")}}
+    return {"canon": __version__, **{name: version(name) for name in ("jax", "jaxlib", "numpy")}}
 
 
 def _header(arrays: Arrays) -> dict[str, Any]:

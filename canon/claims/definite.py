@@ -6,6 +6,7 @@ import contextlib
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -81,7 +82,20 @@ def range_of(question: Question, x: sp.Symbol, low: End, high: End, formulas: Se
     found = Range(x, low, high, others, Region((*kept, *walls), whole.surface, ()), demanded)
     _ordered(question, found)
     _assumed(question, found)
+    stays_in_domain(question, found, found.demanded, formulas)
     return found
+
+
+def stays_in_domain(
+    question: Question, span: Range, demanded: Sequence[Requirement], formulas: Sequence[Formula]
+) -> None:
+    """What the file demands besides the claim's formulas must hold all along the range. **Raises:** `Unproved`."""
+    domain = question.subject.domain
+    own = [Region.of(question.tape, replace(domain, conditions=f.conditions, surface=())) for f in formulas]
+    known = {(r.kind, r.nodes) for region in own for r in region.requirements}
+    for requirement in demanded:
+        if (requirement.kind, requirement.nodes) not in known and not holds(question, requirement, span.inside, span):
+            raise Unproved(f"it isn't shown that {requirement.text} all along the range, as the file demands")
 
 
 def _ordered(question: Question, span: Range) -> None:
@@ -90,7 +104,7 @@ def _ordered(question: Question, span: Range) -> None:
         raise InputError("the range runs upwards: exchange 'from' and 'to', and change the sign", "key 'from'")
     if isinstance(low, Formula) and isinstance(high, Formula):
         width = question.tape.minus(question.load(high), question.load(low))
-        if not _positive(question, width, span.others):
+        if not is_positive(question, width, span.others):
             raise Unproved(f"it isn't shown that {low} < {high}: say so under [domain]")
 
 
@@ -112,7 +126,8 @@ def _assumed(question: Question, span: Range) -> None:
         raise InputError(f"{span.x} leaves what is assumed of it, from {span.low} to {span.high}", "key 'variable'")
 
 
-def _positive(question: Question, node: Node, region: Region, *, strict: bool = True) -> bool:
+def is_positive(question: Question, node: Node, region: Region, *, strict: bool = True) -> bool:
+    """Whether a node is shown to be positive (not negative) throughout a region."""
     tape, budget = question.tape, question.budget
     if not tape.support(node) and not tape.functions_of([node]):
         with precision(64):
@@ -128,11 +143,16 @@ def _positive(question: Question, node: Node, region: Region, *, strict: bool = 
 def holds(question: Question, requirement: Requirement, region: Region, span: Range | None = None) -> bool:
     """Whether a condition is shown to hold throughout a region, that inside of a range where one is given."""
     tape, first = question.tape, requirement.nodes[0]
+    bare = tape.ops[first][2][0][0] if tape.ops[first][0] == "+" and len(tape.ops[first][2]) == 1 else first
+    if tape.ops[bare][0] == "u" and requirement.kind in ("positive", "nonzero"):
+        return tape.ops[first][0] == "u" or not tape.ops[first][1]  # the claim is one of functions with such values
 
     def positive(node: Node) -> bool:
         if tape.is_complex(node):
             return False
-        return _positive(question, node, region) or (span is not None and _above_its_ends(question, node, span))
+        if is_positive(question, node, region):
+            return True
+        return span is not None and (_above_its_ends(question, node, span) or _half_wave(question, node, span))
 
     if requirement.kind in ("positive", "slit"):
         return positive(first)
@@ -144,26 +164,58 @@ def holds(question: Question, requirement: Requirement, region: Region, span: Ra
     return False
 
 
+def _at_ends(question: Question, node: Node, span: Range) -> list[Node] | None:
+    """The limits of a node at both ends of a bounded range."""
+    found = []
+    for end, side in ((span.low, 1), (span.high, -1)):
+        if isinstance(end, str):
+            return None
+        near = replace(approaching(question, span.x, end, side, ()), region=span.others, near=())
+        try:
+            value = limit_of(question, near, node, (node,)).value
+        except (Unexpanded, Unsupported, InputError):
+            return None
+        if value is None:
+            return None
+        found.append(value)
+    return found
+
+
+def _half_wave(question: Question, node: Node, span: Range) -> bool:
+    """Whether a multiple of a sine or cosine is positive since its argument runs within half a turn."""
+    tape, op = question.tape, question.tape.ops[node]
+    if op[0] == "+" and not op[1] and len(op[2]) == 1 and op[2][0][1] > 0:
+        return _half_wave(question, op[2][0][0], span)
+    if op[:2] not in (("f", "sin"), ("f", "cos")):
+        return False
+    (phase,) = op[2]
+    slope = derivative(tape, phase, tape.symbol(span.x))
+    ends = _at_ends(question, phase, span)
+    if ends is None:
+        return False
+    if is_positive(question, tape.negative(slope), span.inside):
+        ends.reverse()
+    elif not is_positive(question, slope, span.inside):
+        return False
+    half = tape.scaled(tape.constant("pi"), Fraction(1, 2))
+    first, last = (tape.zero, tape.constant("pi")) if op[1] == "sin" else (tape.negative(half), half)
+    above, below = tape.minus(ends[0], first), tape.minus(last, ends[1])
+    return all(tape.value(n) == 0 or is_positive(question, n, span.others, strict=False) for n in (above, below))
+
+
 def _above_its_ends(question: Question, node: Node, span: Range) -> bool:
     """Whether a function is positive inside the range since it is strictly concave, or monotone, and isn't below 0
     where it is least, at an end."""
     tape, x = question.tape, question.tape.symbol(span.x)
-    slope = derivative(tape, node, x)
-    signs = []
-    for end, side in ((span.low, 1), (span.high, -1)):
-        if isinstance(end, str):
-            return False
-        near = replace(approaching(question, span.x, end, side, ()), region=span.others)
-        try:
-            value = limit_of(question, near, node, (node,)).value
-        except (Unexpanded, Unsupported, InputError):
-            return False
-        signs.append(None if value is None else signs_on(question, span.others)(value))
-    low, high = (sign in ("zero", "pos") for sign in signs)
-    if low and high and _positive(question, tape.negative(derivative(tape, slope, x)), span.inside):
+    slope, values = derivative(tape, node, x), _at_ends(question, node, span)
+    if values is None:
+        return False
+    sign_of = signs_on(question, span.others)
+    low, high = (sign_of(value) in ("zero", "pos") for value in values)
+    if low and high and is_positive(question, tape.negative(derivative(tape, slope, x)), span.inside):
         return True
-    return (low and _positive(question, slope, span.inside)) or (
-        high and _positive(question, tape.negative(slope), span.inside)
+    return (low and is_positive(question, slope, span.inside)) or (
+        high and is_positive(question, tape.negative(slope), span.inside)
     )
 
 

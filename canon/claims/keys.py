@@ -215,6 +215,18 @@ KEYS: Final[Mapping[str, KeySpec]] = {
             "antiderivative": Key(optional=True),
         }
     ),
+    "stationary": KeySpec(
+        {
+            "L": _LAGRANGIAN,
+            "velocities": Key("names"),
+            "path": _PER_PAIR,
+            "from": Key("end"),
+            "to": Key("end"),
+            "extremum": Key("word", optional=True),
+            "field": Key(optional=True),
+            "conjugate": Key("expressions", optional=True),
+        }
+    ),
     "inequality": KeySpec({"lhs": Key(side="both"), "relation": Key("relation"), "rhs": Key(side="both")}),
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
 }

@@ -31,6 +31,7 @@ from canon.claims import (
     new_hamiltonian,
     normal_form,
     solves,
+    stationary,
     transformation,
 )
 from canon.claims.outcome import Outcome
@@ -52,6 +53,7 @@ KINDS: Mapping[str, Kind] = MappingProxyType(
         **constraint.KINDS,
         **dimension.KINDS,
         **inequality.KINDS,
+        **stationary.KINDS,
         **integral.KINDS,
         **limit.KINDS,
         **matrix_group.KINDS,

@@ -1,0 +1,105 @@
+"""Extremals and their kind: Legendre, Jacobi, conjugate points."""
+
+import pytest
+
+from canon.errors import InputError
+
+SYMBOLS = "\n".join([f'{x} = "positive"' for x in ("a", "m", "w", "T", "A", "g", "n0")])
+SYMBOLS += '\nk = "real"\nB = "real"\nn = ["function", "positive"]'
+OSCILLATOR = "m*v**2/2 - m*w**2*q**2/2"
+SWING = "A*sin(w*t) + B*cos(w*t)"
+MIDDLE = 'field = "cos(w*(t - T/2))"'
+ZEROS = 'conjugate = ["T/2 - pi/(2*w)", "T/2 + pi/(2*w)"]'
+SHORT, LONG = 'where = ["w*T < pi"]', 'where = ["w*T > pi"]'
+
+
+def _claim(L: str, path: str, *keys: str, extremum: str = "", to: str = "T") -> str:
+    listed = path if path.startswith("[") else f'["{path}"]'
+    velocities = '["v"]' if listed.count('"') == 2 else '["vx", "vy"]'
+    more = [*keys, *([f'extremum = "{extremum}"'] if extremum else [])]
+    head = ['kind = "stationary"', f'L = "{L}"', f"velocities = {velocities}", f"path = {listed}", 'from = "0"']
+    return "\n".join([*head, f'to = "{to}"', *more])
+
+
+@pytest.mark.parametrize(
+    ("L", "path", "extremum", "expected"),
+    [
+        ("m*v**2/2", "k + B*t", "", "proved"),
+        ("m*v**2/2", "k + B*t + t**2/1000", "", "refuted"),
+        ("m*v**2/2", "k + B*t", "minimum", "proved"),
+        ("m*v**2/2", "k + B*t", "maximum", "refuted"),
+        ("m*v**2/2", "k + B*t", "neither", "refuted"),
+        ("-m*v**2/2", "k + B*t", "minimum", "refuted"),  # a negative mass
+        ("-m*v**2/2", "k + B*t", "maximum", "proved"),
+        ("m*v**2/2 - m*g*q", "B + k*t - g*t**2/2", "minimum", "proved"),
+        ("m*v**2/2 - m*g*q", "B + k*t - g*t**2", "minimum", "refuted"),
+        ("sqrt(1 + v**2)", "B + k*t", "minimum", "proved"),
+        ("n(t)*sqrt(1 + v**2)", "B", "minimum", "proved"),  # straight through any layers
+        ("m*v**2/2 + m*w**2*q**2/2", "A*exp(w*t) + B*exp(-w*t)", "minimum", "proved"),
+        ("v**3", "k*t", "minimum", "refuted"),  # P = 6 k has either sign
+    ],
+)
+def test_one_coordinate(status, L, path, extremum, expected):
+    assert status(_claim(L, path, extremum=extremum), symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
+    ("extremum", "keys", "domain", "expected"),
+    [
+        ("minimum", (), None, "refuted"),  # by a variation, for a long time
+        ("maximum", (), None, "refuted"),
+        ("minimum", (), SHORT, "supported"),
+        ("minimum", (MIDDLE,), SHORT, "proved"),
+        ("minimum", (MIDDLE,), 'where = ["w*T < 1001*pi/1000"]', "refuted"),
+        ("minimum", (MIDDLE, ZEROS), LONG, "refuted"),
+        ("neither", (MIDDLE, ZEROS), LONG, "proved"),
+        ("neither", (MIDDLE,), SHORT, "refuted"),
+    ],
+)
+def test_the_oscillator_up_to_half_a_period(status, extremum, keys, domain, expected):
+    found = status(
+        _claim(OSCILLATOR, SWING, *keys, extremum=extremum),
+        symbols=SYMBOLS,
+        **({"domain": domain} if domain else {}),
+    )
+    assert found in (expected, "supported" if "1001" in (domain or "") else expected)
+
+
+def test_the_brachistochrone(status):
+    cycloid = "a*acos(1 - t/a) - sqrt(2*a*t - t**2)"  # x over the depth, down to less than 2 a
+    fall, domain = "sqrt(1 + v**2)/sqrt(2*g*t)", 'where = ["T < 2*a"]'
+    assert status(_claim(fall, cycloid, extremum="minimum"), symbols=SYMBOLS, domain=domain) == "proved"
+    near = cycloid.replace("acos", "1001/1000*acos")
+    assert status(_claim(fall, near, extremum="minimum"), symbols=SYMBOLS, domain=domain) == "refuted"
+
+
+def test_two_coordinates(status):
+    plane = 'q = ["x", "y"]\np = ["px", "py"]\n'
+    free, path = "m*(vx**2 + vy**2)/2 + k*(x*vy - y*vx)*0", '["A*t", "B + t"]'
+    assert status(_claim(free, path, extremum="minimum"), space=plane, symbols=SYMBOLS) == "proved"
+    mixed = "m*(vx**2 - vy**2)/2"
+    assert status(_claim(mixed, path, extremum="minimum"), space=plane, symbols=SYMBOLS) == "refuted"
+
+
+def test_the_domain_must_hold_along_the_path(status):
+    claim = _claim("m*v**2/2", "1 - t", extremum="minimum", to="2")
+    assert status(claim, symbols=SYMBOLS, domain='where = ["q > 0"]') == "undecided"
+    claim = _claim("m*v**2/2", "3 - t", extremum="minimum", to="2")
+    assert status(claim, symbols=SYMBOLS, domain='where = ["q > 0"]') == "proved"
+
+
+@pytest.mark.parametrize(
+    ("keys", "extremum", "message"),
+    [
+        (('field = "t"',), "minimum", "doesn't solve Jacobi"),
+        ((), "least", "minimum, maximum, neither"),
+    ],
+)
+def test_faults(ask, keys, extremum, message):
+    with pytest.raises((InputError, AssertionError), match=message):
+        ask(_claim(OSCILLATOR, SWING, *keys, extremum=extremum), symbols=SYMBOLS)
+
+
+def test_a_path_is_a_function_of_time(ask):
+    with pytest.raises((InputError, AssertionError), match="not of p"):
+        ask(_claim("m*v**2/2", "p*t"), symbols=SYMBOLS)

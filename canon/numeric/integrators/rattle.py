@@ -44,18 +44,19 @@ def _step(problem: Constrained) -> StepMap:
         q, p, *others = state
         m = problem.masses(q)
         _, rows, _ = gradients(problem, q, t)
-        free = q + h / m * (p + h / 2 * problem.force(q, t))
+        half = p + h / 2 * problem.force(q, t)
         pulls = [row / m for row in rows]
 
-        def improve(moved: Any) -> tuple[Any, Any]:
+        def improve(now: Any) -> tuple[Any, Any]:
+            moved, half = now
             missed, here, _ = gradients(problem, moved, t + h)
             shift = solve_active(problem, [[dot(new, pull) for pull in pulls] for new in here], missed)
             change = combined(shift, pulls)
-            return moved - change, _size(change, q)
+            return (moved - change, half - combined(shift, rows) / h), _size(change, q)
 
-        moved, good = _solved(improve, free, CLOSE)
-        # the multipliers' pull is what moved the coordinates: p at half the step is M times the chord
-        pushed = m * (moved - q) / h + h / 2 * problem.force(moved, t + h)
+        # the momentum comes from the multipliers: from the chord m (moved - q)/h it would have the rounding of q by h
+        (moved, half), good = _solved(improve, (q + h / m * half, half), CLOSE)
+        pushed = half + h / 2 * problem.force(moved, t + h)
         after = tangent_momentum(problem, moved, pushed, t + h)
         return (jnp.where(good, moved, jnp.nan), jnp.where(good, after, jnp.nan), *others)
 

@@ -32,8 +32,6 @@ LOOKS: Final = 33
 """Times at which the loop is measured, at most; `STORED` numbers are kept for that."""
 STORED: Final = 20_000_000
 SAFETY: Final = 20.0
-ON_SURFACE: Final = 8
-"""So many roundings a step are left where points are put back on a constraint surface by Newton's method."""
 SHIFT: Final = 0.02
 """Of the times of a loop of Cartan's, beside the run's duration, in steps of the run at most `SHIFT_STEPS`."""
 SHIFT_STEPS: Final = 16
@@ -184,7 +182,7 @@ def _carried(flow: Flow, points: np.ndarray) -> np.ndarray:
 def _integral(points: np.ndarray, flow: Flow) -> LoopIntegral | None:
     if not np.isfinite(points).all():
         return None
-    unit = 2.0**-52 * np.sqrt(max(flow.steps, 1)) * (ON_SURFACE if flow.model.constraints else 1)
+    unit = 2.0**-52 * np.sqrt(max(flow.steps, 1))
     return loop_integral(points, noise=lambda _, nodes: unit * np.abs(nodes))
 
 

@@ -136,6 +136,8 @@ def _extremum(question: Question, span: Range, second: Second, word: str, field:
             for requirement in span.demanded:
                 if not holds(question, requirement, span.inside, span):
                     raise Unproved(f"it isn't shown that {requirement.text} all along the range")
+            known = (*span.inside.requirements, *span.demanded)
+            span = replace(span, inside=replace(span.inside, requirements=known))
             found, steps = _classified(question, span, second, field)
             shown = (
                 {"P": question.show(second.P[0][0]), "S": question.show(second.S[0][0])} if len(second.P) == 1 else {}

@@ -17,7 +17,7 @@ from canon.claims.outcome import Outcome, Residual
 from canon.decide.answer import Witness
 from canon.decide.asymptotic import Unexpanded
 from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
-from canon.decide.derivative import derivative
+from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import evaluate, excludes_zero, precision
 from canon.decide.nowhere_zero import has_no_zero
 from canon.decide.positivity import positive_by_boxes, positive_by_signs
@@ -135,9 +135,26 @@ def is_positive(question: Question, node: Node, region: Region, *, strict: bool 
         return bool(ball > 0 or (not strict and ball >= 0))
     if positive_by_signs(tape, node, region, budget.share(0.3), strict=strict):
         return True
+    if _affine_in_wave(question, node, region, strict=strict):
+        return True
     with contextlib.suppress(BudgetExceeded):
         return positive_by_boxes(tape, node, region, budget.share(0.2), strict=strict) is not None
     return False
+
+
+def _affine_in_wave(question: Question, node: Node, region: Region, *, strict: bool) -> bool:
+    """Whether a node that is affine in one sine or cosine is positive where this is 1 and where it is −1."""
+    tape = question.tape
+    waves = [i for i in tape.reach([node]) if tape.ops[i][:2] in (("f", "sin"), ("f", "cos"))]
+    if len(waves) != 1:
+        return False
+    place = tape.symbol(sp.Dummy(real=True))
+    plain = substitute(tape, node, {waves[0]: place})
+    slope = derivative(tape, plain, place)
+    if place in tape.support(slope):
+        return False
+    ends = (substitute(tape, plain, {place: tape.number(sign)}) for sign in (1, -1))
+    return all(positive_by_signs(tape, end, region, question.budget.share(0.3), strict=strict) for end in ends)
 
 
 def holds(question: Question, requirement: Requirement, region: Region, span: Range | None = None) -> bool:

@@ -227,6 +227,19 @@ KEYS: Final[Mapping[str, KeySpec]] = {
             "conjugate": Key("expressions", optional=True),
         }
     ),
+    "average": KeySpec(
+        {
+            "f": _OLD,
+            "equals": _OLD,
+            "virial": Key(optional=True),
+            "bound": Key(optional=True),
+            "parameter": Key("variable", optional=True),
+            "motion": Key("values", optional=True),
+            "from": Key("end", optional=True),
+            "to": Key("end", optional=True),
+            "antiderivative": Key(optional=True),
+        }
+    ),
     "inequality": KeySpec({"lhs": Key(side="both"), "relation": Key("relation"), "rhs": Key(side="both")}),
     "identity": KeySpec({"lhs": Key(side="both"), "rhs": Key(side="both")}),
 }

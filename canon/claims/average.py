@@ -1,0 +1,151 @@
+"""Averages over time: of a constant of the motion plus a rate of something bounded, or along a motion that is given."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from canon.claims.definite import Unproved, is_positive, range_of
+from canon.claims.integral import integral_is
+from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.show import with_value
+from canon.decide.derivative import derivative, poisson_bracket
+from canon.decide.region import Region
+from canon.decide.tape import Node
+from canon.errors import InputError
+from canon.expression import Formula
+from canon.mechanics.formulas import as_formula
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+
+RATE = "the long-time average of the rate of something bounded is 0"
+
+
+def average(question: Question) -> Outcome:
+    """`average`: the average of f over time is `equals`.
+
+    With `virial` G and `bound` B, along every motion of H that stays in the domain, for ever: f − {G, H} − ∂G/∂t is a
+    constant of the motion, and |G| ≤ B, a constant too, so that it is the average (Clausius' virial theorem; Goldstein
+    § 3.4). With `motion`, formulas for coordinates, momenta and time in a `parameter`, over the stretch `from`, `to` of
+    it: ∫ f dt = `equals` ∫ dt.
+    """
+    if (question.key("virial") is None) == (question.key("motion") is None):
+        raise InputError("give either 'virial' with its 'bound', or a 'motion' in a 'parameter', 'from' and 'to'")
+    return _along(question) if question.key("motion") is not None else _virial(question)
+
+
+def _needed(question: Question, *words: str) -> None:
+    for word in words:
+        if question.key(word) is None:
+            raise InputError(f"the key {word!r} is missing")
+
+
+def _virial(question: Question) -> Outcome:
+    _needed(question, "bound")
+    tape, space = question.tape, question.space
+    formulas = [question.formula(word) for word in ("f", "virial", "bound", "equals")]
+    region = question.region(*formulas)
+    if question.chart.images:
+        raise InputError("an average is one along motions in the old variables: the file has a map", "key 'kind'")
+    f, G, bound, claimed = (question.load(formula) for formula in formulas)
+    H = question.load(question.hamiltonian())
+    q, p, t = question.nodes(space.q), question.nodes(space.p), tape.symbol(space.t)
+
+    def rate(node: Node) -> Node:
+        return tape.plus(poisson_bracket(tape, node, H, q, p), derivative(tape, node, t))
+
+    mean = tape.minus(f, rate(G))
+    constant = question.decide([Residual("rate of f - dG/dt", rate(mean), mean)], region)
+    steady = question.decide([Residual("rate of the bound", rate(bound))], region)
+    if constant.status == "refuted":
+        raise InputError(f"f - d({formulas[1]})/dt is {question.show(mean)}: no constant of the motion", "key 'virial'")
+    if steady.status == "refuted":
+        raise InputError(f"{formulas[2]} is no constant of the motion", "key 'bound'")
+    outcome = with_value(question, question.decide([Residual("average", tape.minus(mean, claimed), mean)], region))
+    outcome = outcome.with_detail(average=question.show(mean))
+    if question.method == "numeric":
+        return combined([constant, steady, outcome])
+    sides = [tape.minus(bound, G), tape.plus(bound, G)]
+    held = all(is_positive(question, node, region, strict=False) for node in sides)
+    if not held:
+        return outcome.with_status("undecided", f"it isn't shown that |{formulas[1]}| <= {formulas[2]}")
+    if outcome.status == "refuted" and not _invariant(question, region, rate):
+        return outcome.with_status("undecided", "motions may leave the domain, and the claim is about others")
+    parts = combined([constant, steady, outcome])
+    steps = (*parts.arguments, {"theorem": RATE, "G": str(formulas[1]), "bound": str(formulas[2])})
+    return replace(parts, arguments=steps if parts.status == "proved" else parts.arguments)
+
+
+def _invariant(question: Question, region: Region, rate: Any) -> bool:
+    """Whether motions stay in the region, but for passages through edges where something is 0."""
+    walls = [r for r in region.requirements if r.kind != "nonzero"]
+    if any(r.kind != "positive" for r in walls) or region.surface:
+        return False
+    residuals = [Residual(r.text, rate(r.nodes[0])) for r in walls]
+    return not residuals or question.decide(residuals, region).status == "proved"
+
+
+def _along(question: Question) -> Outcome:
+    _needed(question, "parameter", "from", "to")
+    motion: Mapping[sp.Symbol, Formula] = question.key("motion")
+    space, u = question.space, question.key("parameter")
+    f, claimed = question.formula("f"), question.formula("equals")
+    moving = {*space.old, space.t}
+    for word, formula in (("equals", claimed), *(("motion", m) for m in motion.values())):
+        for symbol in sorted(formula.expr.free_symbols & (moving - {u}), key=str):
+            raise InputError(f"{symbol} moves: write it as a formula of {u}", f"key {word!r}")
+    missing = [str(s) for s in f.expr.free_symbols & moving if s not in motion and s != u]
+    if missing:
+        raise InputError(f"the motion of {', '.join(sorted(missing))} is missing", "key 'motion'")
+    for symbol in motion:
+        if symbol not in moving:
+            raise InputError(f"{symbol} doesn't move", "key 'motion'")
+    if u != space.t and space.t not in motion:
+        raise InputError(f"time as a formula of {u} is missing: {space.t} = ...", "key 'motion'")
+    try:
+        span = range_of(question, u, question.key("from"), question.key("to"), (claimed, *motion.values()))
+    except Unproved as reason:
+        return Outcome("undecided", note=str(reason))
+    solved = _solves(question, motion, u, span.inside)
+    clock: Any = motion[space.t].expr if u != space.t else u
+    images = {s: m.expr for s, m in motion.items()}
+    written: Any = f.expr
+    integrand = as_formula(written.subs(images, simultaneous=True) * sp.diff(clock, u))
+    ends = [question.key(word) for word in ("from", "to")]
+    if any(isinstance(end, str) for end in ends):
+        raise InputError("an average is one over a bounded stretch", "key 'to'")
+    stretch = clock.subs(u, ends[1].expr) - clock.subs(u, ends[0].expr)
+    total = question.tape.times(question.load(claimed), question.load(stretch))
+    outcome = integral_is(question, span, integrand, question.load(integrand), total, question.key("antiderivative"))
+    return combined([solved, outcome]) if solved is not None else outcome
+
+
+def _solves(question: Question, motion: Mapping[sp.Symbol, Formula], u: sp.Symbol, region: Region) -> Outcome | None:
+    """Whether the motion solves Hamilton's equations, where the file has H and the motion all variables."""
+    space = question.space
+    if question.subject.hamiltonian is None:
+        return None
+    missing = [s.name for s in space.old if s not in motion]
+    if missing:
+        raise InputError(f"the motion of {', '.join(missing)} is missing: H is given", "key 'motion'")
+    H: Any = question.hamiltonian().expr
+    images = {s: m.expr for s, m in motion.items()}
+    clock = motion[space.t].expr if u != space.t else u
+    residuals = []
+    for x, other, sign in (*((a, b, 1) for a, b in zip(space.q, space.p, strict=True)),
+                           *((b, a, -1) for a, b in zip(space.q, space.p, strict=True))):  # fmt: skip
+        partial: Any = sp.diff(H, other)
+        slope = partial.subs(images, simultaneous=True)
+        rest = sp.diff(motion[x].expr, u) - sign * slope * sp.diff(clock, u)
+        residuals.append(Residual(f"motion of {x}", question.load(rest)))
+    found = question.decide(residuals, region)
+    if found.status == "refuted":
+        raise InputError(f"the motion doesn't solve Hamilton's equations: {found.detail.get('fails')}", "key 'motion'")
+    return found
+
+
+KINDS = {"average": average}

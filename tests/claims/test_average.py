@@ -1,0 +1,101 @@
+"""Averages over time: the virial theorem, and motions that are given."""
+
+import pytest
+
+from canon.errors import InputError
+
+SYMBOLS = "\n".join([f'{x} = "positive"' for x in ("a", "m", "w", "A", "g", "k", "M")])
+SYMBOLS += '\ne = "nonnegative"\nf0 = "real"\n'
+OSCILLATOR = 'H = "p**2/(2*m) + m*w**2*q**2/2"'
+
+
+def _virial(f: str, equals: str, G: str = "q*p/2", bound: str = "(p**2/(2*m) + m*w**2*q**2/2)/w") -> str:
+    return f'kind = "average"\nf = "{f}"\nequals = "{equals}"\nvirial = "{G}"\nbound = "{bound}"'
+
+
+@pytest.mark.parametrize(
+    ("f", "equals", "G", "expected"),
+    [
+        ("p**2/m", "p**2/(2*m) + m*w**2*q**2/2", "q*p/2", "proved"),
+        ("p**2/m", "p**2/m + m*w**2*q**2", "q*p/2", "refuted"),
+        ("p**2/m", "1001/1000*(p**2/(2*m) + m*w**2*q**2/2)", "q*p/2", "refuted"),
+        ("m*w**2*q**2/2", "(p**2/(2*m) + m*w**2*q**2/2)/2", "-q*p/4", "proved"),
+    ],
+)
+def test_the_oscillator(status, f, equals, G, expected):
+    assert status(_virial(f, equals, G), symbols=SYMBOLS, hamiltonian=OSCILLATOR) == expected
+
+
+def test_a_bound_must_be_one(ask):
+    small = _virial("p**2/m", "p**2/(2*m) + m*w**2*q**2/2", bound="(p**2/(2*m) + m*w**2*q**2/2)/(4*w)")
+    (verdict,) = ask(small, symbols=SYMBOLS, hamiltonian=OSCILLATOR)
+    assert verdict.status == "undecided"
+    with pytest.raises((InputError, AssertionError), match="no constant"):
+        ask(_virial("p**2/m", "p**2/m", bound="q**2 + p**2"), symbols=SYMBOLS, hamiltonian=OSCILLATOR)
+    with pytest.raises((InputError, AssertionError), match="no constant"):
+        ask(_virial("p**2/m", "p**2/m", G="2*q*p"), symbols=SYMBOLS, hamiltonian=OSCILLATOR)
+
+
+def _motion(f: str, equals: str, motion: str, parameter: str, to: str = "2*pi") -> str:
+    head = f'kind = "average"\nf = "{f}"\nequals = "{equals}"\nparameter = "{parameter}"\nfrom = 0\nto = "{to}"\n'
+    return head + f"motion = {{{motion}}}"
+
+
+SWING = 'q = "A*sin(w*t)", p = "m*A*w*cos(w*t)"'
+
+
+@pytest.mark.parametrize(
+    ("f", "equals", "expected"),
+    [
+        ("m*w**2*q**2/2", "m*w**2*A**2/4", "proved"),
+        ("m*w**2*q**2/2", "m*w**2*A**2/2", "refuted"),
+        ("p**2/(2*m)", "1001*m*w**2*A**2/4000", "refuted"),
+        ("q*p", "0", "proved"),
+    ],
+)
+def test_along_a_motion(status, f, equals, expected):
+    claim = _motion(f, equals, SWING, "t", "2*pi/w")
+    assert status(claim, symbols=SYMBOLS, hamiltonian=OSCILLATOR) == expected
+
+
+ELLIPSE = ", ".join(
+    [
+        'r = "a*(1 - e*cos(u))"',
+        'pr = "m*sqrt(k/(m*a))*e*sin(u)/(1 - e*cos(u))"',
+        't = "sqrt(m*a**3/k)*(u - e*sin(u))"',
+    ]
+)
+RADIAL = 'H = "pr**2/(2*m) + m*k*a*(1 - e**2)/(2*m*r**2) - k/r"'
+
+
+@pytest.mark.parametrize(
+    ("f", "equals", "expected"),
+    [
+        ("1/r", "1/a", "proved"),
+        ("1/r", "1/a + e/1000", "refuted"),
+        ("r", "a*(1 + e**2/2)", "proved"),
+        ("r", "a*(1 + 1001*e**2/2000)", "refuted"),
+    ],
+)
+def test_the_kepler_ellipse_in_the_eccentric_anomaly(status, f, equals, expected):
+    space, domain = 'q = ["r"]\np = ["pr"]\n', 'where = ["e < 1"]'
+    claim = _motion(f, equals, ELLIPSE, "u")
+    found = status(
+        claim, space=space, symbols=f'{SYMBOLS}\nr = "positive"', hamiltonian=RADIAL, domain='where = ["e < 1"]'
+    )
+    assert found == expected
+
+
+@pytest.mark.parametrize(
+    ("claim", "message"),
+    [
+        (_motion("q", "0", 'q = "A*sin(2*w*t)", p = "m*A*w*cos(w*t)"', "t"), "solve Hamilton"),
+        (_motion("q", "0", 'q = "A*sin(w*t)"', "t"), "missing"),
+        (_motion("q", "q", SWING, "t"), "moves"),
+        (_motion("q", "0", 'q = "A*sin(u)", p = "m*A*w*cos(u)"', "u"), "time as a formula"),
+        ('kind = "average"\nf = "q"\nequals = 0', "give either"),
+    ],
+)
+def test_faults(ask, claim, message):
+    with pytest.raises((InputError, AssertionError), match=message):
+        ask(claim, symbols=SYMBOLS, hamiltonian=OSCILLATOR)

@@ -81,7 +81,11 @@ def test_the_kepler_ellipse_in_the_eccentric_anomaly(status, f, equals, expected
     space, domain = 'q = ["r"]\np = ["pr"]\n', 'where = ["e < 1"]'
     claim = _motion(f, equals, ELLIPSE, "u")
     found = status(
-        claim, space=space, symbols=f'{SYMBOLS}\nr = "positive"', hamiltonian=RADIAL, domain='where = ["e < 1"]'
+        claim,
+        space=space,
+        symbols=f'{SYMBOLS}\nr = "positive"',
+        hamiltonian=RADIAL,
+        domain=domain,
     )
     assert found == expected
 

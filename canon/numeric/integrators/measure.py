@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -84,3 +85,26 @@ def _flat(state: State) -> np.ndarray:
     import jax
 
     return np.concatenate([np.ravel(x) for x in jax.tree.leaves(state)])
+
+
+def symplectic_defect_of_a_step(
+    problem: Any, method: Method, state: tuple[np.ndarray, np.ndarray], h: float, *, t0: float = 0.0
+) -> float:
+    """max |M J Mᵀ − J| of the derivative M of one step of length h at a state (q, p); compiled once for all h."""
+    with double():
+        M = np.asarray(_derivative(problem, method)(np.concatenate(state), h, t0))
+    n = len(M) // 2
+    J = np.block([[np.zeros((n, n)), np.eye(n)], [-np.eye(n), np.zeros((n, n))]])
+    return float(np.abs(M @ J @ M.T - J).max())
+
+
+@lru_cache(maxsize=32)
+def _derivative(problem: Any, method: Method) -> Any:
+    import jax
+    import jax.numpy as jnp
+
+    def stepped(z: Any, h: Any, t0: Any) -> Any:
+        n = z.shape[0] // 2
+        return jnp.concatenate(flow_map(problem, method, steps=1, h=h, t0=t0)((z[:n], z[n:])))
+
+    return jax.jit(jax.jacfwd(stepped))

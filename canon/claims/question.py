@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import islice
@@ -50,6 +50,8 @@ class Question:
     seed: int = 0
     method: Method = "symbolic"
     tape: Tape = field(default_factory=Tape)
+    listen: Callable[[Sequence[Residual], Region], None] | None = None
+    """Is told what the kind asks to be decided."""
 
     # -- what the claim is about --------------------------------------------------------------
 
@@ -201,6 +203,9 @@ class Question:
         They are built in batches and looked at with balls; a refutation builds no more. What no ball refutes is
         decided together, in one tower.
         """
+        if self.listen is not None:
+            residuals = list(residuals)
+            self.listen(residuals, region)
         stream = iter(residuals)
         time_left = budget or self.budget
         if self.method == "numeric":

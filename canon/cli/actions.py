@@ -6,6 +6,7 @@ import argparse
 import json
 import os
 import sys
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
 
 from canon.cli.parser import BAD_INPUT
@@ -108,12 +109,7 @@ def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
     from canon.scenes.actions import actions_of
     from canon.scenes.values import number
 
-    values = {}
-    for text in arguments.parameter:
-        name, equals, value = text.partition("=")
-        if not equals:
-            raise InputError(f"{text!r} sets nothing: write a name and its value, as k=1", "--parameter")
-        values[name.strip()] = number(value.strip(), f"--parameter {name.strip()}")
+    values = parameter_values(arguments.parameter)
     title, space, H = hamiltonian_with(arguments.file, values)
     if space.n != 1:
         raise InputError(
@@ -127,6 +123,20 @@ def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
     _check_named(named)
     at = () if named else tuple(float(number(text, f"--{word}")) for word, text in zip("qp", point, strict=True))
     return actions_of(title, H, space.q, space.p, at[:1], at[1:], named)
+
+
+def parameter_values(texts: Sequence[str]) -> dict[str, Any]:
+    """The numbers of options NAME=VALUE. **Raises:** `InputError`."""
+    from canon.errors import InputError
+    from canon.scenes.values import number
+
+    values = {}
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not equals:
+            raise InputError(f"{text!r} sets nothing: write a name and its value, as k=1", "--parameter")
+        values[name.strip()] = number(value.strip(), f"--parameter {name.strip()}")
+    return values
 
 
 def _refuse(arguments: argparse.Namespace, error: Any) -> int:

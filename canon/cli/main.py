@@ -13,13 +13,14 @@ from collections.abc import Sequence
 from typing import Final
 
 import canon
-from canon.cli import actions, algebra, certificate, hard, scenes, simulate, verify
+from canon.cli import actions, algebra, certificate, cost, hard, scenes, simulate, verify
 from canon.cli.parser import Parser
 
 COMMANDS: Final = {
     "verify": verify,
     "certificate": certificate,
     "simulate": simulate,
+    "cost": cost,
     "actions": actions,
     "algebra": algebra,
     "scenes": scenes,
@@ -34,6 +35,7 @@ examples:
   canon certificate check DIR       check them with a small checker of its own
   canon scenes pendulum             print a scene file of a system; without a name, list them all
   canon simulate pendulum.toml      run a scene; --plot, --out, --explain, --json
+  canon cost simulate pendulum      what accuracy costs in time: of runs, of verdicts, actions, loops, normal forms
   canon algebra kepler.toml         the Lie algebras of its claims: brackets, Killing form, name; --latex, --json
   canon actions pendulum.toml       actions, frequencies and angles of its orbit, with their bounds
   canon hard kepler                 digits kept in the hard cases of a family; without a name, in all of them

@@ -38,7 +38,8 @@ class Timing:
 def timed(work: Callable[[], Result], *, cap: float = 10.0) -> tuple[Result, Timing]:
     """The work's result and what it costs, repeated while the repetitions take less than `cap` seconds in all.
 
-    What takes `COMPILES` times the cap at its first time is not done again. The work must have finished when it returns: results of jax are waited for. Garbage is not collected meanwhile.
+    What takes `COMPILES` times the cap at its first time is not done again. The work must have finished when it
+    returns: results of jax are waited for. Garbage is not collected meanwhile.
     """
     collecting = gc.isenabled()
     gc.disable()

@@ -9,6 +9,7 @@ import math
 import statistics
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any, Final
 
 ABOVE: Final = 30.0
@@ -20,8 +21,8 @@ FALLEN: Final = 0.9
 @dataclass(frozen=True)
 class Point:
     """One configuration: the `method` and the amount of `work` (steps, nodes, bits, degrees), the `error` that was
-    measured against the reference (None: there is none; 0: exact), and `seconds`, the median of `runs`, with the `least`
-    of them and what the `first` took. `measures` are further figures, and `note` says what is to be said.
+    measured against the reference (None: there is none; 0: exact), and `seconds`, the median of `runs`, with the
+    `least` of them and what the `first` took. `measures` are further figures, and `note` says what is to be said.
     """
 
     method: str
@@ -80,13 +81,15 @@ def pareto(points: Sequence[Point]) -> frozenset[int]:
 def measured_order(study: Study, method: str) -> float | None:
     """The slope of −log error over log work, where errors are above the floor and above the method's own rounding.
 
-    The median of the last three pairs of points; None where no error above it falls.
+    The median of the last three pairs of points; None where there are fewer than two.
     """
     points = [p for p in study.of(method) if p.work and p.error and math.isfinite(p.error)]
-    floor = max(study.floor, min((p.error or 0.0 for p in points), default=0.0))
+    errors = [p.error or 0.0 for p in points]
+    settled = len(errors) > 2 and errors[-1] > FALLEN * min(errors[:-1])
+    floor = max(study.floor, min(errors) if settled else 0.0)
     above = [(math.log(p.work or 1), math.log(p.error or 1)) for p in points if ABOVE * floor < (p.error or 0.0) < 0.1]
-    slopes = [(a - b) / (y - x) for (x, a), (y, b) in zip(above, above[1:], strict=False) if b < a + math.log(FALLEN)]
-    return statistics.median(slopes[-3:]) if slopes else None
+    slopes = [(a - b) / (y - x) for (x, a), (y, b) in pairwise(above) if b < a + math.log(FALLEN)]
+    return statistics.median(slopes[-3:]) if len(slopes) > 1 else None
 
 
 def cheapest(study: Study, accuracy: float) -> Point | None:

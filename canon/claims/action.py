@@ -7,13 +7,19 @@ has under its root, that such a motion exists wherever the claim is made, and th
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from canon.claims.action_region import Setting, along, existing, not_implied, oriented
+from canon.claims.action_evidence import METHOD, by_quadrature, on_separatrix
+from canon.claims.action_orbits import example, why_not
+from canon.claims.action_places import places, places_by_wells
+from canon.claims.action_region import Setting, along, existing, not_implied, only_one_forward, oriented
+from canon.claims.chart import chart_of
 from canon.claims.outcome import Outcome, Residual, combined
-from canon.errors import InputError
+from canon.domain import Domain
+from canon.errors import EmptyDomain, InputError
 from canon.expression import Formula
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, one_degree
 from canon.mechanics.closed_actions import librations
@@ -30,9 +36,6 @@ def action(question: Question) -> Outcome:
 
 def frequency(question: Question) -> Outcome:
     """`frequency`: dE/dJ is `equals`, in cycles in unit time."""
-    symbol = question.key("energy")
-    if symbol in _fixed(question):
-        raise InputError("a frequency is dE/dJ: it needs the energy as a name", "key 'fixed'")
     return _decided(question, lambda setting, closed: ("dE/dJ", setting.equals * closed.value.diff(setting.energy) - 1))
 
 
@@ -46,7 +49,35 @@ def _decided(question: Question, statement: Statement) -> Outcome:
         return Outcome("undecided", note=str(reason))
     branch = _branch(question, setting)
     reasons: list[str] = []
-    for unsigned in _closed_forms(question, setting, branch):
+    try:
+        proved = _by_closed_form(question, setting, branch, statement, reasons)
+    except EmptyDomain as error:
+        raise why_not(question, setting, branch, example(question, setting)) or error from error
+    if proved is not None:
+        return proved
+    _check_period(question, setting)
+    found = by_quadrature(question, setting, branch, places(question, setting))
+    if found is None:
+        here = example(question, setting)
+        found = by_quadrature(question, setting, branch, places_by_wells(question, setting, branch, here))
+        if found is None:
+            reason = why_not(question, setting, branch, here)
+            if here is not None and reason is not None and not here.values:
+                raise reason
+            found = on_separatrix(question, setting, branch, here)
+            if found is None:
+                reasons.append("no such orbit was found at the energies that were tried")
+                reasons += [reason.message] if reason is not None else []
+                found = Outcome("undecided", METHOD)
+    return found.with_status(found.status, "; ".join(dict.fromkeys(reasons))) if reasons else found
+
+
+def _by_closed_form(
+    question: Question, setting: Setting, branch: str, statement: Statement, reasons: list[str]
+) -> Outcome | None:
+    """What a standard integral says; None where none suits, with the `reasons` why not."""
+    for found in _closed_forms(question, setting, branch):
+        unsigned = replace(found, exists=tuple(map(setting.at_level, found.exists)))
         region = existing(question, setting, unsigned)
         closed = oriented(question, setting, unsigned, region, branch)
         if closed is None:
@@ -56,21 +87,21 @@ def _decided(question: Question, statement: Statement) -> Outcome:
         if gaps:
             reasons.append(f"the orbit may leave the domain: {gaps[0]}")
             continue
-        checks = [Residual(name, question.load(expression)) for name, expression in closed.vanishes]
+        if branch == "rotation" and not only_one_forward(question, setting, region):
+            reasons.append("whether one of the two branches has p > 0, or both have, isn't known")
+            continue
+        checks = [Residual(name, question.load(setting.at_level(e))) for name, e in closed.vanishes]
         grounds = [question.decide(checks, along(question, setting, region))] if checks else []
         if any(ground.status != "proved" for ground in grounds) and question.method != "numeric":
             reasons.append(f"{closed.method}: not verified")
             continue
         label, residual = statement(setting, closed)
-        outcome = question.decide([Residual(label, question.load(residual))], region)
-        slope = closed.value.diff(setting.energy) if label != "J" else None
+        outcome = question.decide([Residual(label, question.load(setting.at_level(residual)))], region)
+        slope = setting.at_level(closed.value.diff(setting.energy)) if label != "J" else None
         value = question.load(closed.value if slope is None else 1 / slope)
         outcome = outcome.with_detail(value=question.show(value), by=closed.method)
         return outcome if outcome.status == "refuted" else combined([*grounds, outcome])
-    from canon.claims.action_evidence import by_quadrature
-
-    sampled = by_quadrature(question, setting, branch, wants_frequency=question.claim.kind == "frequency")
-    return sampled.with_status(sampled.status, "; ".join(dict.fromkeys(reasons))) if reasons else sampled
+    return None
 
 
 # -- what is claimed ----------------------------------------------------------------------------------
@@ -98,8 +129,11 @@ def _setting(question: Question) -> Setting:
             f"H depends on {symbol}, so that {q} alone has no action: separate the variables first, or fix {symbol}",
             "key 'coordinate'",
         )
-    energy = question.key("energy")
-    level: Any = rules.get(energy, energy)
+    energy, level = question.key("energy"), None
+    if question.claim.kind == "frequency":
+        level = rules.get(energy)
+    else:
+        energy = rules.get(energy, energy)
     equals = question.key("equals")
     if equals is None:
         raise InputError(f"a claim of kind {question.claim.kind!r} needs the key 'equals'")
@@ -113,8 +147,8 @@ def _setting(question: Question) -> Setting:
     for formula in (H, equals, *fixed.values()):
         conditions += formula.conditions
     here = tuple(dict.fromkeys(c.substitute(rules) for c in conditions))
-    motion = one_degree(moved, q, p, level, here)
-    return Setting(q, p, moved, level, equals.expr.xreplace(rules), here, motion)
+    motion = one_degree(moved, q, p, energy, here)
+    return Setting(q, p, moved, energy, equals.expr.xreplace(rules), here, motion, level)
 
 
 def _branch(question: Question, setting: Setting) -> str:
@@ -127,6 +161,17 @@ def _branch(question: Question, setting: Setting) -> str:
     if branch is None and not setting.motion.square.has(setting.q):
         raise InputError(f"H doesn't depend on {setting.q}: there is a rotation only, with a 'period'", "key 'branch'")
     return branch or "libration"
+
+
+def _check_period(question: Question, setting: Setting) -> None:
+    """**Raises** `InputError` where the stated period is none of H."""
+    stated = question.key("period")
+    if stated is None:
+        return
+    moved: Any = setting.H.xreplace({setting.q: setting.q + stated.expr})
+    region = question.region(domain=Domain(setting.conditions), chart=chart_of(question.tape, question.space, None))
+    if question.decide([Residual("H after a period", question.load(moved - setting.H))], region).status == "refuted":
+        raise InputError(f"{stated} is not a period of H in {setting.q}", "key 'period'")
 
 
 def _closed_forms(question: Question, setting: Setting, branch: str) -> Iterator[ClosedAction]:

@@ -7,52 +7,46 @@ against the width of its ball.
 
 from __future__ import annotations
 
-import random
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 from flint import arb
 
-from canon.claims.chart import chart_of
+from canon.claims.action_places import FAILURES
 from canon.claims.outcome import Outcome
 from canon.decide.answer import show_ball
 from canon.decide.arbitrary import rational
-from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
-from canon.decide.orbit_quadrature import BITS, Integrand, Orbit, action, libration, period, stays, turn
-from canon.decide.region import Region, Requirement, admits, holds
-from canon.decide.search import samples
-from canon.decide.tape import Node, Unsupported
-from canon.domain import Domain, nonzero
+from canon.decide.enclosure import Ball, evaluate, precision
+from canon.decide.orbit_quadrature import BITS, Integrand, Orbit, action, backward_too, libration, period, stays, turn
+from canon.decide.region import Requirement, holds
+from canon.decide.tape import Node
+from canon.domain import nonzero
 from canon.errors import InputError
+from canon.mechanics.action_angle import linear_edge
 from canon.verdict import Evidence
 
 if TYPE_CHECKING:
+    from canon.claims.action_orbits import Example
+    from canon.claims.action_places import Place
     from canon.claims.action_region import Setting
     from canon.claims.question import Question
 
-PLACES, TRIES = 6, 24
-FAILURES = (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError)
+PLACES = 6
+FAR = 60
 METHOD = "certified quadrature"
 
 
-@dataclass(frozen=True)
-class Place:
-    """One choice of constants, and the orbit through one of its points."""
+def by_quadrature(question: Question, setting: Setting, branch: str, where: Iterable[Place]) -> Outcome | None:
+    """The claim at a few choices of the constants: refuted by one of them, or supported; None where no orbit is found.
 
-    integrand: Integrand
-    inside: Fraction
-    energy: Node | None
-
-
-def by_quadrature(question: Question, setting: Setting, branch: str, *, wants_frequency: bool) -> Outcome:
-    """The claim at a few choices of the constants: refuted by one of them, or supported."""
-    tape = question.tape
+    **Raises** `InputError` where a well or branch is ambiguous at one of them.
+    """
+    tape, wants_frequency = question.tape, question.claim.kind == "frequency"
     found: list[tuple[float, float]] = []
     equals = question.load(setting.equals)
-    for place in _places(question, setting):
+    for place in where:
         value = _value(question, setting, place, branch, wants_frequency)
         if value is None:
             continue
@@ -73,10 +67,34 @@ def by_quadrature(question: Question, setting: Setting, branch: str, *, wants_fr
         if len(found) >= PLACES:
             break
     if not found:
-        return Outcome("undecided", METHOD, note="no such orbit was found at the energies that were tried")
+        return None
     worst = max(found, key=lambda pair: pair[0] / pair[1] if pair[1] else 0.0)
     evidence = Evidence(len(found), worst[0], worst[1], BITS)
     return Outcome("supported", METHOD, numeric=evidence, note="no closed form was recognised")
+
+
+def on_separatrix(question: Question, setting: Setting, branch: str, here: Example | None) -> Outcome | None:
+    """The action at an energy exactly at a barrier, whose double turning point no sign encloses: by numbers alone."""
+    variables = {setting.q, setting.p}
+    cut = [c for c in setting.conditions if {*variables} & set().union(*(t.free_symbols for t in c.terms))]
+    if here is None or question.claim.kind != "action" or any(linear_edge(setting.q, c) is None for c in cut):
+        return None
+    well = question.key("well")
+    try:
+        inside = None if well is None else here.number(well.expr)
+        found = here.motion.orbit(energy=here.number(setting.energy), well=inside, branch=branch)
+        claimed = Fraction(float(sp.Float(here.number(setting.equals), 40)))
+    except (InputError, TypeError, ValueError):
+        return None
+    if found.period is not None:
+        return None
+    half = 2 if branch == "rotation" else 1  # of the loop there and back a rotation has one way
+    value, bound = found.action.value / half, found.action.bound + abs(found.action.value) * 2.0**-52
+    difference = abs(float(claimed) - value)
+    note = "the energy is exactly that of a separatrix, where the integral isn't enclosed but computed"
+    if difference > 4 * bound:
+        return Outcome("undecided", METHOD, note=f"{note}: about {value:.15g}", detail={"value": f"{value:.15g}"})
+    return Outcome("supported", METHOD, numeric=Evidence(1, difference, 4 * bound, 53), note=note)
 
 
 def _refuted(question: Question, place: Place, actual: Ball, difference: Ball) -> Outcome:
@@ -85,72 +103,6 @@ def _refuted(question: Question, place: Place, actual: Ball, difference: Ball) -
     detail = {"fails": "the integral", "residual": show_ball(difference), "value": show_ball(actual)}
     step = {"theorem": "quadrature with an enclosure of its error", "at": witness, "integral": show_ball(actual)}
     return Outcome("refuted", METHOD, witness=witness, detail=detail, arguments=(step,))
-
-
-# -- where ----------------------------------------------------------------------------------------------
-
-
-def _places(question: Question, setting: Setting) -> Iterator[Place]:
-    """Constants at which an orbit of the domain passes a point; the energy is that point's where it is free."""
-    tape, q, p = question.tape, setting.q, setting.p
-    motion = setting.motion
-    region = _phase_region(question, setting)
-    square, mean, H = (question.load(e) for e in (motion.square, motion.mean, setting.H))
-    names = {*tape.support(H), *tape.support(square), *tape.support(question.load(setting.equals))}
-    node_q, node_p = tape.symbol(q), tape.symbol(p)
-    free = isinstance(setting.energy, sp.Symbol)
-    level = tape.load(setting.energy)
-    targets = [H, *sorted(names - {level})] if free else [H, *sorted(names)]
-    well = question.key("well")
-    rng = random.Random(question.seed)
-    try:
-        for sample in samples(tape, targets, region, rng, count=TRIES, budget=question.budget, nice=True):
-            values = {n: v for n, v in sample.point.items() if isinstance(v, Fraction)}
-            if sample.functions or node_q not in values:
-                continue
-            inside = values[node_q]
-            if free:
-                energy = Fraction(float(sample.balls[H].mid())).limit_denominator(10**6)
-                with precision(BITS):
-                    if not admits(setting.energy, arb(rational(energy))):
-                        continue
-                values[level] = energy
-            point = {n: v for n, v in values.items() if n not in (node_q, node_p) and n in names}
-            if not names - {node_q, node_p} <= set(point):
-                continue
-            if well is not None:
-                inside = _number(question, question.load(well), point)
-            if inside is not None:
-                low, high = (_edge(question, e, point) for e in (motion.low, motion.high))
-                yield Place(Integrand(tape, node_q, square, mean, point, low, high), inside, level if free else None)
-    except Unsupported:
-        return
-
-
-def _phase_region(question: Question, setting: Setting) -> Region:
-    """The domain in (q, p) and constants; what speaks of the energy is looked at later."""
-    tape, space = question.tape, question.space
-    hidden = {setting.energy} if isinstance(setting.energy, sp.Symbol) else set()
-    kept = tuple(c for c in setting.conditions if not any(t.free_symbols & hidden for t in c.terms))
-    named = set().union(setting.H.free_symbols, setting.equals.free_symbols, {setting.q, setting.p})
-    named |= {name for condition in kept for term in condition.terms for name in term.free_symbols}
-    images = {tape.symbol(x): tape.zero for x in space.old if x not in named}
-    plain = chart_of(tape, space, None)
-    return question.region(domain=Domain(kept), images=images, chart=plain, assumed=False, regular=False)
-
-
-def _number(question: Question, node: Node, point: Mapping[Node, Fraction]) -> Fraction | None:
-    values = {n: arb(rational(v)) for n, v in point.items()}
-    with precision(BITS):
-        try:
-            ball = evaluate(question.tape, question.tape.reach([node]), values)[node]
-            return Fraction(float(ball.mid())).limit_denominator(10**12)
-        except (*FAILURES, KeyError, AttributeError):
-            return None
-
-
-def _edge(question: Question, edge: Any, point: Mapping[Node, Fraction]) -> Fraction | None:
-    return None if edge in (sp.oo, -sp.oo) else _number(question, question.load(edge), point)
 
 
 # -- how much -------------------------------------------------------------------------------------------
@@ -162,10 +114,7 @@ def _value(question: Question, setting: Setting, place: Place, branch: str, want
     if not _constants_hold(question, setting, integrand):
         return None
     if branch == "rotation":
-        length = _turn_length(question, setting, integrand)
-        if length is None or not _stays(question, setting, integrand, place.inside, place.inside + length):
-            return None
-        return turn(integrand, place.inside, place.inside + length, budget, energy)
+        return _rotation(question, setting, place, energy)
     orbit = libration(integrand, place.inside, budget)
     if orbit is None or not _stays(question, setting, integrand, orbit.left, orbit.right):
         return None
@@ -177,13 +126,47 @@ def _value(question: Question, setting: Setting, place: Place, branch: str, want
     return value if value is None or leading > 0 else -value
 
 
-def _turn_length(question: Question, setting: Setting, integrand: Integrand) -> Fraction | None:
-    """The period, where it is a rational number at this place; other ones aren't integrated over."""
-    stated = question.key("period")
-    if stated is None:
+def _rotation(question: Question, setting: Setting, place: Place, energy: Node | None) -> Ball | None:
+    """∫ p dq over a period of the coordinate. **Raises** `InputError` where both branches have p > 0."""
+    integrand, budget = place.integrand, question.budget
+    with precision(BITS):
+        length = _turn_length(question, setting, integrand)
+        if length is None:
+            return None
+        end = place.inside + Fraction(float(length.lower())) * Fraction(10**12 - 1, 10**12)
+        rest = arb(rational(place.inside)) + length - arb(rational(end))
+    beyond = Fraction(float(rest.upper())) * 2 + end
+    if not _stays(question, setting, integrand, place.inside, beyond):
         return None
-    value = question.tape.value(question.load(stated))
-    return value if value is not None and value > 0 else None
+    if backward_too(integrand, place.inside, beyond, budget):
+        where = _at(question, integrand)
+        raise InputError(
+            f"both branches of the rotation have p > 0 at {where}: restrict the domain to energies at which one has",
+            "key 'branch'",
+        )
+    return turn(integrand, place.inside, (end, rest), budget, energy)
+
+
+def _turn_length(question: Question, setting: Setting, integrand: Integrand) -> Ball | None:
+    """The stated period at this place, or the least one that shows in sines and cosines."""
+    stated = question.key("period")
+    if stated is not None:
+        point = {node: arb(rational(value)) for node, value in integrand.point.items()}
+        node = question.load(stated)
+        try:
+            return evaluate(question.tape, question.tape.reach([node]), point)[node]
+        except (*FAILURES, KeyError):
+            return None
+    from canon.numeric.actions.period import least_period
+
+    tape = question.tape
+    rules: Any = {tape.symbol_at(n): sp.Rational(v.numerator, v.denominator) for n, v in integrand.point.items()}
+    found = least_period(setting.H.xreplace(rules), setting.q)
+    return None if found is None else found()
+
+
+def _at(question: Question, integrand: Integrand) -> str:
+    return ", ".join(f"{question.tape.symbol_at(n)} = {v}" for n, v in sorted(integrand.point.items())) or "this energy"
 
 
 def _constants_hold(question: Question, setting: Setting, integrand: Integrand) -> bool:
@@ -243,10 +226,19 @@ def _check_one_well(question: Question, integrand: Integrand, orbit: Orbit, leng
                 integrand.high is not None and where >= integrand.high
             ):
                 continue
-            if integrand.sign(where) > 0:
-                place = ", ".join(f"{question.tape.symbol_at(n)} = {v}" for n, v in sorted(integrand.point.items()))
+            if integrand.sign(where) > 0 and not _leads_away(integrand, where, orbit):
                 raise InputError(
                     f"there is more than one well, near {float((orbit.left + orbit.right) / 2):.3g} and "
-                    f"{float(where):.3g}, at {place}: name a point of the one that is meant, or restrict the domain",
+                    f"{float(where):.3g}, at {_at(question, integrand)}: name a point of the one that is meant, or "
+                    "restrict the domain",
                     "key 'well'",
                 )
+
+
+def _leads_away(integrand: Integrand, where: Fraction, orbit: Orbit) -> bool:
+    """Whether the square stays positive at places farther and farther out: a motion there isn't bound in a well."""
+    step = where - (orbit.left if where < orbit.left else orbit.right)
+    edge = integrand.low if step < 0 else integrand.high
+    if edge is not None:
+        return False
+    return all(integrand.sign(where + step * Fraction(2**k)) > 0 for k in range(FAR))

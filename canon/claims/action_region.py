@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import random
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from canon.claims.chart import chart_of
+from canon.decide.implied import follows
 from canon.decide.intervals import intervals_of
 from canon.decide.region import Region, Requirement
+from canon.decide.search import samples
 from canon.decide.sign_on_box import definite_sign
 from canon.decide.tape import Unsupported
 from canon.domain import Condition, Domain, nonzero
+from canon.errors import InputError
 from canon.mechanics.action_angle import ClosedAction, OneDegree, at_most, linear_edge
 from canon.sign import known_sign
 
@@ -25,7 +29,8 @@ class Setting:
     """What an action's claim is about.
 
     **Arguments:** the coordinate and its momentum; `H`, with what is fixed put in; `energy`; `equals`, likewise;
-    `conditions`, all of the domain; `motion`, the orbits H = energy.
+    `conditions`, all of the domain; `motion`, the orbits H = energy; `level`, the value that an energy with a name has
+    in the end, where that is fixed (a frequency is a derivative by it).
     """
 
     q: sp.Symbol
@@ -35,22 +40,34 @@ class Setting:
     equals: Any
     conditions: tuple[Condition, ...]
     motion: OneDegree
+    level: Any = None
+
+    def at_level(self, expression: Any) -> Any:
+        """A formula in the energy at the value that is fixed, if there is one."""
+        return expression if self.level is None else expression.xreplace({self.energy: self.level})
+
+
+def constants_region(question: Question, setting: Setting) -> Region:
+    """The constants, in the domain."""
+    tape = question.tape
+    variables = {setting.q, setting.p}
+    kept = tuple(c for c in setting.conditions if not any(term.free_symbols & variables for term in c.terms))
+    square = setting.at_level(setting.motion.square)
+    named = set().union(square.free_symbols, setting.equals.free_symbols)
+    named |= {name for condition in kept for term in condition.terms for name in term.free_symbols}
+    images = {tape.symbol(x): tape.zero for x in question.space.old if x in variables or x not in named}
+    plain = chart_of(tape, question.space, None)
+    return question.region(domain=Domain(kept), images=images, chart=plain, assumed=False, regular=False)
 
 
 def existing(question: Question, setting: Setting, closed: ClosedAction) -> Region:
     """The constants for which such a motion exists, in the domain."""
-    tape = question.tape
-    variables = {setting.q, setting.p}
-    kept = tuple(c for c in setting.conditions if not any(term.free_symbols & variables for term in c.terms))
-    named = set().union(setting.motion.square.free_symbols, setting.equals.free_symbols)
-    named |= {name for condition in kept for term in condition.terms for name in term.free_symbols}
-    images = {tape.symbol(x): tape.zero for x in question.space.old if x in variables or x not in named}
-    plain = chart_of(tape, question.space, None)
-    region = question.region(domain=Domain(kept), images=images, chart=plain, assumed=False, regular=False)
+    tape, region = question.tape, constants_region(question, setting)
+    square = setting.at_level(setting.motion.square)
     wanted = [(e, "such a motion exists") for e in closed.exists if known_sign(e) != "positive"]
     well = question.key("well")
     if well is not None:
-        inside: Any = setting.motion.square.xreplace({setting.q: well.expr})
+        inside: Any = square.xreplace({setting.q: well.expr})
         wanted.append((inside, f"{well} lies inside"))
     return region.also(*(Requirement("positive", (tape.load(e),), f"{e} > 0 ({why})") for e, why in wanted))
 
@@ -66,6 +83,29 @@ def oriented(
     if sign not in ("positive", "negative"):
         return None
     return closed if sign == "positive" else replace(closed, value=-closed.value)
+
+
+def only_one_forward(question: Question, setting: Setting, region: Region) -> bool:
+    """Whether of a rotation's two branches one alone has p > 0. **Raises** `InputError` where both have somewhere."""
+    tape, motion = question.tape, setting.motion
+    if known_sign(motion.mean) in ("zero", "negative", "nonpositive"):
+        return True
+    square, mean = setting.at_level(motion.square), setting.at_level(motion.mean)
+    apart = Requirement("positive", (tape.load(square - mean**2),), "one branch has p < 0")
+    if follows(tape, apart, region, question.budget):
+        return True
+    lower = tape.load(mean - sp.sqrt(square))
+    both = region.also(Requirement("positive", (lower,), "both branches have p > 0"))
+    for sample in samples(
+        tape, [lower], both, random.Random(question.seed), count=1, budget=question.budget, nice=True
+    ):
+        where = ", ".join(f"{tape.symbol_at(n)} = {v}" for n, v in sorted(sample.point.items())) or "this energy"
+        raise InputError(
+            f"both branches of the rotation have p > 0 at {where}: restrict the domain to energies at which one has, "
+            f"{sp.sstr(square)} > {sp.sstr(mean**2)}",
+            "key 'branch'",
+        )
+    return False
 
 
 def along(question: Question, setting: Setting, region: Region) -> Region:

@@ -200,17 +200,57 @@ def period(integrand: Integrand, orbit: Orbit, energy: Node) -> Ball | None:
         return total
 
 
-def turn(integrand: Integrand, start: Fraction, end: Fraction, budget: Budget, energy: Node | None) -> Ball | None:
-    """∫ p dq of a rotation with p > 0 from start to end, or with `energy` its derivative; None where it isn't shown."""
-    if not _covered(start, end, budget, lambda where: _forward(integrand, where)):
+def turn(
+    integrand: Integrand, start: Fraction, end: tuple[Fraction, Ball], budget: Budget, energy: Node | None
+) -> Ball | None:
+    """∫ p dq of a rotation with p > 0, or with `energy` its derivative; None where it isn't shown to be one.
+
+    **Arguments:** the range's `start`, and a number just below its `end` with the little that is left to it.
+    """
+    last, rest = end
+    beyond = last + 2 * Fraction(float(rest.upper()))
+    if not _covered(start, beyond, budget, lambda where: _forward(integrand, where)):
         return None
     tape, square, mean = integrand.tape, integrand.square, integrand.mean
-    orbit = Orbit(start, end, (start, end))
+    orbit = Orbit(start, last, (start, last))
     with precision(BITS):
         if energy is None:
-            return _integral(integrand, lambda v: v[mean] + v[square].sqrt(), [mean, square], orbit)
-        rates = [derivative(tape, node, energy) for node in (mean, square)]
-        return _integral(integrand, lambda v: v[rates[0]] + v[rates[1]] / v[square].sqrt() / 2, [square, *rates], orbit)
+
+            def momentum(v: Mapping[Node, Ball]) -> Ball:
+                return v[mean] + v[square].sqrt()
+
+            nodes, value = [mean, square], momentum
+        else:
+            rates = [derivative(tape, node, energy) for node in (mean, square)]
+
+            def slowness(v: Mapping[Node, Ball]) -> Ball:
+                return v[rates[0]] + v[rates[1]] / v[square].sqrt() / 2
+
+            nodes, value = [square, *rates], slowness
+        whole = _integral(integrand, value, nodes, orbit)
+        values = {name: arb(rational(number)) for name, number in integrand.point.items()}
+        where = arb(rational((last + beyond) / 2), rational((beyond - last) / 2))
+        try:
+            left = value(evaluate(tape, tape.reach(nodes), {**values, integrand.coordinate: where}))
+        except FAILURES:
+            return None
+        return None if whole is None else whole + left * rest
+
+
+def backward_too(integrand: Integrand, start: Fraction, end: Fraction, budget: Budget) -> bool:
+    """Whether the branch of the lower momentum is certified to have p > 0 all along too."""
+
+    def above(where: Ball) -> bool:
+        square = integrand.at(integrand.square, where)
+        lower = integrand.at(integrand.mean, where) - square.sqrt()
+        return certainly_positive(square) and certainly_positive(lower)
+
+    with precision(BITS):
+        middle = arb(rational((start + end) / 2))
+        try:
+            return above(middle) and _covered(start, end, budget, above)
+        except FAILURES:
+            return False
 
 
 def _forward(integrand: Integrand, where: Ball) -> bool:

@@ -13,7 +13,7 @@ import sympy as sp
 
 from canon.errors import InputError
 from canon.mechanics.action_angle import ClosedAction, OneDegree, degree
-from canon.sign import known_sign
+from canon.sign import is_complex, known_sign
 
 SEPARATRIX = "the area inside the separatrix"
 
@@ -38,10 +38,12 @@ def rotation(motion: OneDegree, period: sp.Expr | None) -> Iterator[ClosedAction
         raise InputError(f"{period} is not a period of H, whose least one is {2 * sp.pi / rate}", "key 'period'")
     size = _size(b)
     if sp.expand(a - size) == 0:
-        yield ClosedAction(turns * 4 * sp.sqrt(2 * size) / rate, (), _check(motion, found), SEPARATRIX)
+        yield ClosedAction(turns * 4 * sp.sqrt(2 * size) / rate, (size, rate), _check(motion, found), SEPARATRIX)
         return
     turn = 4 * sp.sqrt(a + size) / rate * sp.elliptic_e(2 * size / (a + size))
-    yield ClosedAction(turns * turn, (a - size,), _check(motion, found), "a complete elliptic integral, for one turn")
+    yield ClosedAction(
+        turns * turn, (a - size, rate), _check(motion, found), "a complete elliptic integral, for one turn"
+    )
 
 
 def pendulum_like(motion: OneDegree) -> Iterator[ClosedAction]:
@@ -54,15 +56,16 @@ def pendulum_like(motion: OneDegree) -> Iterator[ClosedAction]:
         return
     size = _size(b)
     if sp.expand(a - size) == 0:
-        yield ClosedAction(8 * sp.sqrt(2 * size) / rate, (), _check(motion, found), SEPARATRIX)
+        yield ClosedAction(8 * sp.sqrt(2 * size) / rate, (size, rate), _check(motion, found), SEPARATRIX)
         return
     mu = (a + size) / (2 * size)
     value = 8 * sp.sqrt(2 * size) / rate * (sp.elliptic_e(mu) - (1 - mu) * sp.elliptic_k(mu))
-    yield ClosedAction(value, (size - a, size + a), _check(motion, found), "complete elliptic integrals")
+    yield ClosedAction(value, (size - a, size + a, rate), _check(motion, found), "complete elliptic integrals")
 
 
 def _size(b: sp.Expr) -> sp.Expr:
-    return b if known_sign(b) == "positive" else -b
+    sign = known_sign(b)
+    return b if sign == "positive" else -b if sign == "negative" else sp.Abs(b)
 
 
 def _whole(motion: OneDegree, period: sp.Expr) -> bool:
@@ -76,6 +79,8 @@ def _well_inside(motion: OneDegree, b: sp.Expr, rate: sp.Expr) -> bool:
     """Whether the barriers, not the wells, lie at the ends of a range of one period."""
     if motion.low == sp.S.NegativeInfinity:
         return True
+    if known_sign(b) not in ("positive", "negative"):
+        return False
     return sp.expand(sp.cos(sp.expand(rate * motion.low)) + (1 if _size(b) == b else -1)) == 0
 
 
@@ -85,7 +90,7 @@ def _check(motion: OneDegree, found: tuple[sp.Expr, sp.Expr, sp.Expr]) -> tuple[
 
 
 def cosine(square: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Expr] | None:
-    """(a, b, κ) of a + b cos(κq) with b and κ of known sign, κ > 0; None for anything else."""
+    """(a, b, κ) of a + b cos(κq) with real b and κ > 0; None for anything else."""
     wave = sp.Dummy("c", real=True)
     for call in sorted(square.atoms(sp.cos, sp.sin), key=str):
         rate = sp.expand(call.args[0]).diff(q)
@@ -99,9 +104,8 @@ def cosine(square: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Expr] | 
             if plain.has(q) or not plain.is_polynomial(wave) or degree(plain, wave) != 1:
                 continue
             a, b = plain.coeff(wave, 0), plain.coeff(wave, 1)
-            positive = turn if known_sign(turn) == "positive" else -turn
-            if known_sign(b) in ("positive", "negative") and known_sign(positive) == "positive":
-                return a, b, positive
+            if not is_complex(b) and not is_complex(turn):
+                return a, b, _size(turn)
     return None
 
 

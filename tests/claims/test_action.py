@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import pytest
 import sympy as sp
+from mpmath import mp
 
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
@@ -94,14 +95,36 @@ def test_a_coefficient_of_p_squared_that_vanishes_in_the_range_is_no_oscillator(
         ("p**2/2 - cos(q)", _claim("1"), "say whether the branch"),
         ("p**2/2 - cos(q)", _claim("1", branch='"orbit"'), "a branch is"),
         ("p**2/2 + q**2", _claim("1", period='"2"'), "a period is one of a rotation"),
-        ("p**2/2 - q**2", _claim("1"), "such a motion exists"),
+        ("p**2/2 - q**2", _claim("1"), "no minimum, so that nothing is bound at any energy"),
+        ("p**2/2 - q**2", _claim("1", fixed='{E = "1"}'), "the motion at E = 1 is not bounded: the potential has no"),
         ("p**2/2", _claim("1"), "there is a rotation only"),
         ("p**2/2 + q**2*t", _claim("1"), "H depends on t"),
         ("p**2/2 + q**2", _claim("q"), "not of q"),
         ("p**2/2 + q**2", _claim("1", fixed='{q = "1"}'), "q moves"),
-        ("p**2/2 + q**2", _claim("1", kind="frequency", fixed='{E = "1"}'), "needs the energy as a name"),
         ("p**2/2 - cos(q)", _claim("1", branch='"rotation"', period='"1"'), "not a period of H"),
-        ("p**2/2 + q**2", _claim("1", fixed='{E = "-1"}'), "such a motion exists"),
+        (
+            "p**2/2 + q**2",
+            _claim("1", fixed='{E = "-1"}'),
+            "no motion at E = -1; .* librations about q = 0",
+        ),
+        ("p**2/2 + q**2", _claim("0", fixed='{E = "0"}'), "nothing moves: J = 0"),
+        (
+            "p**2/2 - cos(q)",
+            _claim("1", branch='"libration"', fixed='{E = "2"}'),
+            "no libration at E = 2.* above 1",
+        ),
+        ("p**2/2 - cos(q)", _claim("1", branch='"rotation"', fixed='{E = "0"}'), "no rotation at E = 0.*from -1 to 1"),
+        ("p**2/2 + q**2/2 - q**3/3", _claim("1", fixed='{E = "1/2"}'), "not bounded.*from 0 to 0.16666"),
+        ("p**2/2 + q**2/2 - q**3/3", _claim("1", branch='"rotation"'), "H isn't periodic in q"),
+        ("p**2/2 + q**4/4 - q**2/2", _claim("4/3", fixed='{E = "0"}'), "2 wells have orbits at E = 0"),
+        ("p**2/2 + (1-exp(-q))**2", _claim("1", fixed='{E = "1"}'), "not bounded.*from 0 to 1"),
+        ("p**2/2 + cos(q) + cos(2*q)/3", _claim("1", branch='"rotation"', period='"1"'), "1 is not a period of H"),
+        ("(p - 3)**2/2", _claim("1", branch='"rotation"', period='"1"'), "both branches of the rotation have p > 0"),
+        (
+            "p**2/2 - cos(q)",
+            _claim("1", kind="frequency", branch='"libration"', fixed='{E = "1"}'),
+            "exactly that of the separatrix: the period is infinite.*from -1 to 1",
+        ),
     ],
 )
 def test_bad_input(H, line, words):
@@ -109,6 +132,64 @@ def test_bad_input(H, line, words):
     assert not reading.problems
     with pytest.raises(Exception, match=words):
         verify(reading.claims[0])
+
+
+def test_constants_are_chosen_for_the_sake_of_example():
+    text = (
+        f'[phase_space]\n{LINE}[symbols]\nk = "positive"\n[hamiltonian]\nH = "p**2/2 - k*cos(q)"\n[[claim]]\n'
+        + _claim("1", branch='"libration"', fixed='{E = "2*k"}')
+    )
+    with pytest.raises(InputError, match="at k = 11/3: there is no libration at E = 22/3") as error:
+        verify(read_text(text).claims[0])
+    assert error.value.where == "key 'branch'"
+
+
+@pytest.mark.parametrize(
+    ("H", "claim", "expected"),
+    [
+        (
+            "(p - 3)**2/2",
+            _claim("2*pi*(3 + sqrt(2*E))", branch='"rotation"', period='"2*pi"', fixed='{E = "5"}'),
+            "proved",
+        ),
+        ("(p + 3)**2/2", _claim("2*pi*(sqrt(2*E) - 3)", branch='"rotation"', period='"2*pi"'), "proved"),
+        # a well beside a hill that leads away is the only one
+        ("p**2/2 + q**2/2 - q**3/3", _claim("0.6628973708825298", fixed='{E = "1/10"}'), "refuted"),
+        ("p**2/2 + q**2/2 - q**3/3", _claim("1.2", fixed='{E = "1/6"}'), "supported"),
+        ("p**2/2 + q**2/2 - q**3/3", _claim("1.2000001", fixed='{E = "1/6"}'), "undecided"),
+        ("p**2/2 + q**2/2 - q**3/3", _claim("2*pi*E"), "refuted"),  # energies between the bottom and the barrier
+        ("p**2/2 + q**2/2", _claim("1/(2*pi)", kind="frequency", fixed='{E = "sqrt(2)"}'), "proved"),
+        ("p**2/2 + q**6", _claim("1.001", kind="frequency", fixed='{E = "2"}'), "refuted"),
+        ("p**2/2 - q**4 + q**2 - q**6/9", _claim("1", kind="frequency", fixed='{E = "sqrt(2)/20"}'), "undecided"),
+    ],
+)
+def test_energies_that_are_given(status, H, claim, expected):
+    assert status(claim, space=LINE, symbols='E = "real"', hamiltonian=f'H = "{H}"') == expected
+
+
+def test_rotations_over_a_period_that_is_no_rational_number(ask):
+    """The mean of sqrt(2(E - V)) over 2 pi, by mpmath's quadrature in 30 digits."""
+    sections = {"hamiltonian": 'H = "p**2/2 + cos(q) + cos(2*q)/3"', "symbols": 'E = "real"'}
+    with mp.workdps(30):
+        momentum = lambda q: mp.sqrt(2 * (3 - mp.cos(q) - mp.cos(2 * q) / 3))  # noqa: E731
+        J = mp.nstr(mp.quad(momentum, mp.linspace(0, 2 * mp.pi, 9)), 25)
+        T = mp.quad(lambda q: 1 / momentum(q), mp.linspace(0, 2 * mp.pi, 9))
+        rate = mp.nstr(1 / T, 25)
+    near = ask(
+        _claim(f"{J} + 1e-20", branch='"rotation"', fixed='{E = "3"}'),
+        _claim(f"{J} + 1e-12", branch='"rotation"', fixed='{E = "3"}'),
+        _claim(f"{rate} + 1e-12", branch='"rotation"', fixed='{E = "3"}', kind="frequency"),
+        space=LINE,
+        **sections,
+    )
+    assert [v.status for v in near] == ["supported", "refuted", "refuted"]
+
+
+@pytest.mark.parametrize(("b", "expected"), [("abs(b)", "proved"), ("1001/1000*abs(b)", "refuted")])
+def test_a_cosine_of_either_sign(status, b, expected):
+    sections = {"symbols": 'b = "real"', "hamiltonian": 'H = "p**2/2 + b*cos(q)"'}
+    claim = _claim(f"4*sqrt(2*(E + {b}))*elliptic_e(2*{b}/(E + {b}))", branch='"rotation"')
+    assert status(claim, space=LINE, **sections) == expected
 
 
 def test_a_coordinate_that_does_not_separate():
@@ -214,7 +295,7 @@ def test_the_area_inside_a_separatrix_of_a_quartic(status, potential, domain, en
         assert status(_claim(value, fixed=f'{{E = "{energy}"}}'), space=LINE, **sections) == expected
 
 
-@pytest.mark.parametrize(("potential", "expected"), [("b*cos(q)", "supported"), ("b**2*tan(q)**2", "supported")])
+@pytest.mark.parametrize(("potential", "expected"), [("b*cos(q)", "proved"), ("b**2*tan(q)**2", "supported")])
 def test_the_images_of_a_well_under_a_translation_are_the_same_well(status, potential, expected):
     areas = {
         "b*cos(q)": "16*sqrt(abs(b))*(elliptic_e((1+E/abs(b))/2) - (1-E/abs(b))/2*elliptic_k((1+E/abs(b))/2))",

@@ -8,7 +8,7 @@ from flint import arb
 
 from canon.budget import Budget
 from canon.decide.enclosure import precision
-from canon.decide.orbit_quadrature import BITS, Integrand, action, libration, period, stays, turn
+from canon.decide.orbit_quadrature import BITS, Integrand, action, backward_too, libration, period, stays, turn
 from canon.decide.tape import Tape
 
 Q, E = sp.symbols("q E", real=True)
@@ -58,10 +58,18 @@ def test_no_libration():
 
 def test_rotations_and_conditions_along_an_orbit():
     integrand = _integrand(2 * (E + sp.cos(Q)), 2, mean=sp.S.One)
-    turned = turn(integrand, Fraction(0), Fraction(6), Budget(10), None)
+    whole = (Fraction(6), arb(0))
+    turned = turn(integrand, Fraction(0), whole, Budget(10), None)
     with precision(BITS):
         assert abs(turned - arb("17.664930786486875")) < 1e-14
-    assert turn(_integrand(2 * (E + sp.cos(Q)), Fraction(1, 2)), Fraction(0), Fraction(6), Budget(10), None) is None
+        rest = arb(2) ** -20
+        almost = turn(integrand, Fraction(0), (6 - Fraction(1, 2**20), rest), Budget(10), None)
+        assert almost.contains(turned)
+        assert almost.rad() < 1e-11
+    assert turn(_integrand(2 * (E + sp.cos(Q)), Fraction(1, 2)), Fraction(0), whole, Budget(10), None) is None
+    assert not backward_too(integrand, Fraction(0), Fraction(6), Budget(10))
+    fast = _integrand(2 * (E + sp.cos(Q)), 2, mean=sp.Integer(3))
+    assert backward_too(fast, Fraction(0), Fraction(6), Budget(10))
     oscillator = _integrand(2 * E - Q**2, 1)
     orbit = libration(oscillator, Fraction(0), Budget(10))
     assert orbit is not None

@@ -181,20 +181,18 @@ def holds(question: Question, requirement: Requirement, region: Region, span: Ra
     return False
 
 
-def _at_ends(question: Question, node: Node, span: Range) -> list[Node] | None:
-    """The limits of a node at both ends of a bounded range."""
-    found = []
+def _at_ends(question: Question, node: Node, span: Range) -> list[Node | None]:
+    """The finite limits of a node at the ends of a range; None at an infinite end, or where there is none."""
+    found: list[Node | None] = []
     for end, side in ((span.low, 1), (span.high, -1)):
         if isinstance(end, str):
-            return None
+            found.append(None)
+            continue
         near = replace(approaching(question, span.x, end, side, ()), region=span.others, near=())
         try:
-            value = limit_of(question, near, node, (node,)).value
+            found.append(limit_of(question, near, node, (node,)).value)
         except (Unexpanded, Unsupported, InputError):
-            return None
-        if value is None:
-            return None
-        found.append(value)
+            found.append(None)
     return found
 
 
@@ -208,14 +206,14 @@ def _half_wave(question: Question, node: Node, span: Range) -> bool:
     (phase,) = op[2]
     slope = derivative(tape, phase, tape.symbol(span.x))
     ends = _at_ends(question, phase, span)
-    if ends is None:
-        return False
     if is_positive(question, tape.negative(slope), span.inside):
         ends.reverse()
     elif not is_positive(question, slope, span.inside):
         return False
     half = tape.scaled(tape.constant("pi"), Fraction(1, 2))
     first, last = (tape.zero, tape.constant("pi")) if op[1] == "sin" else (tape.negative(half), half)
+    if ends[0] is None or ends[1] is None:
+        return False
     above, below = tape.minus(ends[0], first), tape.minus(last, ends[1])
     return all(tape.value(n) == 0 or is_positive(question, n, span.others, strict=False) for n in (above, below))
 
@@ -225,10 +223,8 @@ def _above_its_ends(question: Question, node: Node, span: Range) -> bool:
     where it is least, at an end."""
     tape, x = question.tape, question.tape.symbol(span.x)
     slope, values = derivative(tape, node, x), _at_ends(question, node, span)
-    if values is None:
-        return False
     sign_of = signs_on(question, span.others)
-    low, high = (sign_of(value) in ("zero", "pos") for value in values)
+    low, high = (value is not None and sign_of(value) in ("zero", "pos") for value in values)
     if low and high and is_positive(question, tape.negative(derivative(tape, slope, x)), span.inside):
         return True
     return (low and is_positive(question, slope, span.inside)) or (

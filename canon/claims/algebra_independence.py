@@ -13,7 +13,7 @@ from canon.claims.fixed_parameters import fixed_region
 from canon.claims.outcome import Outcome, exact
 from canon.claims.scale import never_zero
 from canon.claims.special_parameters import MEROMORPHIC, PLACES, not_zero_for_any_parameters
-from canon.claims.structure_search import Values, frame, parameters_of, solve
+from canon.claims.structure_search import Values, first_values, frame, parameters_of, solve
 from canon.claims.units import same_in_other_units
 from canon.decide.derivative import substitute
 from canon.decide.tape import Node
@@ -67,8 +67,9 @@ def independent_outcome(
         return exact("proved", BY_POINTS)
     if _in_each_case(question, region, basis, variables, parameters, algebra):
         return exact("proved", f"{BY_UNITS}, for each sign of a parameter")
-    known = "at one choice of the parameters" if at_unit else "at no point that was tried"
-    return Outcome("supported" if at_unit else "undecided", note=f"linear independence of the basis is shown {known}")
+    somewhere = at_unit or _at(question, region, basis, first_values(question, region, basis, parameters, near=True))
+    known = "at one choice of the parameters" if somewhere else "at no point that was tried"
+    return Outcome("supported" if somewhere else "undecided", note=f"linear independence of the basis is shown {known}")
 
 
 def _in_each_case(

@@ -1,13 +1,13 @@
 """The algebra that a few functions generate by repeated brackets (the theorem of Jacobi and Poisson).
 
 The bracket of two integrals of the motion is an integral; whether it is a new one, linearly independent of those known,
-is shown at certified points, and that the last set closes is decided exactly. On the surfaces of constant energy, with
-H a number E0 for each of them, coefficients may be functions of H.
+is shown at certified points, and that the last set closes is decided exactly. On the surfaces where H and Casimirs are
+constant, with a number E0 for H, coefficients may be functions of these.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -15,6 +15,7 @@ import sympy as sp
 
 from canon.budget import Budget
 from canon.claims.algebra import Basis, decided_outcome
+from canon.claims.outcome import Residual
 from canon.claims.question import Question
 from canon.claims.structure_constants import Found, find_constants
 from canon.decide.derivative import poisson_bracket
@@ -22,7 +23,8 @@ from canon.decide.region import Region
 from canon.decide.tape import Node
 from canon.display import text_in_html
 from canon.domain import Domain
-from canon.errors import InputError
+from canon.errors import BudgetExceeded, InputError
+from canon.expression import Formula
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
@@ -60,44 +62,103 @@ def closure(
     functions: Mapping[str, Expression],
     *,
     H: Expression | None = None,
-    energy: sp.Symbol | None = None,
+    energy: sp.Symbol | str | None = None,
+    over: Mapping[str, Expression] | None = None,
     steps: int = 4,
     budget: float = 30.0,
     seed: int = 0,
 ) -> Closure:
     """The Lie algebra that functions on phase space generate by their Poisson brackets.
 
-    **Arguments:** `functions` by name; `H` with `energy`, a parameter of the space (its sign may be assumed): the
-    algebra is that on the surfaces H = energy, where coefficients may depend on the energy; `steps`, how deep brackets
+    **Arguments:** `functions` by name; `over`, functions that commute with them all (H, Casimirs), each by the name of
+    its value: linear dependence is then decided over functions of these, on the surfaces where they are constant, and
+    structure constants may depend on their values, by powers or as polynomials. A name that is a parameter of the space
+    has the sign assumed there, another one is real. `H` with `energy` is `over={energy: H}`, where
+    it is called E if no name is given; `steps`, how deep brackets
     are nested; `budget` in seconds.
 
     **Returns:** a `Closure`; where brackets nested so deep still make something new, it says so.
 
-    **Raises:** `InputError` for functions that are linearly dependent, or an energy without H.
+    **Raises:** `InputError` for functions that are linearly dependent, an energy without H, or something in `over` that
+    doesn't commute with a function.
     """
-    if (H is None) != (energy is None):
-        raise InputError("closure on surfaces of constant energy needs both H and its value, energy = a symbol")
+    if H is None and energy is not None:
+        raise InputError("closure on surfaces of constant energy needs H too, not only its value")
     if not functions:
         raise InputError("no functions to take brackets of")
+    levels = {} if H is None else {"E" if energy is None else str(energy): as_formula(H, "H")}
+    if isinstance(energy, sp.Symbol) and energy not in space.parameters:
+        raise InputError(f"{energy} is no parameter of the phase space: declare it there, as negative='{energy}'")
+    levels |= {name: as_formula(f, name) for name, f in (over or {}).items()}
+    levels = {name: f for name, f in levels.items() if not _is_nothing(space, f, budget, seed)}
+    space = _with_parameters(space, levels)
     formulas = {name: as_formula(f, name) for name, f in functions.items()}
-    check_symbols(formulas.values(), space.vocabulary)
+    check_symbols([*formulas.values(), *levels.values()], space.vocabulary)
     domain = space.domain
-    if H is not None and energy is not None:
-        level = as_formula(H, "H")
-        if energy not in space.parameters:
-            raise InputError(f"{energy} is no parameter of the phase space: declare it there, as negative='{energy}'")
-        domain = domain & Domain(level.conditions, (level.expr - energy,))
+    for name, level in levels.items():
+        domain = domain & Domain(level.conditions, (level.expr - space.symbol(name),))
     subject = Subject(space, domain=domain, functions=space.functions)
     claim = subject.claim("algebra", {"basis": formulas})
     question = Question(claim, Budget(budget), seed)
     region = question.region(*formulas.values())
-    grown = _grown(question, region, {n: question.load(f) for n, f in formulas.items()}, steps)
-    texts = {name: str(formulas[name]) if name in formulas else text for name, text in grown.texts.items()}
-    if grown.found is None:
-        return Closure(texts, None, "undecided", "", grown.note)
-    outcome, algebra = decided_outcome(question, region, grown.basis, grown.found, None)
+    nodes = {name: question.load(f) for name, f in formulas.items()}
+    texts = {name: str(f) for name, f in formulas.items()}
+    try:
+        note = _not_central(question, Region(region.requirements, (), region.symbols), nodes, levels)
+        grown = _grown(question, region, nodes, steps)
+        texts = {**grown.texts, **texts}
+        if grown.found is None or note:
+            return Closure(texts, None, "undecided", "", note or grown.note)
+        outcome, algebra = decided_outcome(question, region, grown.basis, grown.found, None)
+    except BudgetExceeded as error:
+        return Closure(texts, None, "undecided", "", str(error))
     name = str(outcome.detail.get("algebra", ""))
     return Closure(texts, algebra, outcome.status, name, outcome.note)
+
+
+def _is_nothing(space: PhaseSpace, f: Formula, budget: float, seed: int) -> bool:
+    """Whether a function is identically 0, as Kepler's M·A, so that nothing can depend on its value."""
+    check_symbols([f], space.vocabulary)
+    question = Question(
+        Subject(space, functions=space.functions).claim("identity", {"lhs": f, "rhs": f}), Budget(budget), seed
+    )
+    return question.decide([Residual("0", question.load(f))], question.region(f)).status == "proved"
+
+
+def _with_parameters(space: PhaseSpace, names: Iterable[str]) -> PhaseSpace:
+    """The space with real parameters of these names where it has none."""
+    known = {symbol.name for symbol in space.parameters}
+    added = [name for name in names if name not in known]
+    if not added:
+        return space
+    for name in added:
+        if name in space.vocabulary or name in space.functions:
+            raise InputError(f"{name!r} is a variable or a function, not the value of one", "over")
+    new = (space.Q, space.P) if space.Q else None
+    return PhaseSpace(
+        space.q, space.p, new=new, time=space.t, real=[*space.parameters, *added], functions=space.functions,
+        domain=space.domain,
+    )  # fmt: skip
+
+
+def _not_central(question: Question, region: Region, nodes: Mapping[str, Node], levels: Mapping[str, Formula]) -> str:
+    """Why it isn't known that the levels commute with the functions, "" where it is; **raises** where they don't."""
+    tape, space = question.tape, question.space
+    q, p = question.nodes(space.q), question.nodes(space.p)
+    residuals = [
+        Residual(f"{{{name}, {level}}}", poisson_bracket(tape, f, question.load(formula), q, p))
+        for level, formula in levels.items()
+        for name, f in nodes.items()
+    ]
+    if not residuals:
+        return ""
+    outcome = question.decide(residuals, region)
+    if outcome.status == "proved":
+        return ""
+    label = outcome.failed.residual.label if outcome.failed is not None else "a bracket"
+    if outcome.status == "refuted":
+        raise InputError(f"{label} isn't 0: what the algebra is taken over commutes with all of it", "over")
+    return f"whether {label} is 0 wasn't decided"
 
 
 @dataclass(frozen=True)

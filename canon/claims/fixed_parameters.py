@@ -42,25 +42,28 @@ def moved_region(tape: Tape, region: Region, move: Callable[[Node], Node]) -> Re
 
 
 def unfolded(question: Question, region: Region) -> tuple[dict[Node, Node], Region] | None:
-    """The surface H(z) = E of every value of a parameter E, as the whole space with H(z) in place of E.
+    """The surfaces F_k(z) = E_k of all values of parameters E_k, as the whole space with F_k(z) in place of E_k.
 
     What holds on all these surfaces holds there, and the other way round. None where the surface is no such graph.
     """
     from canon.claims.question import required_of
 
     tape = question.tape
-    if len(region.surface) != 1:
+    images: dict[Node, Node] = {}
+    symbols = {tape.symbol(symbol): symbol for symbol in question.space.parameters}
+    for equation in region.surface:
+        for x in symbols:
+            slope = tape.value(derivative(tape, equation, x)) if x in tape.support(equation) else None
+            if slope and x not in images:
+                images[x] = tape.scaled(substitute(tape, equation, {x: tape.zero}), -1 / slope)
+                break
+        else:
+            return None
+    if not images or any(x in tape.support(image) for image in images.values() for x in images):
         return None
-    (equation,) = region.surface
-    for symbol in question.space.parameters:
-        x = tape.symbol(symbol)
-        slope = tape.value(derivative(tape, equation, x)) if x in tape.support(equation) else None
-        if not slope:
-            continue
-        images = {x: tape.scaled(substitute(tape, equation, {x: tape.zero}), -1 / slope)}
-        open_part = Region(region.requirements, (), region.symbols)
-        moved = fixed_region(tape, open_part, images)
-        if x in tape.support(images[x]) or moved is None:
-            continue
-        return images, moved.also(*required_of(tape, symbol, images[x]))
-    return None
+    moved = fixed_region(tape, Region(region.requirements, (), region.symbols), images)
+    if moved is None:
+        return None
+    for x, image in images.items():
+        moved = moved.also(*required_of(tape, symbols[x], image))
+    return images, moved

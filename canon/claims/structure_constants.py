@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import random
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -23,6 +25,7 @@ from canon.claims.structure_search import (
 )
 from canon.decide.enclosure import precision
 from canon.decide.search import Sample
+from canon.mechanics.algebra import linear
 from canon.sign import declared
 from canon.verdict import Evidence
 
@@ -31,8 +34,12 @@ if TYPE_CHECKING:
     from canon.decide.region import Region
     from canon.decide.tape import Node
 
-FACTOR = 4
-"""By which a parameter is changed to see the power in which a constant depends on it."""
+FACTOR = Fraction(29, 8)
+"""By which a parameter is changed to see the power in which a constant depends on it; a sum is hardly one by chance."""
+DEGREE = 4
+MOST_MONOMIALS = 40
+SPARE = 4
+"""Further points than a polynomial has coefficients, at which it must be right."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +74,9 @@ def find_constants(
     varied = parameters_of(question, variables, shown)
     here = _solution(question, region, basis, products, values)
     if here is None:
+        values = first_values(question, region, [*basis, *products], parameters, near=True)
+        here = _solution(question, region, basis, products, values)
+    if here is None:
         return Found([], values, nothing="too few points of the domain were found")
     solution, chosen = here
     if solution.dependent is not None:
@@ -78,13 +88,20 @@ def find_constants(
     if products and not solution.constants:
         return Found([], values, nothing="the equations at sample points are singular")
     powers = _powers(question, region, basis, products, varied, values, solution)
+    real = {x: symbol for x in varied if not declared(symbol := question.tape.symbol_at(x)).get("integer")}
+
+    def solved(there: Values) -> Solution | None:
+        found = _solution(question, region, basis, products, there)
+        return None if found is None else found[0]
+
+    sums = Polynomials(solved, values, real)
     constants: list[dict[int, sp.Expr]] = []
     for k, row in enumerate(solution.constants):
         combination: dict[int, sp.Expr] = {}
         for c, ball in enumerate(row):
             if ball.contains(0):
                 continue
-            value = _expression(question, ball, values, powers.get((k, c), {}))
+            value = _expression(question, ball, values, powers.get((k, c), {}), sums, k, c)
             if value is None:
                 return Found(constants, values, solution.independent, chosen=chosen, unknown=k)
             combination[c] = value
@@ -115,7 +132,7 @@ def _powers(
     powers: Powers = {}
     for x in parameters:
         there = None
-        for factor in (FACTOR, Fraction(1, FACTOR)):
+        for factor in (FACTOR, 1 / FACTOR):
             moved = {**values, x: values[x] * factor} if values[x] else {**values, x: Fraction(1)}
             if not declared(question.tape.symbol_at(x)).get("integer"):
                 there = _solution(question, region, basis, products, moved)
@@ -130,6 +147,75 @@ def _powers(
     return powers
 
 
+class Polynomials:
+    """Constants that are polynomials of some parameters with rational coefficients, of degree `DEGREE` at most.
+
+    The equations are solved at a grid of values of these parameters, once for all constants that ask for it.
+    """
+
+    def __init__(
+        self, solved: Callable[[Values], Solution | None], values: Values, symbols: Mapping[Node, Any]
+    ) -> None:
+        self._solved = solved
+        self._values = values
+        self._symbols = symbols
+        self._found: dict[tuple[Node, ...], list[tuple[tuple[Fraction, ...], Solution]]] = {}
+
+    def __call__(self, k: int, c: int, powers: Mapping[Node, Fraction | None]) -> sp.Expr | None:
+        """The constant number c of bracket k, of known powers in the other parameters; None where it isn't one."""
+        names = tuple(x for x, power in powers.items() if power is None)
+        exponents = [e for e in product(range(DEGREE + 1), repeat=len(names)) if sum(e) <= DEGREE]
+        if not names or len(exponents) > MOST_MONOMIALS or any(x not in self._symbols for x in names):
+            return None
+        if names not in self._found:
+            self._found[names] = list(self._grid(names, len(exponents) + SPARE))
+        rows: list[list[fmpq]] = []
+        for place, solution in self._found[names]:
+            value = recognised(_without(solution.constants[k][c], self._values, powers))
+            if value is None or not value.is_Rational:
+                return None
+            monomials = [math.prod((v**n for v, n in zip(place, e, strict=True)), start=Fraction(1)) for e in exponents]
+            rows.append([*map(linear.rational, monomials), fmpq(int(value.p), int(value.q))])
+        reduced = linear.span(rows, len(exponents) + 1)
+        if linear.pivots(reduced) != list(range(len(exponents))):
+            return None  # too few points, or no such polynomial
+        terms = [
+            sp.Rational(int(row[-1].p), int(row[-1].q))
+            * sp.Mul(*(self._symbols[x] ** n for x, n in zip(names, e, strict=True)))
+            for row, e in zip(linear.rows(reduced), exponents, strict=True)
+        ]
+        return sp.Add(*terms)
+
+    def _grid(self, names: Sequence[Node], count: int) -> Iterator[tuple[tuple[Fraction, ...], Solution]]:
+        rng, seen = random.Random(0), set[tuple[Fraction, ...]]()
+        found = 0
+        for _ in range(3 * count):
+            place = tuple(_short(self._values[x] * Fraction(rng.randint(40, 88), 64)) for x in names)
+            here = None if place in seen else self._solved({**self._values, **dict(zip(names, place, strict=True))})
+            seen.add(place)
+            if here is not None and here.constants and here.outside is None:
+                found += 1
+                yield place, here
+            if found == count:
+                return
+
+
+def _short(value: Fraction) -> Fraction:
+    """A number near it of four bits, so that its powers are recognised."""
+    unit = Fraction(2) ** (math.floor(math.log2(abs(value))) - 3) if value else Fraction(1)
+    return round(value / unit) * unit or unit
+
+
+def _without(ball: Any, values: Values, powers: Mapping[Any, Fraction | None]) -> Any:
+    """The ball divided by the known powers of parameters."""
+    for x, power in powers.items():
+        if power:
+            with precision(BITS):
+                size = arb(fmpq(abs(values[x]).numerator, abs(values[x]).denominator))
+                ball = ball / size ** arb(fmpq(power.numerator, power.denominator))
+    return ball
+
+
 def _power(here: float, there: float, factor: float) -> Fraction | None:
     if not here or not there / here > 0:
         return None
@@ -138,18 +224,24 @@ def _power(here: float, there: float, factor: float) -> Fraction | None:
     return near if abs(float(near) - exponent) < 1e-9 else None
 
 
-def _expression(question: Question, ball: Any, values: Values, powers: dict[Any, Fraction | None]) -> sp.Expr | None:
-    """The constant as a number times powers of parameters."""
+def _expression(
+    question: Question,
+    ball: Any,
+    values: Values,
+    powers: dict[Any, Fraction | None],
+    sums: Polynomials,
+    k: int,
+    c: int,
+) -> sp.Expr | None:
+    """The constant as a number, or a polynomial of some parameters, times powers of the others."""
     symbolic = sp.S.One
     for x, power in powers.items():
-        if power is None:
-            return None
         if power:
-            with precision(BITS):
-                size = arb(fmpq(abs(values[x]).numerator, abs(values[x]).denominator))
-                ball = ball / size ** arb(fmpq(power.numerator, power.denominator))
             symbol: Any = question.tape.symbol_at(x)
             positive = symbol if values[x] > 0 else -symbol
             symbolic *= positive ** sp.Rational(power.numerator, power.denominator)
-    number = recognised(ball)
+    if None in powers.values():
+        number = sums(k, c, powers)
+    else:
+        number = recognised(_without(ball, values, powers))
     return None if number is None else number * symbolic

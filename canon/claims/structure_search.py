@@ -24,7 +24,8 @@ from canon.decide.derivative import substitute
 from canon.decide.enclosure import OutOfDomain, excludes_zero, precision
 from canon.decide.region import Region
 from canon.decide.search import Sample, evaluate_again, samples
-from canon.decide.tape import Node, Unsupported
+from canon.decide.tape import Node, Tape, Unsupported
+from canon.sign import declared
 from canon.verdict import Evidence
 
 if TYPE_CHECKING:
@@ -78,16 +79,27 @@ def parameters_of(question: Question, variables: Sequence[Node], nodes: Sequence
     return sorted({x for node in nodes for x in tape.support(node)} & known)
 
 
-def first_values(question: Question, region: Region, nodes: Sequence[Node], parameters: Sequence[Node]) -> Values:
-    """The parameters' values at a point of the region."""
+def first_values(
+    question: Question, region: Region, nodes: Sequence[Node], parameters: Sequence[Node], *, near: bool = False
+) -> Values:
+    """The parameters' values at a point of the region; one that was solved for is ±1, or a number `near` its value."""
     if not parameters:
         return {}
     rng = random.Random(question.seed)
     found = samples(question.tape, nodes, region, rng, count=1, budget=question.budget, nice=True)
     for place in found:
-        values = {x: place.point.get(x) for x in parameters}
-        return {x: v if isinstance(v, Fraction) else Fraction(1) for x, v in values.items()}
+        return {x: _rational(question.tape, x, place, near) for x in parameters}
     return {}
+
+
+def _rational(tape: Tape, x: Node, place: Sample, near: bool) -> Fraction:
+    value, ball = place.point.get(x), place.balls.get(x)
+    if isinstance(value, Fraction):
+        return value
+    if not near or ball is None or isinstance(ball, acb) or ball.contains(0):
+        return Fraction(-1 if declared(tape.symbol_at(x)).get("negative") else 1)
+    middle = Fraction(float(ball.mid()))
+    return middle.limit_denominator(64) or middle
 
 
 def frame(

@@ -68,9 +68,59 @@ def test_fields_that_never_close():
     assert "does not close within 2 steps" in found.note
 
 
+def test_over_functions_of_casimirs():
+    """{M1, M² M2} = c M3 and so on where M² = c > 0; of unknown sign so(3) at some values, e(2) at c = 0."""
+    functions = {"M1": M[0], "N": M[1] * M.dot(M)}
+    square = PhaseSpace("x y z", "px py pz", positive="c")
+    found = closure(square, functions, over={"c": M.dot(M)})
+    assert (found.status, found.name) == ("proved", "so(3)")
+    assert list(found.algebra.rows()) == [("M1", "N", "f3"), ("M1", "f3", "-N"), ("N", "f3", "M1*c**2")]
+    found = closure(PhaseSpace("x y z", "px py pz"), functions, over={"c": M.dot(M)})
+    assert found.status == "supported"
+    assert "e(2) at c = 0" in found.name
+
+
+def test_constants_that_are_polynomials_of_casimirs():
+    """Isotropic oscillator, N = (H + 1) M2: {N, f3} = (H + 1)² M1, a polynomial."""
+    h = (p.dot(p) + r.dot(r)) / 2
+    found = closure(SPACE, {"M1": M[0], "N": M[1] * (h + 1)}, over={"E": h})
+    values = {(first, second): value for first, second, value in found.algebra.rows()}
+    assert values["N", "f3"] == "M1*(E**2 + 2*E + 1)"
+
+
+@pytest.mark.thorough
+def test_charge_and_monopole_with_keplers_potential():
+    """The vectors J = r × k − g r/r and A = k × J − m a r/r close as M and A do (McIntosh and Cisneros 1970)."""
+    space = PhaseSpace("x y z", "px py pz", positive="m a", negative="E0", real="g")
+    m, a, g = space.symbols("m a g")
+    x, y, z = space.q
+    R = sp.sqrt(x**2 + y**2 + z**2)
+    r, k = sp.Matrix(space.q), sp.Matrix(space.p) + sp.Matrix([g * y, -g * x, 0]) / (R * (R + z))
+    J = r.cross(k) - g * r / R
+    A = k.cross(J) - m * a * r / R
+    H = k.dot(k) / (2 * m) + g**2 / (2 * m * R**2) - a / R
+    found = closure(space, {"J3": J[2], "A1": A[0]}, over={"E0": H})
+    assert (found.status, found.name) == ("supported", "so(3)")  # at the least energy A vanishes
+    assert ("A1", "f3", "-2*E0*J3*m") in list(found.algebra.rows())
+
+
+def test_what_is_0_everywhere_has_no_value_to_depend_on():
+    found = closure(SPACE, {"M3": M[2], "A1": A[0]}, over={"E0": H, "K": M.dot(A)})
+    assert (found.status, found.name) == ("proved", "so(3)")
+
+
+def test_the_budget_ends_it():
+    found = closure(SPACE, {"M3": M[2], "A1": A[0]}, H=H, budget=0.001)
+    assert (found.status, found.note[:10]) == ("undecided", "the budget")
+
+
 def test_ill_posed_closures():
-    with pytest.raises(InputError, match="both H and its value"):
-        closure(SPACE, {"M3": M[2]}, H=H)
+    with pytest.raises(InputError, match=r"\{x, E\} isn't 0: what the algebra is taken over"):
+        closure(SPACE, {"x": r[0], "M": M[0]}, H=H)
+    with pytest.raises(InputError, match="not the value of one"):
+        closure(SPACE, {"M": M[0]}, over={"x": H})
+    with pytest.raises(InputError, match="needs H too"):
+        closure(SPACE, {"M3": M[2]}, energy=E0)
     with pytest.raises(InputError, match="no parameter"):
         closure(SPACE, {"M3": M[2]}, H=H, energy=sp.Symbol("E1"))
     with pytest.raises(InputError, match="linearly dependent"):

@@ -11,7 +11,7 @@ import sympy as sp
 
 from canon.claims.velocities import region_in_velocities
 from canon.decide import ladder
-from canon.decide.asymptotic import Series, Sign, Unexpanded, expand
+from canon.decide.asymptotic import Expander, Series, Sign, Unexpanded, expand
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import certainly_positive
 from canon.decide.positivity import positive_by_signs
@@ -135,7 +135,7 @@ def limit_of(question: Question, approach: Approach, node: Node, also: Sequence[
             series, root, expander = expand(tape, nodes, approach.s, sign_of, terms)
             if not inside and not expander.arbitrary <= written:
                 raise Unexpanded("an arbitrary function at the edge of the domain, where it may not be smooth")
-            return _read_off(series[0], root, sign_of, expander.log, tape)
+            return _read_off(series[0], root, expander)
         except Unexpanded as found:
             reason = found
     raise reason
@@ -166,20 +166,23 @@ def _hold(approach: Approach, series: Sequence[Series], leading: Callable[[Serie
     return inside
 
 
-def _read_off(f: Series, root: int, sign_of: Callable[[Node], Sign | None], log: Node, tape: Tape) -> Limit:
+def _read_off(f: Series, root: int, expander: Expander) -> Limit:
+    tape, log = expander.tape, expander.log
     for k, c in enumerate(f.coefficients):
         power = f.start + k
         if power > 0:
             return Limit(tape.zero)
-        if log in tape.support(c):
+        if expander.wild(c):
             slope = derivative(tape, c, log)
-            sign = None if log in tape.support(slope) or power < 0 else sign_of(slope)
-            if sign is None or sign == "zero":
-                raise Unexpanded("it grows like a power of a logarithm")
+            if expander.wild(slope) or power < 0:
+                raise Unexpanded("it oscillates, or grows like a power of a logarithm")
+            sign = expander.sign_of(slope)
+            if sign not in ("pos", "neg"):
+                raise Unexpanded("it oscillates, or grows like a logarithm whose factor has no sign")
             return Limit(None, -1 if sign == "pos" else 1, tape.times(slope, log))
         if power == 0:
             return Limit(c)
-        sign = sign_of(c)
+        sign = expander.sign_of(c)
         if sign != "zero":
             return Limit(None, {"pos": 1, "neg": -1, None: 0}[sign], c, Fraction(power, root))
     if f.end > 0:

@@ -57,6 +57,7 @@ class Expander:
     def __init__(self, tape: Tape, s: Node, sign_of: SignOf, terms: int) -> None:
         self.tape, self.s, self.sign_of, self.terms = tape, s, sign_of, terms
         self.log = tape.symbol(sp.Dummy("log_s", real=True))
+        self.waves: set[Node] = set()
         self.known: dict[Node, Series] = {}
         self.arbitrary: set[tuple[str, tuple[Node, ...]]] = set()
 
@@ -67,10 +68,17 @@ class Expander:
                 self.known[i] = self._step(i)
         return self.known[node]
 
+    def wild(self, node: Node) -> bool:
+        """Whether the node has log s in it, or the sine or cosine of what grows: symbols here, the latter bounded."""
+        return not {self.log, *self.waves}.isdisjoint(self.tape.support(node))
+
+    def _sign(self, node: Node) -> Sign | None:
+        return None if self.wild(node) else self.sign_of(node)
+
     def leading(self, f: Series) -> tuple[Series, Sign]:
         """The series from its first nonzero coefficient on, with that one's sign."""
         for k, c in enumerate(f.coefficients):
-            sign = None if self.log in self.tape.support(c) else self.sign_of(c)
+            sign = self._sign(c)
             if sign is None:
                 raise Unexpanded(f"a leading coefficient of unknown sign: {_text(self.tape, c)}")
             if sign != "zero":
@@ -191,6 +199,10 @@ class Expander:
                 return self._padded(0, ())  # smaller than every power
         if name == "atan":
             return self._atan(u)
+        if name in ("sin", "cos") and self._may_grow(u):
+            wave = tape.symbol(sp.Dummy("wave", real=True))
+            self.waves.add(wave)
+            return self._padded(0, (wave,))
         if any(f.start < 0 and self._stripped(f)[0].start < 0 for f in arguments):
             raise Unexpanded(f"{name} of something that grows beyond all bounds")
         moving = [k for k, a in enumerate(nodes) if self.s in tape.support(a)]
@@ -201,12 +213,19 @@ class Expander:
         call = tape.call(name, *(place if j == k else a for j, a in enumerate(nodes)))
         return self._taylor(call, place, self._stripped(arguments[k])[0], name)
 
+    def _may_grow(self, u: Series) -> bool:
+        """Whether the series isn't seen to be bounded; a sine or cosine of it is, whatever it does."""
+        try:
+            return self._stripped(u)[0].start < 0
+        except Unexpanded:
+            return True
+
     def _stripped(self, f: Series) -> tuple[Series, Sign]:
         """The series without vanishing terms of negative powers, and the sign of its first term."""
         for k, c in enumerate(f.coefficients):
             if f.start + k >= 0:
                 return Series(f.start + k, f.coefficients[k:]), "zero"
-            sign = None if self.log in self.tape.support(c) else self.sign_of(c)
+            sign = self._sign(c)
             if sign is None:
                 raise Unexpanded(f"a leading coefficient of unknown sign: {_text(self.tape, c)}")
             if sign != "zero":
@@ -221,8 +240,8 @@ class Expander:
         if not u.coefficients:
             raise Unexpanded("too few terms")
         centre = u.coefficients[0]
-        if self.log in tape.support(centre):
-            raise Unexpanded(f"{name} of a logarithm")
+        if self.wild(centre):
+            raise Unexpanded(f"{name} of a logarithm or an oscillation")
         if name in ("elliptic_k", "elliptic_e") and self.sign_of(centre) == "zero":
             return self._composed(self._elliptic(name), self._rest(u, tape.one))
         if name in ("asin", "acos"):

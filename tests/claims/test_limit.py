@@ -55,6 +55,9 @@ def _claim(f: str, x: str, to: str, equals: str, side: str = "") -> str:
         ("(elliptic_e(q**2) - pi/2)/q**2", "q", "0", "-pi/8", "", "proved"),
         ("(V(q + a*k) - V(q))/a", "a", "0", "k*D(V(q), q)", "+", "proved"),
         ("(V(q + a*k) - V(q))/a", "a", "0", "D(V(q), q)", "+", "refuted"),
+        ("exp(-a*q)*cos(w*q)", "q", "infinity", "0", "", "proved"),
+        ("q + cos(q)", "q", "infinity", "infinity", "", "proved"),
+        ("log(q) + cos(q)", "q", "infinity", "infinity", "", "proved"),
         ("sin(w*t)/w", "w", "0", "t", "+", "proved"),
         ("(1 - exp(-2*l*t))/l", "l", "0", "2*t", "+", "proved"),
     ],
@@ -66,7 +69,11 @@ def test_limits(status, f, x, to, equals, side, expected):
 @pytest.mark.parametrize(
     ("f", "equals", "expected"),
     [
-        ("q*sin(1/q)", "0", "supported"),
+        ("q*sin(1/q)", "0", "proved"),
+        ("q*sin(1/q) + q*cos(log(q)/q**2)", "0", "proved"),
+        ("sin(1/q)**2 + cos(1/q)**2", "1", "supported"),
+        ("exp(-1/q)*cos(1/q)/q", "0", "proved"),
+        ("(2 + sin(1/q))/q", "0", "undecided"),
         ("sin(1/q)", "0", "undecided"),
         ("sqrt(q)*V(q)", "0", "undecided"),  # V may be 1/q where q > 0
         ("q*V(q)*0 + q", "0", "proved"),

@@ -172,7 +172,7 @@ class Polynomials:
         rows: list[list[fmpq]] = []
         for place, solution in self._found[names]:
             value = recognised(_without(solution.constants[k][c], self._values, powers))
-            if value is None or not value.is_Rational:
+            if not isinstance(value, sp.Rational):
                 return None
             monomials = [math.prod((v**n for v, n in zip(place, e, strict=True)), start=Fraction(1)) for e in exponents]
             rows.append([*map(linear.rational, monomials), fmpq(int(value.p), int(value.q))])

@@ -96,13 +96,14 @@ def with_caustics(
     *,
     most: int | None = None,
     of_type: Callable[[Types], OnTape | None] | None = None,
+    tolerated: float = DEEP,
 ) -> ImplicitImages:
     """The solution with points near a caustic found again (`most` of them at most, the worst).
 
     At the worst point F's equations are solved in more digits. That tells the map's Jacobian there, and by it the type
     that is best conditioned. Where `of_type` gives the function of that type, all points that lose digits are found by
-    it, in double precision; where it doesn't, or what it gives isn't confirmed, those that lose many are found in more
-    digits.
+    it, in double precision; where it doesn't, or what it gives isn't confirmed, those that are off by more than the
+    `tolerated` number of roundings are found in more digits.
     """
     count = len(z)
     n = z.shape[1] // 2
@@ -111,13 +112,13 @@ def with_caustics(
     types = [F.pattern.types] * count
     bits = np.full(count, DOUBLE)
     order = np.argsort(-np.where(found.solved, found.condition, 0.0))
-    least = DEEP if of_type is None else LOSES
+    least = tolerated if of_type is None else min(LOSES, tolerated)
     waiting = [int(k) for k in order if found.solved[k] and found.condition[k] > least][:most]
     tried = {F.pattern.types}
     regular: tuple[Types, ...] = ()
     while waiting:
         k, *waiting = waiting
-        far = found.condition[k] > DEEP
+        far = found.condition[k] > tolerated
         deep = solve_deeply(F, z[k], found.u[k, n:], k, float(found.condition[k]), regular)
         regular = regular if deep is None else deep.regular
         if deep is not None and far:
@@ -133,6 +134,7 @@ def with_caustics(
         near[0], off[0] = deep.image, UNIT * np.abs(deep.image)
         again = solve_mixed(other, other.pattern, z[rows], near[:, other.pattern.new_arguments])
         kept = confirmed(again, near, off) & (again.condition < found.condition[rows])
+        kept &= again.condition <= tolerated
         if not kept[0]:  # not what more digits gave
             continue
         for row in np.flatnonzero(kept):

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from canon.budget import Budget
-from canon.claims.implicit_images import ImplicitImages, joined, with_caustics
+from canon.claims.implicit_images import DEEP, ImplicitImages, joined, with_caustics
 from canon.claims.mixed_derivatives import OnTape
 from canon.claims.other_type import of_type, valued
 from canon.decide.cloud import cloud_around
@@ -45,13 +45,16 @@ class ImplicitMap:
     equations could not be solved it is nan. `.solve` tells more. Where they have several solutions, that with the
     new arguments nearest to the `guess` is taken (to zero without one) among those that Newton's method finds.
 
-    **Arguments:** the `generating` function; `parameters`, values of its parameters (and of the time) by name.
+    **Arguments:** the `generating` function; `parameters`, values of its parameters (and of the time) by name;
+    `tolerated`, how many roundings an image may be off before it is found in more bits, which takes some ten times as
+    long: with 4, nearly all digits are kept everywhere.
 
     **Raises:** `InputError` for a parameter without a value, an arbitrary function, or an F that defines no map.
     """
 
     generating: GeneratingFunction
     parameters: Mapping[str, float] = field(default_factory=dict)
+    tolerated: float = DEEP
 
     def __post_init__(self) -> None:
         space = self.generating.space
@@ -133,7 +136,7 @@ class ImplicitMap:
                 found = solve_mixed(F, F.pattern, z, start)
                 best = found if best is None else _nearer(best, found, target)
         assert best is not None
-        return with_caustics(F, z, best, of_type=self._of_type)
+        return with_caustics(F, z, best, of_type=self._of_type, tolerated=self.tolerated)
 
     def _starts(self, z: Array) -> list[Array]:
         """New arguments at points of the region whose old variables are near z: the nearest, and the smallest."""

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 
 from canon.errors import InputError
-from canon.hard import kepler, resonance, rotations, separatrix
+from canon.hard import brackets, caustics, kepler, relativity, resonance, rotations, scattering, separatrix, series
 from canon.hard.case import HardCase
 
-FAMILIES = (kepler, separatrix, resonance, rotations)
+FAMILIES = (kepler, separatrix, resonance, rotations, relativity, scattering, caustics, series, brackets)
 
 
 def cases(names: Sequence[str] = (), *, slow: bool = False) -> tuple[HardCase, ...]:

@@ -17,7 +17,7 @@ FULL: Final = -math.log10(UNIT)
 STEP: Final = mp.mpf(10) ** -20
 """The part by which an input is changed to see what the quantity makes of it."""
 
-GUARD: Final = 50
+GUARD: Final = 30
 """Digits beyond those of the case, in which the changes are taken."""
 
 

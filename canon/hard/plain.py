@@ -59,8 +59,8 @@ def ellipfun(kind: str, u: float, m: float) -> float:
     return float(special.ellipj(u, m)[["sn", "cn", "dn"].index(kind)])
 
 
-def quad(f: Callable[[Any], Any], ends: Any) -> float:
-    """∫f over consecutive intervals, by adaptive quadrature."""
+def quad(f: Callable[[Any], Any], ends: Any, method: str = "") -> float:
+    """∫f over consecutive intervals, by adaptive quadrature whatever the method."""
     from scipy.integrate import quad as adaptive
 
     return sum(adaptive(f, a, b, epsabs=0.0, epsrel=1e-13, limit=200)[0] for a, b in pairwise(ends))

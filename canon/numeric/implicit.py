@@ -19,8 +19,11 @@ from canon.numeric.precision import UNIT
 
 Array = Any  # numpy arrays
 
-ITERATIONS: Final = 60
+ITERATIONS: Final = 120
 HALVINGS: Final = 24
+GENTLE: Final = 8
+"""After so many halvings the step is shortened faster: next to a pole a start may be decades away."""
+
 CLOSE: Final = 8.0
 """So many roundings of the equations, or of y, are as good as solved."""
 
@@ -122,7 +125,7 @@ def _damped(
     kept = np.zeros(len(rows), dtype=bool)
     part = 1.0
     new_off, new_block, new_noise = off.copy(), block.copy(), noise.copy()
-    for _ in range(HALVINGS):
+    for attempt in range(HALVINGS):
         if not len(waiting):
             break
         trial = y[rows[waiting]] + part * move[waiting]
@@ -135,7 +138,7 @@ def _damped(
         new_off[chosen], new_block[chosen], new_noise[chosen] = t_off[good], t_block[good], t_noise[good]
         kept[chosen] = True
         waiting = waiting[~good]
-        part /= 2
+        part /= 2 if attempt < GENTLE else 16
     return rows[kept], new_off[kept], new_block[kept], new_noise[kept]
 
 

@@ -191,10 +191,17 @@ def test_another_type_that_is_not_confirmed_is_not_taken(monkeypatch: pytest.Mon
 def test_double_precision_alone_would_lose_them(monkeypatch: pytest.MonkeyPatch) -> None:
     """The other side of these tests: F's own equations in double precision leave half of the digits."""
     monkeypatch.setattr(implicit_images, "LOSES", np.inf)
-    found = ImplicitMap(FLOW, {"tau": 1e-8}).solve(np.array([[0.7, 0.3]]))
+    found = ImplicitMap(FLOW, {"tau": 1e-8}, tolerated=np.inf).solve(np.array([[0.7, 0.3]]))
     off = abs(found.images[0, 1] - 0.3)
     assert 1e-11 < off <= found.errors[0, 1]
     assert found.condition[0] > 1e6
+
+
+def test_digits_are_kept_where_all_of_them_are_asked_for() -> None:
+    z = np.array([[0.7, 0.3], [0.2, -1.0]])
+    plain, all_of_them = (ImplicitMap(FLOW, {"tau": 0.01}, **more).solve(z) for more in ({}, {"tolerated": 4.0}))
+    exact = exact_images(flow_exactly, z, 0.01)
+    assert np.abs(all_of_them.images - exact).max() < 2.3e-16 < np.abs(plain.images - exact).max()
 
 
 def test_where_there_is_no_image_there_is_none() -> None:

@@ -22,6 +22,7 @@ from canon.numeric.precision import double
 from canon.numeric.rotations import cross, multiply, rotate
 
 SWING, PERIOD = jax.jit(pendulum), jax.jit(period)
+FROM_TOP = jax.jit(lambda q, p, t: pendulum(q, p, t, from_top=True))
 OSCILLATE = jax.jit(lambda q, v, t, k, g, f, W, b: oscillator(q, v, t, omega2=k, damping=g, force=f, drive=W, phase=b))
 NEWTON, EINSTEIN = jax.jit(uniform_fields), jax.jit(relativistic_charge)
 
@@ -91,6 +92,21 @@ def test_pendulum_after_a_hundred_periods_at_the_separatrix() -> None:
         assert abs(float(after[0])) < 1e-12
         assert abs(float(after[1]) - p) < 1e-12
         assert float(PERIOD(0.0, 4.0)) == pytest.approx(float(mp.ellipk(mp.mpf(1) / 4)), rel=1e-15)
+
+
+@pytest.mark.parametrize(("delta", "p", "t"), [(1e-3, 0.0, 4.0), (0.4, -0.3, 9.0), (-0.2, 2.5, 20.0), (7.0, 0.1, 3.0)])
+def test_pendulum_counted_from_the_top(delta: float, p: float, t: float) -> None:
+    with double():
+        found, momentum = FROM_TOP(delta, p, t)
+        other, same = SWING(np.pi + delta, p, t)
+    assert float(found) == pytest.approx(float(other) - np.pi, abs=1e-12)
+    assert float(momentum) == pytest.approx(float(same), abs=1e-12)
+
+
+def test_pendulum_next_to_the_top_keeps_the_digits_of_its_distance() -> None:
+    with double():
+        found, _ = FROM_TOP(1e-100, 0.0, 3.0)
+        assert float(found) == pytest.approx(1e-100 * np.cosh(3.0), rel=1e-14)
 
 
 def test_pendulum_units_and_its_jacobian() -> None:

@@ -12,7 +12,7 @@ from typing import Any, Final
 
 import flint
 import sympy as sp
-from flint import arb, fmpq
+from flint import arb, arb_series, fmpq
 
 from canon.errors import InputError
 
@@ -74,7 +74,7 @@ def ball_function(expression: Any, symbols: Sequence[sp.Symbol]) -> BallFunction
     last = place(sp.sympify(expression))
 
     def function(*values: Ball) -> Ball:
-        row = [value if isinstance(value, arb) else arb(value) for value in values]
+        row = [value if isinstance(value, (arb, arb_series)) else arb(value) for value in values]
         for step in steps:
             row.append(step(row))
         return row[last]

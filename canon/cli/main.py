@@ -6,15 +6,18 @@ Nothing heavy is imported here, so that `canon --help` and `canon --version` ans
 from __future__ import annotations
 
 import argparse
+import contextlib
 import io
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Final
 
 import canon
 from canon.cli import actions, algebra, certificate, cost, hard, scenes, simulate, verify
 from canon.cli.parser import Parser
+from canon.interruption import Left, heeding, left_behind
 
 COMMANDS: Final = {
     "verify": verify,
@@ -48,6 +51,8 @@ exit status of verify:
 """
 
 
+HEARING: Final = ("verify",)
+"""The commands that hear Ctrl-C themselves: their work is done in other processes."""
 HUNG_UP = 141  # as the shell reports a program ended by SIGPIPE; 1 would say "refuted"
 
 
@@ -69,15 +74,24 @@ def parser() -> argparse.ArgumentParser:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line (default: this process's arguments) and return the exit status."""
+    return _work(argv)()
+
+
+def _work(argv: Sequence[str] | None) -> Callable[[], int]:
+    """What the arguments ask for, as a function that does it and returns the exit status."""
     top = parser()
     arguments = top.parse_args(argv)
     if arguments.version:
-        print(f"canon {canon.__version__}")
-        return 0
+        return partial(_say, f"canon {canon.__version__}\n")
     if arguments.command is None:
-        top.print_help()
-        return 0
-    return COMMANDS[arguments.command].execute(arguments)
+        return partial(_say, top.format_help())
+    execute = partial(COMMANDS[arguments.command].execute, arguments)
+    return execute if arguments.command in HEARING or argv is not None else partial(heeding, execute)
+
+
+def _say(text: str) -> int:
+    sys.stdout.write(text)
+    return 0
 
 
 def entry() -> None:
@@ -94,6 +108,12 @@ def entry() -> None:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         status = HUNG_UP
-    except KeyboardInterrupt:
-        status = verify.INTERRUPTED
+    except (KeyboardInterrupt, Left):
+        with contextlib.suppress(OSError):
+            print("canon: interrupted", file=sys.stderr, flush=True)
+        os._exit(verify.INTERRUPTED)  # an orderly end of large libraries takes half a second
+    if left_behind():  # compiled code that nobody waits for, and that would be in the way of an orderly end
+        with contextlib.suppress(OSError):
+            sys.stderr.flush()
+        os._exit(status if isinstance(status, int) else 1)
     sys.exit(status)

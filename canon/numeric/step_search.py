@@ -8,10 +8,12 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 
+from canon.interruption import interruptible
 from canon.numeric.integrate import Run, advance, start
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method
@@ -152,7 +154,7 @@ class Search:
         begun = time.process_time()
         try:
             if run.compensated not in self.compiled:
-                advance(self.task.problem, self.task.method, run, chunks=0)
+                interruptible(lambda: advance(self.task.problem, self.task.method, run, chunks=0))
                 self.compiled.add(run.compensated)
                 self.compile_seconds += time.process_time() - begun
                 begun = time.process_time()
@@ -172,7 +174,9 @@ class Search:
         chunks = 1
         while self.current is not None and self.current.done < self.current.chunks and not self.current.ended:
             begun = time.monotonic()
-            self.current = advance(self.task.problem, self.task.method, self.current, chunks=chunks)
+            self.current = interruptible(
+                partial(advance, self.task.problem, self.task.method, self.current, chunks=chunks)
+            )
             if self.watch is not None:
                 self.watch(self.current.done / self.current.chunks)
             now = time.monotonic()

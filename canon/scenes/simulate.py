@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Final
 
 import numpy as np
 
@@ -26,6 +27,9 @@ from canon.scenes.saved import Arrays, differing_versions, restored, resumable, 
 from canon.scenes.scattering import Scattered, scattered
 from canon.scenes.scene import Scene
 from canon.scenes.string_events import Event, events_of
+
+HURRY: Final = 0.3
+"""Seconds that monitors get after somebody has stopped the run."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +105,8 @@ def simulate(
     times = run.times[: planned.good]
     value, method = problem.value, choice.method
     flow = Flow(scene.model, value, method, run, planned.good, planned.error, problem.closed, operations)
-    monitors = read_monitors(settings.monitors, flow, times, q, p)
+    until = time.monotonic() + HURRY if planned.interrupted else None
+    monitors = read_monitors(settings.monitors, flow, times, q, p, until)
     compiling = planned.compile_seconds
     running = max(time.process_time() - begun - compiling, 0.0)
     messages, ok = _judged(scene, planned, monitors)
@@ -150,6 +155,10 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
         reached = "unknown" if planned.error is None else f"{planned.error:.1e}"
         reason = f": {planned.reason}" if planned.reason else ""
         messages.append(f"the accuracy {scene.settings.accuracy:.1e} was not reached, but {reached}{reason}")
+        ok = False
+    left = scene.settings.monitors[len(monitors) :]
+    if left:
+        messages.append(f"interrupted before these monitors were read: {', '.join(left)}")
         ok = False
     for reading in monitors:
         if reading.alarm:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, Final
 
 import numpy as np
 
 from canon.errors import InputError
+from canon.interruption import Late, interruptible
 from canon.scenes.monitors.conserved import read_conserved
 from canon.scenes.monitors.constraint import read_constraint
 from canon.scenes.monitors.flow import Flow
@@ -67,10 +69,18 @@ def check_monitors(names: Sequence[str], model: Any, where: str) -> None:
 
 
 def read_monitors(
-    names: Sequence[str], flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray
+    names: Sequence[str], flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray, until: float | None = None
 ) -> tuple[Reading, ...]:
-    """The readings of the monitors of these names."""
-    return tuple(_reading(name, flow, times, q, p) for name in names)
+    """The readings of the monitors of these names: of the first ones, where somebody presses Ctrl-C, or of those that
+    are there at the time `until`.
+    """
+    found = list[Reading]()
+    try:
+        for name in names:
+            found.append(interruptible(partial(_reading, name, flow, times, q, p), until))
+    except (KeyboardInterrupt, Late):
+        pass
+    return tuple(found)
 
 
 def _reading(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:

@@ -1,0 +1,126 @@
+"""Ctrl-C that is heard at once, whatever compiled code is running.
+
+Python hears a signal between two of its own steps, and raises `KeyboardInterrupt` wherever that happens to be. A
+compiled loop, or the compiler, is one step, however long it takes; and an exception that is raised inside a callback of
+a library is lost, or worse. So a command's work is done in a thread (`heeding`), and compiled programs in threads of
+their own (`interruptible`), which can be left: they go on, and nobody looks at what they find.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+import time
+from collections.abc import Callable
+from typing import Any, Final, TypeVar
+
+T = TypeVar("T")
+ABANDONED: Final = "canon: nobody waits for this"
+LOOK: Final = 0.02
+"""Seconds between two looks at whether Ctrl-C was pressed."""
+PATIENCE: Final = (0.5, 5.0)
+"""Seconds after Ctrl-C until work is left that has nothing to report yet, and work that has."""
+STACK: Final = 64 << 20
+"""Bytes of stack of a thread: sympy's recursion is deep, and threads have little on some systems."""
+
+
+class Late(Exception):
+    """There was no answer in time."""
+
+
+class Left(Exception):
+    """Ctrl-C was pressed, and the work did not end in time."""
+
+
+class Listener:
+    """A handler of signals that raises nothing: it remembers that Ctrl-C was `pressed`, and how often in all.
+
+    `underway` says that there is something to report.
+    """
+
+    def __init__(self) -> None:
+        self.pressed = self.underway = False
+        self.times = 0
+        self.last = 0.0
+
+    def __call__(self, *_: object) -> None:
+        self.pressed = True
+        self.times += 1
+        self.last = time.monotonic()
+
+    def overdue(self) -> bool:
+        """Whether the work has had its time since Ctrl-C was pressed, or it was pressed again."""
+        waited = time.monotonic() - self.last
+        return self.times > 1 or (self.times == 1 and waited > PATIENCE[self.underway])
+
+
+def heeding(work: Callable[[], T]) -> T:
+    """What `work` returns, or raises; it is done in another thread, in which `interruptible` raises `KeyboardInterrupt`
+    soon after Ctrl-C (or SIGTERM). Called in the main thread.
+
+    **Raises:** `Left` where the work didn't end soon after that.
+    """
+    listener = Listener()
+    before = {number: signal.signal(number, listener) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        return _in_a_thread(work, listener.overdue, Left)
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def interruptible(work: Callable[[], T], until: float | None = None) -> T:
+    """What `work` returns, or raises.
+
+    **Raises:** `KeyboardInterrupt` as soon as somebody presses Ctrl-C, `Late` at the time `until` (of the monotonic
+    clock); the work is left then. Where no signal arrives, the work is simply done.
+    """
+    listener = signal.getsignal(signal.SIGINT)
+    if not isinstance(listener, Listener):
+        if threading.current_thread() is not threading.main_thread():
+            return work()
+        return _in_a_thread(work, lambda: until is not None and time.monotonic() >= until, Late)
+    listener.underway = True
+
+    def over() -> bool:
+        if listener.pressed:
+            listener.pressed = False
+            raise KeyboardInterrupt
+        return until is not None and time.monotonic() >= until
+
+    return _in_a_thread(work, over, Late)
+
+
+def _in_a_thread(work: Callable[[], T], over: Callable[[], bool], error: type[Exception]) -> T:
+    """What `work` returns, or raises. **Raises:** what `over` raises, or `error` where it says so."""
+    answer: list[Any] = []
+    failure: list[BaseException] = []
+
+    def run() -> None:
+        try:
+            answer.append(work())
+        except BaseException as raised:
+            failure.append(raised)
+
+    usual = threading.stack_size(STACK)
+    try:
+        thread = threading.Thread(target=run, daemon=True)
+        thread.start()
+    finally:
+        threading.stack_size(usual)
+    try:
+        while thread.is_alive():
+            if over():
+                raise error
+            thread.join(LOOK)
+    except BaseException:
+        thread.name = ABANDONED
+        raise
+    if failure:
+        raise failure[0]
+    return answer[0]
+
+
+def left_behind() -> bool:
+    """Whether something is still running for which nobody waits."""
+    return any(thread.name == ABANDONED for thread in threading.enumerate())

@@ -1,0 +1,122 @@
+"""Ctrl-C: compiled code is left at once, what is done is reported, and nothing is raised where it could be lost."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from canon.cli.main import main
+from canon.interruption import ABANDONED, Late, Left, heeding, interruptible, left_behind
+from canon.scenes import monitors
+
+LONG = 60.0
+SOON = 10.0
+"""Seconds in which what takes `LONG` must have been left, on a machine that is busy with other things."""
+
+
+@pytest.fixture
+def release():
+    """An event for which "compiled" code waits; what was left behind ends with the test."""
+    event = threading.Event()
+    yield event
+    event.set()
+    deadline = time.monotonic() + SOON
+    while left_behind() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    assert not left_behind()
+
+
+def press() -> None:
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+def test_what_is_done_is_reported(release: threading.Event) -> None:
+    def work() -> list[str]:
+        done = [interruptible(lambda: "first")]
+        try:
+            interruptible(lambda: (press(), release.wait(LONG)))
+        except KeyboardInterrupt:
+            done.append("interrupted")
+        return done
+
+    start = time.monotonic()
+    assert heeding(work) == ["first", "interrupted"]
+    assert time.monotonic() - start < SOON
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_work_that_does_not_listen_is_left(release: threading.Event) -> None:
+    start = time.monotonic()
+    with pytest.raises(Left):
+        heeding(lambda: (press(), release.wait(LONG)))
+    assert time.monotonic() - start < SOON
+    assert any(thread.name == ABANDONED for thread in threading.enumerate())
+
+
+def test_a_second_time_is_meant(release: threading.Event) -> None:
+    def deaf() -> None:
+        interruptible(lambda: None)  # there is something to report, for which more time is given
+        press()
+        time.sleep(0.3)
+        press()
+        release.wait(LONG)
+
+    start = time.monotonic()
+    with pytest.raises(Left):
+        heeding(deaf)
+    assert time.monotonic() - start < 3.5
+
+
+def test_errors_and_answers_pass(release: threading.Event) -> None:
+    def fail() -> None:
+        raise ZeroDivisionError("as it was")
+
+    for way in (heeding, interruptible):
+        with pytest.raises(ZeroDivisionError, match="as it was"):
+            way(fail)
+        assert way(lambda: 7) == 7
+    with pytest.raises(Late):
+        interruptible(lambda: release.wait(LONG), until=time.monotonic() + 0.1)
+
+
+SCENE = """
+[system]
+q_names = ["q"]
+p_names = ["p"]
+H = "p**2/2 - cos(q)"
+q = [0.1]
+p = [0.5]
+[run]
+duration = 2.0
+samples = 5
+step = 0.1
+integrator = "verlet"
+monitor = ["energy", "loop", "cartan"]
+"""
+
+
+def test_a_monitor_is_left_and_the_run_reported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], release: threading.Event
+) -> None:
+    scene, states = tmp_path / "scene.toml", tmp_path / "states.npz"
+    scene.write_text(SCENE)
+
+    def compiled(*_: object) -> None:
+        press()
+        release.wait(LONG)
+
+    monkeypatch.setitem(monitors.AVAILABLE, "loop", compiled)
+    start = time.monotonic()
+    assert heeding(partial(main, ["simulate", str(scene), "--out", str(states)])) == 1
+    assert time.monotonic() - start < LONG / 2
+    shown = capsys.readouterr().out
+    assert "states      5, from t = 0 to 2" in shown
+    assert "energy" in shown
+    assert "interrupted before these monitors were read: loop, cartan" in shown
+    assert states.exists()

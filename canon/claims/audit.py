@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -67,8 +68,8 @@ def audit(
     from canon.mechanics.transformation import Transformation
 
     start = time.monotonic()
-    if samples < 1:
-        raise InputError("at least one sample is needed", "samples")
+    if not isinstance(samples, Integral) or samples < 1:
+        raise InputError(f"a whole number of samples is needed, at least one, not {samples!r}", "samples")
     if not (np.isfinite(scale) and scale != 0):
         raise InputError("a finite scale other than 0 is needed", "scale")
     if isinstance(map, Transformation) and map.direction == "implicit":
@@ -110,10 +111,11 @@ def variables(dimension: int | None = None, space: PhaseSpace | None = None) -> 
     size = 2 * space.n if space is not None and dimension is None else dimension
     if size is None:
         raise InputError("the dimension of phase space is needed: dimension=2n", "dimension")
-    if size < 2 or size % 2:
-        raise InputError(f"a phase space has an even dimension 2n, not {size}", "dimension")
+    if not isinstance(size, Integral) or size < 2 or size % 2:
+        raise InputError(f"a phase space has an even dimension 2n, not {size!r}", "dimension")
     if space is not None and size != 2 * space.n:
         raise InputError(f"{size} is not the dimension {2 * space.n} of the space", "dimension")
     if space is not None:
         return tuple(symbol.name for symbol in space.old)
+    size = int(size)
     return ("q", "p") if size == 2 else tuple(f"{x}{k}" for x in "qp" for k in range(1, size // 2 + 1))

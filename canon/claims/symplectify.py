@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from numbers import Integral
 from typing import TYPE_CHECKING, Any, Final, overload
 
 import numpy as np
@@ -182,8 +183,8 @@ def _repaired_matrix(M: Array, method: str) -> MatrixRepair:
 
 
 def _samples(subject: AuditSubject, where: Points, samples: int, seed: int) -> Array:
-    if samples < 1:
-        raise InputError("at least one sample is needed", "samples")
+    if not isinstance(samples, Integral) or samples < 1:
+        raise InputError(f"a whole number of samples is needed, at least one, not {samples!r}", "samples")
     points = np.concatenate(list(where.blocks(samples, max(samples, 1), seed)))
     inside = points[subject.inside(points)]
     if not len(inside):

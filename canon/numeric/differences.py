@@ -98,10 +98,12 @@ def kinks(evaluate: Callable[[Array], Array], points: Array, lengths: Array, uni
                 below, above = _values(evaluate, moved, True)
                 ahead = (above - here) / (moved[1, :, k] - points[:, k])[:, None]
                 behind = (here - below) / (points[:, k] - moved[0, :, k])[:, None]
-                noise = NOISE * unit * (np.abs(below) + np.abs(here) + np.abs(above)) / step
+                steep = np.abs(ahead) + np.abs(behind)
+                place = np.abs(points[:, k])[:, None]  # it rounds too where the function takes it in fewer digits
+                noise = NOISE * unit * (np.abs(below) + np.abs(here) + np.abs(above) + steep * place) / step
                 gaps.append(np.abs(ahead - behind))
             bent = (gaps[1] > noise) & (gaps[1] > gaps[0] / 2)
-            found |= np.any(bent & (gaps[1] > KINK * (np.abs(ahead) + np.abs(behind))), axis=1)
+            found |= np.any(bent & (gaps[1] > KINK * steep), axis=1)
     return found
 
 

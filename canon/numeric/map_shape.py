@@ -19,6 +19,8 @@ ENOUGH: Final = 3
 
 _THREE: Final = np.ones((3, 1))
 EXPECTED: Final = "a map takes and returns one phase point z = (q_1…q_n, p_1…p_n), or a pair (q, p), or points (…, 2n)"
+COMPLEX: Final = "the map returns complex numbers: an audit is of a real map"
+WHOLE: Final = "the map returns whole numbers ({}), which have no derivatives: return floating-point numbers"
 
 
 class _WrongShape(Exception):
@@ -47,7 +49,7 @@ class PointMap:
 def point_map(function: Callable[..., Any], points: Array) -> PointMap:
     """The map of points that a function stands for; it is tried at a few of `points` (N, 2n).
 
-    **Raises:** `InputError` where it raises at every point tried, or returns a wrong shape or complex numbers.
+    **Raises:** `InputError` where it raises at every point tried, or returns a wrong shape, complex or whole numbers.
     """
     if not callable(function):
         raise InputError(f"a map is a function or a transformation, not {type(function).__name__}. {EXPECTED}")
@@ -72,7 +74,9 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
         raise InputError(f"the map has no finite value at any of {len(trial)} points tried, as at {shown(trial[0])}")
     found = [np.asarray(results[k]) for k in usable]
     if any(np.iscomplexobj(value) for value in found):
-        raise InputError("the map returns complex numbers: an audit is of a real map")
+        raise InputError(COMPLEX)
+    if all(value.dtype.kind in "iub" for value in found):
+        raise InputError(WHOLE.format(found[0].dtype))
     steady = all(_repeats(one, points[k], value) for k, value in zip(usable, found, strict=True))
     single = any(value.dtype == np.float32 for value in found)
     many = _vectorised(function, points[usable], np.stack(found)) if len(usable) > 1 else None

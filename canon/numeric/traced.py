@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.numeric.map_shape import forms
+from canon.numeric.map_shape import COMPLEX, WHOLE, forms
 from canon.numeric.precision import double
 
 Array = np.ndarray
@@ -50,7 +50,7 @@ class Traced:
 def traced(function: Callable[..., Any], size: int) -> Traced | None:
     """The function's program, in the first form in which jax can trace it; None where there is none.
 
-    **Raises:** `InputError` where the function returns complex numbers.
+    **Raises:** `InputError` where the function returns complex numbers, or whole ones.
     """
     import jax
 
@@ -64,7 +64,9 @@ def traced(function: Callable[..., Any], size: int) -> Traced | None:
             if getattr(shape, "shape", None) != (size,):
                 continue
             if np.issubdtype(shape.dtype, np.complexfloating):
-                raise InputError("the map returns complex numbers: an audit is of a real map")
+                raise InputError(COMPLEX)
+            if not np.issubdtype(shape.dtype, np.floating):
+                raise InputError(WHOLE.format(shape.dtype))
             text, run = str(closed.jaxpr), _runner(closed)
             steady = _same(closed, text, again) or _repeats(one, size)
             return Traced(run, form, steady, "f32[" in text, _source(closed, text, run))

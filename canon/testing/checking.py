@@ -33,10 +33,16 @@ def elementary_maps(space: PhaseSpace) -> st.SearchStrategy[Transformation]:
     return canonical_maps(space, max_factors=2, factors=(kick, drift, linear, exchange, hyperbolic))
 
 
+def single_factors(space: PhaseSpace) -> st.SearchStrategy[Transformation]:
+    """Canonical maps of one elementary factor: products of two of them and their inverses stay short."""
+    return canonical_maps(space, max_factors=1, factors=(kick, drift, linear, exchange, hyperbolic))
+
+
 MAKERS: Mapping[str, Maker] = {
     "function": simple_functions,
     "map": short_maps,
     "elementary map": elementary_maps,
+    "factor": single_factors,
     "generating function": generating_functions,
 }
 """For each kind of object that a law may take, a strategy of such objects on a phase space."""
@@ -55,8 +61,8 @@ def check_laws(
 
     **Arguments:** the `laws`; a strategy of phase `spaces` (default: one or two degrees of freedom); `makers`, for each
     kind of object a function from a phase space to a strategy, in place of canon's own ("function", "map", "elementary
-    map", "generating function"); `max_examples` for each law; `budget`, seconds for each residual. With `derandomize`
-    each call draws the same objects.
+    map", "factor", "generating function"); `max_examples` for each law; `budget`, seconds for each residual. With
+    `derandomize` each call draws the same objects.
 
     **Returns:** how many laws were checked. **Raises:** `AssertionError` for the first that fails, at a simple example.
     """

@@ -143,6 +143,12 @@ def group_laws(compose: Composition = compose) -> tuple[Law, ...]:
             "inverse last", "f⁻¹ ∘ f = 1", ("elementary map",),
             lambda s, f: _difference(compose(f, f.inverse()), identity_transformation(s)),
         ),
+        Law(
+            "inverse of a product", "f⁻¹ ∘ g⁻¹ is the inverse of g ∘ f", ("factor", "factor"),
+            lambda s, f, g: _difference(
+                compose(compose(f, g), compose(g.inverse(), f.inverse())), identity_transformation(s)
+            ),
+        ),
     )  # fmt: skip
 
 

@@ -358,6 +358,18 @@ def test_float32_is_said_and_paid_for(numbers: Any) -> None:
     assert report.brackets["{Q,P}"].bound > 1e-8
 
 
+def test_the_rounding_of_points_in_float32_is_no_kink() -> None:
+    def leapfrog(z: Any) -> Any:
+        q, p = z.astype(np.float32)
+        p = p - np.float32(0.05) * np.sin(q)
+        q = q + np.float32(0.1) * p
+        return np.array([q, p - np.float32(0.05) * np.sin(q)])
+
+    report = audit(leapfrog, dimension=2, samples=200)
+    assert report.verdict == "supported"
+    assert not any("differentiable" in note for note in report.notes)
+
+
 def test_complex_numbers_on_the_way_have_estimates() -> None:
     def turned(z: Any) -> Any:
         w = (z[0] + 1j * z[1]) * jnp.exp(0.3j)
@@ -398,6 +410,8 @@ def test_derivatives_that_are_not_those_of_the_values_are_noticed() -> None:
         (lambda z: None, "a NoneType for a point"),
         (lambda z: np.array([z[0], 1 / 0]), "raises at every point tried.*ZeroDivisionError"),
         (lambda z: z * 1j, "complex"),
+        (lambda z: z.astype(int), r"whole numbers \(int64\)"),
+        (lambda z: np.array([int(10 * float(z[0])), 0]), r"whole numbers \(int64\)"),
         (lambda z: z * np.nan, "no finite value at any"),
         (3, "a map is a function or a transformation, not int"),
     ],
@@ -412,7 +426,9 @@ def test_what_is_no_map_is_an_input_error(bad: Any, message: str) -> None:
     [
         ({}, "dimension of phase space is needed"),
         ({"dimension": 3}, "even dimension"),
-        ({"dimension": 2, "samples": 0}, "at least one sample"),
+        ({"dimension": "4"}, "even dimension 2n, not '4'"),
+        ({"dimension": 2, "samples": 0}, "at least one"),
+        ({"dimension": 2, "samples": 1e3}, "whole number of samples"),
         ({"dimension": 2, "domain": [(0, 1)]}, "a pair"),
         ({"dimension": 2, "domain": (1, 0)}, "low <= high"),
         ({"dimension": 2, "domain": {"x": (0, 1)}}, "'x' is none of q, p"),

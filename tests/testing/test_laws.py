@@ -95,8 +95,14 @@ def test_a_composition_that_takes_no_map_back_is_caught() -> None:
         check_laws([law], max_examples=5)
 
 
+def test_a_composition_that_takes_the_second_map_alone_breaks_the_inverse_of_a_product() -> None:
+    (law,) = (law for law in group_laws(lambda first, second: second) if law.name == "inverse of a product")
+    with pytest.raises(AssertionError, match="inverse of a product: f⁻¹ ∘ g⁻¹ is the inverse of g ∘ f"):
+        check_laws([law], max_examples=5)
+
+
 def test_groups_and_generating_functions() -> None:
-    assert check_laws(GROUP_LAWS, max_examples=2) == 7
+    assert check_laws(GROUP_LAWS, max_examples=2) == 8
     assert check_laws(GENERATING_LAWS, max_examples=2) == 3
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
+from canon.numeric.forecast import digit_factor, forecast_of
 from canon.scenes.monitors import Reading
 from canon.scenes.simulate import Result
 from canon.scenes.states import named_states, own_states
@@ -35,6 +36,7 @@ def scene_record(result: Result) -> Record:
         "steps": planned.run.steps,
         "seconds": {"compile": round(result.seconds[0], 6), "run": round(result.seconds[1], 6)},
         "error_estimate": _finite(planned.error),
+        "price": price_record(result),
         "accuracy": {"asked": scene.settings.accuracy, "reached": planned.reached},
         "monitors": {reading.name: monitor_record(reading) for reading in result.monitors},
         **({"scattering": scattering_record(result)} if result.scattering else {}),
@@ -46,6 +48,22 @@ def scene_record(result: Result) -> Record:
         "p": result.p.tolist(),
         **{name: rows.tolist() for name, rows in own_states(result).items()},
         **{word: {name: rows.tolist() for name, rows in table.items()} for word, table in named_states(result).items()},
+    }
+
+
+def price_record(result: Result) -> Record:
+    """What was foretold of the last run, what it took, and the price of one digit more, "exact" where none is sold."""
+    trials, order = result.planned.trials, None if result.problem.exact else result.choice.method.traits.order
+    told = forecast_of(trials, order)
+    factor = digit_factor(order)
+    return {
+        "foretold": None
+        if told is None
+        else {"steps": told.steps, "error": _finite(told.error), "seconds": round(told.seconds, 6)},
+        "last_run": round(trials[-1].seconds, 6) if trials else None,
+        "one_digit_more": "exact"
+        if factor is None
+        else {"factor": round(factor, 3), "seconds": round(factor * trials[-1].seconds, 6) if trials else None},
     }
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any, Final
 
 from canon.report.scene_record import active_effects, integrator_name
+from canon.numeric.forecast import digit_factor
 from canon.report.words import duration, visible
 from canon.scenes.simulate import Result
 from canon.scenes.values import text_of
@@ -24,7 +25,7 @@ def run_lines(result: Result) -> list[str]:
     lines.append(f"  integrator  {integrator_name(result)}{order}, step {run.step:.6g}, {run.steps} steps")
     error = result.planned.error
     lines.append(f"  error       {'unknown' if error is None else f'{error:.1e}, estimated'}")
-    lines.append(f"  time        {duration(result.seconds[0])} to compile, {duration(result.seconds[1])} to run")
+    lines.append(f"  time        {_time(result)}")
     times, t = result.times, result.scene.model.t
     lines.append(f"  states      {len(times)}, from {t} = {times[0]:.6g} to {times[-1]:.6g}")
     lines.append(f"  final       {', '.join(_state(result))}")
@@ -39,6 +40,18 @@ def run_lines(result: Result) -> list[str]:
     lines += scattering_lines(result)
     lines += [f"  ! {message}" for message in result.messages]
     return lines
+
+
+def _time(result: Result) -> str:
+    """What it took, and what one digit more would."""
+    took = f"{duration(result.seconds[0])} to compile, {duration(result.seconds[1])} to run"
+    trials, order = result.planned.trials, None if result.problem.exact else result.choice.method.traits.order
+    factor = digit_factor(order)
+    if factor is None:
+        return f"{took}; no digit is to be bought"
+    if not trials:
+        return took
+    return f"{took}; one digit more: {factor:.2g} times as many steps"
 
 
 def scattering_lines(result: Result) -> Iterator[str]:

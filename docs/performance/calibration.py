@@ -1,0 +1,98 @@
+"""What the planner foretells and what comes true, over the catalogue's systems.
+
+    python docs/performance/calibration.py [--accuracy 1e-9] [--longer 1] [--json FILE]
+
+For each system that `canon scenes` lists: the steps, error and seconds that the planner expected of its last run when
+that run began, what it took, the error that it estimated, and the true one, against a reference of its own (Taylor
+series with 34 digits where it has them). At the end the shares: seconds within a factor 2, errors within a factor 10,
+and scenes whose true error is within the accuracy that was asked for, at the first try.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from canon.cost.reference import distance, reference_of
+from canon.errors import CanonError
+from canon.numeric.forecast import forecast_of
+from canon.scenes.examples import scene_text
+from canon.scenes.reader import read_scene_text
+from canon.scenes.simulate import simulate
+from canon.scenes.systems import load_system, system_names
+
+
+def row(name: str, accuracy: float, longer: float) -> dict[str, object]:
+    """One system's forecast and truth, over so many times its example's duration."""
+    scene = read_scene_text(scene_text(load_system(name)))
+    duration = longer * scene.settings.duration
+    settings = replace(scene.settings, accuracy=accuracy, step=None, monitors=(), duration=duration)
+    scene = replace(scene, settings=settings)
+    result = simulate(scene)
+    trials, exact = result.planned.trials, result.problem.exact
+    told = forecast_of(trials, None if exact else result.choice.method.traits.order)
+    found = reference_of(scene, seconds=60)
+    start = (np.array(scene.q), np.array(scene.p))
+    true = distance((result.q[-1], result.p[-1]), (found.q, found.p), start)
+    return {
+        "system": name,
+        "method": "exact" if exact else result.choice.method.name,
+        "steps": trials[-1].steps,
+        "foretold_error": None if told is None else told.error,
+        "estimated_error": result.planned.error,
+        "true_error": true,
+        "reference": found.source,
+        "reference_off": found.off,
+        "foretold_seconds": None if told is None else told.seconds,
+        "seconds": trials[-1].seconds,
+    }
+
+
+def within(a: float | None, b: float | None, factor: float) -> bool | None:
+    """Whether two positive numbers differ by no more than a factor; None where one is missing."""
+    if not a or not b:
+        return None
+    return abs(math.log(a / b)) <= math.log(factor)
+
+
+def main() -> None:
+    """Print the table and the shares."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--accuracy", type=float, default=1e-9)
+    parser.add_argument("--longer", type=float, default=1.0, help="times the duration of each system's example")
+    parser.add_argument("--json")
+    arguments = parser.parse_args()
+    rows, refused = [], []
+    print("| system | method | steps | error foretold | estimated | true | seconds foretold | taken |")
+    print("|---|---|--:|--:|--:|--:|--:|--:|")
+    for name in system_names():
+        try:
+            found = row(name, arguments.accuracy, arguments.longer)
+        except CanonError as reason:
+            refused.append((name, str(reason)))
+            continue
+        rows.append(found)
+        errors = [found[word] for word in ("foretold_error", "estimated_error", "true_error")]
+        seconds = [found[word] for word in ("foretold_seconds", "seconds")]
+        cells = [*(f"{e:.1e}" if e is not None else "–" for e in errors), *(f"{s:.2g}" if s else "–" for s in seconds)]
+        print(f"| {found['system']} | {found['method']} | {found['steps']} | {' | '.join(cells)} |", flush=True)
+    for name, reason in refused:
+        print(f"{name}: {reason}")
+    stepped = [r for r in rows if r["method"] != "exact"]
+    times = [within(r["foretold_seconds"], r["seconds"], 2) for r in stepped]
+    errors = [within(r["foretold_error"], r["true_error"], 10) for r in stepped if r["foretold_error"]]
+    reached = [r["true_error"] <= arguments.accuracy for r in rows]
+    print(f"\nseconds within a factor 2: {times.count(True)} of {sum(t is not None for t in times)}")
+    print(f"errors within a factor 10: {errors.count(True)} of {sum(e is not None for e in errors)}")
+    print(f"true error within {arguments.accuracy:g}: {sum(reached)} of {len(reached)}")
+    if arguments.json:
+        with open(arguments.json, "w", encoding="utf-8") as file:
+            json.dump(rows, file, indent=1)
+
+
+if __name__ == "__main__":
+    main()

@@ -27,7 +27,8 @@ def forecast_of(trials: Sequence[Trial], order: int | None) -> Forecast | None:
     """What was to be expected of the last trial when it began; None where there was nothing to go by.
 
     Its time is that of the trial before, step for step. The error of that one, d/(r^order − 1) from the difference d to
-    the one before it with r times fewer steps, falls as the order says, down to rounding; `order` is None where steps make no error.
+    the one before it with r times fewer steps, falls as the order says, down to rounding; `order` is None where steps
+    make no error.
     """
     if len(trials) < 2:
         return None

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, Final
 
-from canon.report.scene_record import active_effects, integrator_name
 from canon.numeric.forecast import digit_factor
+from canon.report.scene_record import active_effects, integrator_name
 from canon.report.words import duration, visible
 from canon.scenes.simulate import Result
 from canon.scenes.values import text_of

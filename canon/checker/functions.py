@@ -30,3 +30,7 @@ class Unreadable(ValueError):
 
 class Unknown(ValueError):
     """Something that the checker has no rule for: it is neither confirmed nor rejected."""
+
+
+class Rejected(Exception):
+    """What the certificate says isn't so."""

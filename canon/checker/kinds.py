@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from canon.checker import actions, algebras, matrices
 from canon.checker import obligations as mechanics
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.obligations import Case
@@ -112,6 +113,11 @@ def solves(s: Statement) -> Case:
 
 KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {
     **mechanics.KINDS,
+    **matrices.KINDS,
+    **actions.KINDS,
+    "algebra": algebras.algebra,
+    "matrix_algebra": algebras.matrix_algebra,
+    "group": algebras.group,
     "euler_lagrange": euler_lagrange,
     "noether": noether,
     "hamilton_jacobi": hamilton_jacobi,

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from itertools import combinations
 from math import factorial
+from typing import Any
 
 from canon.checker.formulas import Unknown
 from canon.checker.statement import Statement
@@ -16,7 +17,11 @@ class Case:
     """What must vanish, and groups of which a member must not vanish everywhere.
 
     `images` are values of names that it is about; `trusted`, what would have to be shown besides; `labels`, what the
-    zeros are called, where they have names.
+    zeros are called, where they have names. `independent` are functions that must be linearly independent over the
+    reals, whatever the parameters are; `positive`, formulas that must be positive throughout the domain (or, with
+    False, nowhere negative). `found` is what exact arithmetic says of the rest of the claim, if anything, and
+    `measured` gives further values that must vanish at a point, to so many `digits`: they are evidence, never a proof.
+    Where one of the groups `outside` is independent, the claim fails.
     """
 
     zeros: list[int]
@@ -24,6 +29,18 @@ class Case:
     images: dict[str, int] = field(default_factory=dict)
     trusted: str = ""
     labels: list[str] = field(default_factory=list)
+    independent: list[int] = field(default_factory=list)
+    positive: list[tuple[int, bool]] = field(default_factory=list)
+    found: bool | None = None
+    measured: Callable[[Any, Mapping[str, Any]], list[Any]] | None = None
+    digits: int = 20
+    outside: list[list[int]] = field(default_factory=list)
+
+    def shown(self, verdict: str) -> list[int]:
+        """What a certificate of this verdict has to show to be 0; of a refutation without a point, its grounds."""
+        if verdict == "proved" or self.found is False:
+            return self.zeros
+        return self.nonzeros[0] if self.nonzeros else []
 
 
 def canonical(s: Statement) -> Case:
@@ -153,14 +170,15 @@ def generates(s: Statement) -> Case:
     return Case([s.pull(s.f.sub(s.f.node("s", name), slope)) for name, _, slope in equations], labels=labels)
 
 
-def bracketed(s: Statement) -> tuple[Callable[[int, int], int], list[str]]:
+def bracketed(s: Statement, structure: Mapping[str, str]) -> tuple[Callable[[int, int], int], list[str]]:
     """The claim's own bracket of two functions, the canonical one or that of a tensor, and the latter's coordinates."""
     f, claim = s.f, s.claim
-    if "tensor" not in claim and "structure" not in claim:
+    if "tensor" not in claim and not structure:
         return lambda a, b: f.bracket(a, b, f.pairs), []
-    pairs = {tuple(n.strip() for n in pair.split(",")): text for pair, text in claim.get("structure", {}).items()}
+    pairs = {tuple(n.strip() for n in pair.split(",")): text for pair, text in structure.items()}
     x = claim.get("coordinates") or list(dict.fromkeys(name for pair in pairs for name in pair))
     s.declared |= {*x}
+    s.bracketed = list(x)
     if "tensor" in claim:
         entries = {(i, j): f.read(claim["tensor"][i][j], s.names) for i, j in combinations(range(len(x)), 2)}
     else:
@@ -178,7 +196,7 @@ def bracketed(s: Statement) -> tuple[Callable[[int, int], int], list[str]]:
 def brackets(s: Statement) -> Case:
     """bracket, jacobi, conserved, involution, casimir."""
     f, kind = s.f, s.claim["kind"]
-    b, coordinates = bracketed(s)
+    b, coordinates = bracketed(s, s.claim.get("structure", {}))
     if kind == "involution":
         labels = [f"bracket(f_{i}, f_{j})" for i, j in combinations(range(1, len(s.claim["functions"]) + 1), 2)]
         return Case([s.pull(b(x, y)) for x, y in combinations(s.keys("functions"), 2)], labels=labels)

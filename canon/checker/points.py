@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 import mpmath
 
+from canon.checker.core import number
 from canon.checker.formulas import Formulas, Unknown
 from canon.checker.obligations import Case
-from canon.checker.polynomials import number
 from canon.checker.statement import Statement
 
 DIGITS = 50
+CLOSE = 30
+"""To so many digits values must agree, of the fifty that they are computed in."""
 TRIES, MOST = 60, 5
 FUNCTIONS = {
     "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf", "abs": "fabs", "power": "power",
@@ -114,7 +116,7 @@ def points(
     rng, found = random.Random(1), 0
     for attempt in range(TRIES * (1 + bool(hints))):
         hint = hints[attempt // 2 % len(hints)] if hints and attempt % 2 == 0 else {}
-        of: dict[str, Any] = completed(s, numbers, {}, names - hint.keys(), rng)
+        of: dict[str, Any] = completed(s, numbers, {}, names - hint.keys(), rng, Fraction(1, 4 ** (attempt // 4 % 3)))
         for name in sorted(names & hint.keys()):
             of[name] = numbers.read(hint[name])
             if "integer" not in s.words.get(name, ()):
@@ -126,10 +128,10 @@ def points(
             return
 
 
-def on_surface(s: Statement, numbers: Numbers, of: dict[str, Any]) -> bool:
-    """Move a point onto the surface, the shortest way (Newton); False where that doesn't succeed."""
+def on_surface(s: Statement, numbers: Numbers, of: dict[str, Any], held: Collection[str] = ()) -> bool:
+    """Move a point onto the surface, the shortest way (Newton), names that are `held` staying; False where it can't."""
     f, mp, equations = s.f, numbers.mp, s.surface
-    names = sorted({f.ops[a][1] for a in f.reach(*equations) if f.ops[a][0] == "s"} & of.keys() - s.fixed)
+    names = sorted({f.ops[a][1] for a in f.reach(*equations) if f.ops[a][0] == "s"} & of.keys() - s.fixed - {*held})
     slopes = [[f.slope(e, name) for name in names] for e in equations]
     for _ in range(40 if equations else 0):
         try:
@@ -149,15 +151,20 @@ def on_surface(s: Statement, numbers: Numbers, of: dict[str, Any]) -> bool:
 
 
 def completed(
-    s: Statement, numbers: Numbers, given: Mapping[str, Any], names: set[str], rng: random.Random
+    s: Statement,
+    numbers: Numbers,
+    given: Mapping[str, Any],
+    names: set[str],
+    rng: random.Random,
+    scale: Fraction = Fraction(1),
 ) -> dict[str, Any]:
     """The values that are given, any others for the remaining names, and formulas for the functions that have none."""
-    more = {name: _anywhere(s.words.get(name, ()), rng, numbers) for name in sorted(names - given.keys())}
+    more = {name: _anywhere(s.words.get(name, ()), rng, numbers, scale) for name in sorted(names - given.keys())}
     return {**functions_at_random(s, rng), **more, **given}
 
 
-def _anywhere(words: Sequence[str], rng: random.Random, numbers: Numbers) -> Any:
-    size = rng.randint(1, 5) if "integer" in words else numbers.mp.mpf(rng.getrandbits(60)) / 2**58
+def _anywhere(words: Sequence[str], rng: random.Random, numbers: Numbers, scale: Fraction) -> Any:
+    size = rng.randint(1, 5) if "integer" in words else numbers.number(scale * rng.getrandbits(60) / 2**58)
     if "complex" in words:
         return numbers.mp.mpc(size, rng.random() - 0.5)
     free = not {"positive", "negative", "nonnegative", "nonpositive"} & set(words)
@@ -179,6 +186,40 @@ def inside(s: Statement, case: Case, numbers: Numbers, of: dict[str, Any]) -> bo
     return all(sign > 0 or (kind == "nonzero" and sign != 0) for sign, kind in signs) and all(
         _allowed(s.words.get(name, ()), value, numbers) for name, value in everything.items() if name not in f.functions
     )
+
+
+def names_in(s: Statement, targets: Sequence[int]) -> set[str]:
+    """The names that have to have values for formulas, and for the domain's conditions."""
+    f = s.f
+    leaves = {f.ops[a][1] for a in f.reach(*targets, *(a for a, _ in s.conditions)) if f.ops[a][0] == "s"}
+    return {name for name in leaves if name in s.declared or name not in ("pi", "1j")}
+
+
+def independence(s: Statement, case: Case, functions: Sequence[int], numbers: Numbers, of: Mapping[str, Any]) -> Any:
+    """0 where functions of the coordinates seem to be linearly dependent over the reals, at fixed parameters.
+
+    It is the determinant of their values at as many points near one, each row and column divided by its largest entry.
+    """
+    rng, rows, mp = random.Random(2), list[list[Any]](), numbers.mp
+    moving = {*s.coordinates, *s.bracketed} & of.keys()
+    for _ in range(6 * len(functions)):
+        near = {**of, **{n: of[n] * (1 + (rng.random() - 0.5) / 3) + rng.random() / 9 for n in sorted(moving)}}
+        if not on_surface(s, numbers, near, of.keys() - moving) or not inside(s, case, numbers, near):
+            continue
+        try:
+            found = numbers.values(s.f, functions, near)
+        except Outside:
+            continue
+        rows.append([found[a] for a in functions])
+        if len(rows) == len(functions):
+            break
+    if len(rows) < len(functions):
+        raise Outside
+    largest = [max(abs(row[k]) for row in rows) for k in range(len(functions))]
+    if min(largest) < mp.mpf(10) ** -CLOSE:  # nothing but rounding
+        return mp.mpf(0)
+    size = mp.det(mp.matrix([[x / m for x, m in zip(row, largest, strict=True)] for row in rows]))
+    return size if abs(size) > mp.mpf(10) ** -CLOSE else mp.mpf(0)
 
 
 def domain_of(s: Statement) -> list[int]:

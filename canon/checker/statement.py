@@ -13,11 +13,14 @@ from canon.checker.functions import Unknown, Unreadable
 TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("p", -1, "P", 1)}
 """Of each type of generating function: its old variable, the sign of ∂F by it, its new one, the sign of ∂F by that."""
 
-NAMING = ("parameter", "velocities", "accelerations", "coordinates", "constants", "energy", "order")
+NAMING = (
+    "parameter", "velocities", "accelerations", "coordinates", "constants", "energy", "order", "first", "second",
+    "fixed",
+)  # fmt: skip
 """The keys of claims that declare names."""
 LARGEST = 12
 """The most rows of a Pfaffian; of a determinant, half of it."""
-KNOWN = {"proved": ("determinant", "potential"), "refuted": ("fails_at_order",)}
+KNOWN = {"proved": ("determinant", "potential", "structure"), "refuted": ("fails_at_order", "structure")}
 """What a certificate may say of what its claim leaves open."""
 
 
@@ -38,6 +41,7 @@ class Statement:
         self.fixed = {n for n, words in self.words.items() if "integer" in words}
         self.declared = {*self.words, *self.q, *self.p, *self.Q, *self.P}
         self.time, self.names, self.written = space.get("time", "t"), dict[str, int](), list[int]()
+        self.bracketed: list[str] = []  # coordinates of a bracket that isn't the canonical one
         for name, text in tables.get("definitions", {}).items():
             self.names[name] = self.f.read(text, self.names)
         self._H = self.f.read(tables["hamiltonian"]["H"], self.names) if "hamiltonian" in tables else None
@@ -56,7 +60,7 @@ class Statement:
         own = [self.claim.get(key, []) for key in NAMING]
         named = {str(name) for value in own for name in (value if isinstance(value, list) else [value])}
         for op in self.f.ops:
-            if op[0] == "s" and op[1] not in self.declared | named | {self.time, "pi", "1j"}:
+            if op[0] == "s" and op[1][0] != "#" and op[1] not in self.declared | named | {self.time, "pi", "1j"}:
                 raise Unreadable(f"the name {op[1][:40]!r} is not declared")
 
     def without_map(self) -> None:

@@ -8,7 +8,7 @@ constants, and the algebra is identified from them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
@@ -191,7 +191,9 @@ def _conclusion(
         closed = closed.with_detail(closes="on the surface alone: brackets are computed first, and restricted then")
     if independent.status == "refuted":
         return independent, value
-    return combined([closed, independent, identity]), value
+    step = {"structure": {f"{a},{b}": row for a, b, row in value.rows()}}
+    whole = combined([closed, independent, identity])
+    return replace(whole, arguments=(*whole.arguments, step)), value
 
 
 def _outside(question: Question, region: Region, basis: Basis, found: Found) -> Outcome:

@@ -51,6 +51,7 @@ def certificate(
     `budget`, seconds for the identities: what takes longer is named and left to trust.
     """
     known = {word: verdict.detail[word] for word in KNOWN.get(verdict.status, ()) if word in verdict.detail}
+    known = _structure(verdict, tables["claim"]) | {k: x for k, x in known.items() if k != "structure"}
     data: Data = {
         "certificate": VERSION,
         "tables": tables,
@@ -74,6 +75,14 @@ def certificate(
     except (Unknown, Unreadable) as reason:
         data["unknown"] = str(reason)
     return {**data, "checksum": checksum(data)}
+
+
+def _structure(verdict: Verdict, claim: Mapping[str, Any]) -> Data:
+    """The structure constants that a claim about an algebra rests on, where it doesn't state them itself."""
+    if verdict.kind != "algebra" or verdict.certificate is None or "structure" in claim:
+        return {}
+    steps = (step for step in verdict.certificate["arguments"] if "structure" in step)
+    return next(({"structure": _plain(step["structure"])} for step in steps), {})
 
 
 def _region(question: Question, images: Mapping[Any, Any]) -> Region:
@@ -114,7 +123,7 @@ def _number(value: Any) -> Any:
 def _case(question: Question, statement: Statement, case: Case, verdict: Verdict) -> Data:
     """The kernels, the functions' values in them, and an identity for each residual."""
     f, tape = statement.f, question.tape
-    zeros = case.zeros if verdict.status == "proved" else (case.nonzeros[0] if case.nonzeros else [])
+    zeros = case.shown(verdict.status)
     symbols = {s.name: s for s in question.space.vocabulary.values()}
     for formula in _formulas(question.claim.keys.values()):
         symbols |= {s.name: s for s in formula.expr.free_symbols if isinstance(s, sp.Symbol)}

@@ -1,0 +1,228 @@
+"""What claims about Lie algebras ask for: of functions under a bracket, of matrices, of a composition of parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+from canon.checker.functions import Unknown, Unreadable
+from canon.checker.lie import Algebra, is_named
+from canon.checker.linear import rank, solved
+from canon.checker.obligations import Case, bracketed
+from canon.checker.statement import Statement
+
+Pair = tuple[int, int]
+Table = dict[Pair, dict[int, int]]
+"""Of each pair of the basis the coefficients of its bracket, as formulas."""
+
+
+def algebra(s: Statement) -> Case:
+    """The brackets of the basis are as the structure constants say, the basis is independent, and the name is right."""
+    f = s.f
+    bracket, _ = bracketed(s, {})
+    basis = {name: f.read(text, s.names) for name, text in s.claim["basis"].items()}
+    s.written += basis.values()
+    e = list(basis.values())
+    brackets = {(a, b): bracket(e[a], e[b]) for a, b in combinations(range(len(e)), 2)}
+    table = stated(s, list(basis))
+    pulled = [s.pull(x) for x in e]
+    outside = [[*pulled, s.pull(value)] for value in brackets.values()]
+    if table is None:
+        return Case([], outside=outside, trusted="the structure constants, which aren't stated")
+    zeros = [s.pull(f.sub(value, _combined(s, table.get(pair, {}), e))) for pair, value in brackets.items()]
+    labels = [_label(list(basis), pair, table.get(pair, {}), s) for pair in brackets]
+    found, trusted = identified(s, table, len(e))
+    if found is False and "structure" in s.claim:  # the claim contradicts itself
+        return Case([], found=False)
+    return Case(zeros, independent=pulled, found=found, trusted=trusted, outside=outside, labels=labels)
+
+
+AT_ZERO = {"exp": 1, "cos": 1, "cosh": 1, "sin": 0, "sinh": 0, "tan": 0, "tanh": 0, "asin": 0, "asinh": 0, "atan": 0}
+
+
+def _evaluated(s: Statement, target: int) -> int:
+    """The formula with functions of 0, logarithms of 1 and powers of 1 as numbers."""
+    f, new = s.f, dict[int, int]()
+    for a in f.reach(target):
+        op, parts = f.ops[a], [new[b] for b in f.parts(a)]
+        new[a] = f.rebuilt(a, parts)
+        if op[0] == "f" and f.value(parts[0]) is not None:
+            if f.value(parts[0]) == 0 and op[1] in AT_ZERO:
+                new[a] = f.number(AT_ZERO[op[1]])
+            elif f.value(parts[0]) == 1 and op[1] in ("log", "power"):
+                new[a] = f.number(int(op[1] == "power"))
+    return new[target]
+
+
+def _label(names: Sequence[str], pair: Pair, row: Mapping[int, int], s: Statement) -> str:
+    terms = " + ".join(f"({s.f.text(c)})*{names[k]}" for k, c in row.items())
+    return f"bracket({names[pair[0]]}, {names[pair[1]]})" + (f" - ({terms})" if terms else "")
+
+
+def _combined(s: Statement, row: Mapping[int, int], e: Sequence[int]) -> int:
+    return s.f.add(*(s.f.mul(c, e[k]) for k, c in row.items()))
+
+
+def stated(s: Statement, names: Sequence[str]) -> Table | None:
+    """The structure constants that the claim states; else those that the certificate says it has."""
+    given = s.claim.get("structure", s.known.get("structure"))
+    if given is None:
+        return None
+    marks = {name: s.f.node("s", f"#{name}") for name in names}  # a name of the basis may be an abbreviation too
+    own = {name: value for name, value in s.names.items() if name not in marks}
+    table: Table = {}
+    for words, text in given.items():
+        a, b = (list(names).index(word.strip()) for word in words.split(","))
+        value = s.f.read(text, {**own, **marks})
+        row = {k: s.f.slope(value, f"#{name}") for k, name in enumerate(names)}
+        zeros = {f"#{name}": s.f.number(0) for name in names}
+        if s.f.value(s.f.substitute(value, zeros)) != 0 or any(_has(s, c, marks) for c in row.values()):
+            raise Unreadable(f"{text[:40]!r} is no combination of the basis")
+        table[min(a, b), max(a, b)] = {k: c if a < b else s.f.mul(s.f.number(-1), c) for k, c in row.items() if c}
+    return table
+
+
+def _has(s: Statement, a: int, marks: Mapping[str, int]) -> bool:
+    return bool({*s.f.reach(a)} & {*marks.values()})
+
+
+def identified(s: Statement, table: Table, size: int) -> tuple[bool | None, str]:
+    """Whether the algebra is the one that is named, as exact arithmetic knows it; and what is left to trust."""
+    numbers = {p: {k: s.f.value(c) for k, c in row.items()} for p, row in table.items()}
+    exact = {p: {k: c for k, c in row.items() if c is not None} for p, row in numbers.items()}
+    complete = all(len(exact[p]) == len(row) for p, row in numbers.items())
+    name = s.claim.get("equals")
+    if name is None:
+        return None, ""
+    if not complete:
+        return None, f"that the algebra is {name} for all values of the parameters"
+    answer = is_named(Algebra(size, exact), str(name))
+    return answer, "" if answer is not None else f"that an algebra with these structure constants is {name}"
+
+
+# -- matrices -----------------------------------------------------------------------------------
+
+Number = tuple[Fraction, Fraction]
+"""A Gaussian number: its real and imaginary parts."""
+Matrix = list[list[Number]]
+
+
+def matrix_algebra(s: Statement) -> Case:
+    """Matrices of Gaussian numbers under the commutator, or, where it doesn't close over the reals, under −i[A, B]."""
+    basis = {name: [[gaussian(s, x) for x in row] for row in rows] for name, rows in s.claim["basis"].items()}
+    names, matrices = list(basis), list(basis.values())
+    flat = [_flat(m) for m in matrices]
+    pairs = list(combinations(range(len(names)), 2))
+    if rank(flat) < len(flat):
+        return Case([], found=False)
+    for turn in ((Fraction(1), Fraction(0)), (Fraction(0), Fraction(-1))):
+        values = {(a, b): _commutator(matrices[a], matrices[b], turn) for a, b in pairs}
+        rows = {pair: solved(flat, _flat(value)) for pair, value in values.items()}
+        if all(row is not None for row in rows.values()):
+            return _compared(s, names, {pair: dict(enumerate(row or [])) for pair, row in rows.items()})
+    return Case([], found=False)
+
+
+def _compared(s: Statement, names: Sequence[str], own: dict[Pair, dict[int, Fraction]]) -> Case:
+    """The claim's structure constants and its name beside the matrices' own."""
+    if "structure" in s.claim:
+        table = stated(s, names) or {}
+        for pair, row in own.items():
+            claimed = {k: s.f.value(c) for k, c in table.get(pair, {}).items()}
+            if None in claimed.values():
+                raise Unknown("structure constants of matrices with parameters")
+            if any(row.get(k, 0) != (claimed.get(k) or 0) for k in {*row, *claimed}):
+                return Case([], found=False)
+    name = s.claim.get("equals")
+    if name is None:
+        return Case([], found=True)
+    answer = is_named(Algebra(len(names), own), str(name))
+    return Case([], found=answer, trusted="" if answer is not None else f"that these matrices span {name}")
+
+
+def gaussian(s: Statement, text: Any) -> Number:
+    """The Gaussian number that a formula is."""
+    f, out = s.f, dict[int, Number]()
+    target = f.read(text, s.names)
+    for a in f.reach(target):
+        op, x = f.ops[a], [out[b] for b in f.parts(a)]
+        if op == ("s", "1j"):
+            out[a] = Fraction(0), Fraction(1)
+        elif op[0] == "n":
+            out[a] = op[1], Fraction(0)
+        elif op[0] == "+":
+            out[a] = x[0][0] + x[1][0], x[0][1] + x[1][1]
+        elif op[0] == "*":
+            out[a] = _times(*x)
+        elif op[0] == "^" and 0 < op[2] < 20:
+            out[a] = Fraction(1), Fraction(0)
+            for _ in range(op[2]):
+                out[a] = _times(out[a], x[0])
+        else:
+            raise Unknown("matrices whose entries are no Gaussian numbers")
+    return out[target]
+
+
+def _times(x: Number, y: Number) -> Number:
+    return x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]
+
+
+def _flat(m: Matrix) -> list[Fraction]:
+    return [part for row in m for entry in row for part in entry]
+
+
+def _commutator(A: Matrix, B: Matrix, turn: Number) -> Matrix:
+    n = range(len(A))
+
+    def entry(X: Matrix, Y: Matrix, i: int, j: int) -> Number:
+        terms = [_times(X[i][k], Y[k][j]) for k in n]
+        return sum((t[0] for t in terms), Fraction(0)), sum((t[1] for t in terms), Fraction(0))
+
+    both = [[(entry(A, B, i, j), entry(B, A, i, j)) for j in n] for i in n]
+    return [[_times(turn, (x[0] - y[0], x[1] - y[1])) for x, y in row] for row in both]
+
+
+# -- compositions of parameters -----------------------------------------------------------------
+
+
+def group(s: Statement) -> Case:
+    """θ(a, 0) = a, θ(0, b) = b, θ(θ(a, b), c) = θ(a, θ(b, c)); and C = f_kj − f_jk of the second-order coefficients."""
+    f, claim = s.f, s.claim
+    a, b = list(claim["first"]), list(claim["second"])
+    c = [f"{name}_third" for name in b]
+    s.declared |= {*a, *b, *c}
+    theta = s.keys("composition")
+    nodes = {name: f.node("s", name) for name in (*a, *b, *c)}
+    zero = {name: f.number(0) for name in (*a, *b)}
+
+    def of(x: Sequence[int], y: Sequence[int]) -> list[int]:
+        images = {**dict(zip(a, x, strict=True)), **dict(zip(b, y, strict=True))}
+        return [f.substitute(t, images) for t in theta]
+
+    A, B, C = ([nodes[n] for n in group] for group in (a, b, c))
+    nothing = [f.number(0)] * len(a)
+    zeros = [f.sub(x, y) for x, y in zip([*of(A, nothing), *of(nothing, B)], [*A, *B], strict=True)]
+    zeros += [f.sub(x, y) for x, y in zip(of(of(A, B), C), of(A, of(B, C)), strict=True)]
+    second: Callable[[int, str, str], int] = lambda t, x, y: f.substitute(f.slope(f.slope(t, x), y), zero)
+    table = {
+        (j, k): {i: f.sub(second(t, a[k], b[j]), second(t, a[j], b[k])) for i, t in enumerate(theta)}
+        for j, k in combinations(range(len(a)), 2)
+    }
+    claimed = stated(s, a) if "structure" in claim else None
+    table = {p: {i: _evaluated(s, x) for i, x in row.items()} for p, row in table.items()}
+    numbers = {p: {i: f.value(x) for i, x in row.items()} for p, row in table.items()}
+    found: bool | None = None
+    if claimed is not None:
+        for pair, row in numbers.items():
+            for i, value in row.items():
+                stands = claimed.get(pair, {}).get(i, f.number(0))
+                if value is None or f.value(stands) is None:
+                    zeros.append(f.sub(table[pair][i], stands))
+                elif value != f.value(stands):
+                    found = False
+    if found is None:
+        found, trusted = identified(s, table, len(a))
+        return Case(zeros, found=found, trusted=trusted)
+    return Case([], found=found)

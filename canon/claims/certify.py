@@ -59,7 +59,8 @@ def certify(
     - `map`: a `Transformation` given by formulas, or a function that jax can trace (one point z of shape (2n,), or a
       pair). Its numbers are exact, floats too.
     - `box`: (low, high) for all variables, one pair for each, or a table by name.
-    - `dimension` or `space`, as for `audit`, for a function; `scale`, `parameters`, as for `audit`.
+    - `dimension` or `space`, as for `audit`, for a function (a list of pairs tells its dimension); `scale`,
+      `parameters`, as for `audit`.
     - `degree`: that of the Taylor expansion of M; by default it depends on the number of variables.
 
     **Returns:** a `DefectBound`.
@@ -81,6 +82,8 @@ def certify(
     else:
         if parameters:
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
+        if dimension is None and space is None:
+            dimension = _pairs(box)
         names, exact = variables(dimension, space), Fraction(scale)
         low, high = _box(box, names)
         program = program_of_function(map, len(names))
@@ -97,6 +100,13 @@ def certify(
     except Unsupported as reason:
         raise InputError(f"the map has no enclosure by power series: {reason}") from reason
     return search.result(names, float(exact), _words(low, high), start)
+
+
+def _pairs(box: Any) -> int | None:
+    """The number of pairs (low, high), where a box is a list of such."""
+    if isinstance(box, (list, tuple, np.ndarray)) and all(np.ndim(side) == 1 for side in box):
+        return len(box)
+    return None
 
 
 def _box(box: Any, names: tuple[str, ...]) -> tuple[np.ndarray, np.ndarray]:

@@ -84,6 +84,8 @@ def surface_invariant(
 
     **Raises:** `InputError` as `loop_invariant`.
     """
+    if not isinstance(periodic, Sequence):
+        raise InputError("for each direction of the surface, a boolean that says whether it closes", "periodic")
     order, odd = divmod(len(periodic), 2)
     if odd or not order:
         raise InputError(f"a surface has 2, 4, 6, … directions, not {len(periodic)}", "periodic")
@@ -127,7 +129,7 @@ def cartan_loop_invariant(
 def _some(shape: Loop | Array, directions: int) -> Array:
     """A few of the points, at which the map is tried."""
     if not callable(shape):
-        points = np.asarray(shape, dtype=float)[:TRIED]
+        points = np.atleast_1d(np.asarray(shape, dtype=float))[:TRIED]
     else:
         s = (np.arange(1, TRIED + 1)[:, None] * 0.6180339887498949 ** np.arange(1, directions + 1)) % 1.0
         points = np.asarray(shape(s[:, 0] if directions == 1 else s), dtype=float)

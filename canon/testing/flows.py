@@ -122,7 +122,10 @@ def _field(
 
     def of_points(points: Array) -> Array:
         with double():
-            return np.array([[float(hamiltonian(z))] for z in points])
+            values = [np.asarray(hamiltonian(z), dtype=float) for z in points]
+        if values and values[0].size != 1:
+            raise InputError(f"a Hamiltonian is a number, not an array of shape {values[0].shape}", "hamiltonian")
+        return np.array([[value.item()] for value in values])
 
     def field(points: Array) -> tuple[Array, Array]:
         gradient, error = central_differences(of_points, points, lengths, UNIT)

@@ -50,9 +50,15 @@ def assert_order(
     """
     from canon.numeric.precision import double
 
-    point = np.asarray(start, dtype=float)
+    try:
+        point = np.asarray(start, dtype=float)
+    except (TypeError, ValueError) as reason:
+        raise InputError(f"a phase point is a list of numbers: {reason}", "start") from reason
     ends = []
     with double():
+        moved = np.shape(step(point.copy(), duration / steps))
+        if moved != point.shape:
+            raise InputError(f"a step takes a phase point z and h to a phase point: of {point.shape} it makes {moved}")
         if not linear and _is_affine(step, point, duration / steps):
             raise InputError(
                 "the step is linear in z, and on linear problems methods may be better than they are: "

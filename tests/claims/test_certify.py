@@ -34,6 +34,12 @@ def test_a_symplectic_map_is_bounded_tightly_and_cheaply() -> None:
     assert bound.enclosed == 1
 
 
+def test_a_list_of_pairs_tells_the_dimension() -> None:
+    assert certify(euler, [(-0.1, 0.1), (-0.1, 0.1)], tolerance=1e-6).upper <= 1e-6
+    with pytest.raises(InputError, match="dimension of phase space is needed"):
+        certify(euler, (-0.1, 0.1))
+
+
 def test_smaller_boxes_have_much_smaller_bounds() -> None:
     sizes = [certify(euler, (-r, r), dimension=2, boxes=1).upper for r in (1.0, 0.5, 0.25)]
     assert sizes[0] > 500 * sizes[1] > 500**2 * sizes[2] > 0

@@ -163,6 +163,7 @@ def test_a_backward_map_is_taken_as_it_is_written() -> None:
         (lambda s: np.stack([s, s**2], axis=1), "not closed"),
         (lambda s: np.stack([s, s, s], axis=1), "N, 2n"),
         (lambda s: s, "points"),
+        (None, "a loop takes parameters"),
         (lambda s: np.stack([np.cos(TURN * s), np.log(s - 2)], axis=1), "finite"),
     ],
 )
@@ -282,6 +283,7 @@ def test_nodes_are_not_fooled_by_a_fast_surface() -> None:
     [
         (lambda u: u, (True, False), "does not close in direction 1"),
         (lambda u: u, (False,), "2, 4, 6"),
+        (lambda u: u, True, "for each direction"),
         (lambda u: u[:, :3], (False,) * 4, "N, 2n"),
         (lambda u: u[:, :2], (False,) * 4, "no surface of 4"),
     ],

@@ -101,6 +101,10 @@ def test_a_linear_problem_is_no_measure_of_an_order() -> None:
         q = z[0] + h * p
         return np.array([q, p - h / 2 * q])
 
+    with pytest.raises(InputError, match=r"of \(2,\) it makes \(1,\)"):
+        assert_order(lambda z, h: z[:1], 2, start=[0.7, 0.3])
+    with pytest.raises(InputError, match="a phase point is a list of numbers"):
+        assert_order(of_oscillator, 2, start="0.7")
     with pytest.raises(InputError, match="the step is linear in z"):
         assert_order(of_oscillator, 2, start=[0.7, 0.3])
     assert assert_order(of_oscillator, 2, start=[0.7, 0.3], linear=True) == pytest.approx(2, abs=0.1)

@@ -73,6 +73,8 @@ def test_an_approximate_flow_needs_a_tolerance() -> None:
 def test_bad_input() -> None:
     with pytest.raises(InputError, match="a Hamiltonian, or a function of z, is expected, not float"):
         assert_hamiltonian_flow(turn, 1.0, dimension=2)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match=r"a Hamiltonian is a number, not an array of shape \(2,\)"):
+        assert_hamiltonian_flow(turn, lambda z: z, dimension=2)
     space = PhaseSpace("x y", "u v")
     with pytest.raises(InputError, match="H has 2 degrees of freedom, the flow 1"):
         assert_hamiltonian_flow(turn, Hamiltonian(space, space.p[0]), dimension=2)

@@ -54,6 +54,8 @@ def assert_order(
         point = np.asarray(start, dtype=float)
     except (TypeError, ValueError) as reason:
         raise InputError(f"a phase point is a list of numbers: {reason}", "start") from reason
+    if not point.ndim:
+        raise InputError(f"a phase point is a list of numbers, not {start!r}", "start")
     ends = []
     with double():
         moved = np.shape(step(point.copy(), duration / steps))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from canon.budget import Budget
 from canon.claim import Claim
+from canon.claims import group_of_matrices
 from canon.claims.algebra import basis_of, stated_constants
 from canon.claims.bracket import keys_domain
 from canon.claims.group import law_of, structure_constants
@@ -86,4 +87,6 @@ def _of_matrices(question: Question) -> LieAlgebra | None:
 
 
 def _of_group(question: Question) -> LieAlgebra | None:
+    if question.key("matrix") is not None:
+        return group_of_matrices.constants(question)
     return structure_constants(question, law_of(question))

@@ -59,9 +59,11 @@ class Law:
 
 def group(question: Question) -> Outcome:
     """Identity, associativity near it, and the structure constants of the second-order Taylor coefficients."""
-    law = law_of(question)
     if question.key("brackets") is None and question.key("equals") is None:
         raise InputError("a claim of kind 'group' needs 'equals', the name of an algebra, or 'structure'")
+    if question.key("matrix") is not None:
+        return _by_matrices(question)
+    law = law_of(question)
     coefficients = [v for row in (question.key("brackets") or {}).values() for v in row.values()]
     region = question.region(*question.key("composition"), *coefficients)
     at_zero = fixed_region(question.tape, region, dict.fromkeys((*law.first, *law.second), question.tape.zero))
@@ -77,6 +79,11 @@ def group(question: Question) -> Outcome:
         algebra = structure_constants(question, law)
     except InputError as error:  # of an associative law it can't be false, but zeros may go unrecognised
         return Outcome("undecided", note=f"of the structure constants it isn't known that {error.message}")
+    return _with_constants(question, at_zero, outcomes, algebra)
+
+
+def _with_constants(question: Question, at_zero: Region, outcomes: list[Outcome], algebra: LieAlgebra) -> Outcome:
+    """The outcome of a group law, with that of what is claimed of its structure constants."""
     if question.key("brackets") is not None:
         outcomes.append(compared(question, at_zero, algebra, question.key("brackets")))
     outcomes.append(identity_outcome(question, at_zero, algebra, question.key("equals")))
@@ -84,8 +91,30 @@ def group(question: Question) -> Outcome:
     return combined(outcomes).with_detail(structure=found if len(found) <= 20 else f"{len(found)} brackets")
 
 
+def _by_matrices(question: Question) -> Outcome:
+    """The same of M(θ) in place of the composition of parameters."""
+    from canon.claims import group_of_matrices
+
+    if question.key("composition") is not None or question.key("second") is not None:
+        raise InputError("'matrix' stands in place of 'composition' and 'second'", "key 'matrix'")
+    try:
+        outcomes, at_zero = group_of_matrices.outcomes(question)
+        refuted = next((outcome for outcome in outcomes if outcome.status == "refuted"), None)
+        if refuted is not None:
+            return refuted
+        algebra = group_of_matrices.constants(question)
+    except group_of_matrices.NoChart as error:
+        return Outcome("undecided", note=error.message)
+    return _with_constants(question, at_zero, outcomes, algebra)
+
+
 def law_of(question: Question) -> Law:
     """The claim's composition function; **raises** `InputError` where names don't fit it."""
+    for word in ("composition", "second"):
+        if question.key(word) is None:
+            raise InputError(f"a claim of kind 'group' needs '{word}', or a 'matrix' of the parameters 'first'")
+    if question.key("inverse") is not None:
+        raise InputError("an inverse is given, but no 'matrix'", "key 'inverse'")
     tape, names = question.tape, [question.key("first"), question.key("second")]
     composition = question.key("composition")
     for word, given in zip(("first", "second"), names, strict=True):
@@ -127,7 +156,7 @@ def _identity(question: Question, law: Law, region: Region, at_zero: Region) -> 
         labels = [f"θ{i}({'a, 0' if arguments is law.first else '0, b'})" for i in range(1, len(values) + 1)]
         residuals = [Residual(label, tape.minus(v, x)) for label, v, x in zip(labels, values, kept, strict=True)]
         there = fixed_region(tape, region, dict.fromkeys(gone, tape.zero))
-        yield _germ(question, residuals, [] if there is None else [there], kept, at_zero)
+        yield germ(question, residuals, [] if there is None else [there], kept, at_zero)
 
 
 def _associative(question: Question, law: Law, region: Region, at_zero: Region) -> Outcome:
@@ -150,10 +179,10 @@ def _associative(question: Question, law: Law, region: Region, at_zero: Region) 
         images: Mapping[Node, Node] = dict(zip((*law.first, *law.second), (*a, *b), strict=True))
         moved = moved_region(tape, region, lambda node, images=images: substitute(tape, node, images))
         regions += [] if moved is None else [moved]
-    return _germ(question, residuals, regions, (*law.first, *law.second, *law.third), at_zero)
+    return germ(question, residuals, regions, (*law.first, *law.second, *law.third), at_zero)
 
 
-def _germ(
+def germ(
     question: Question, residuals: Sequence[Residual], regions: Iterable[Region], names: Sequence[Node], at_zero: Region
 ) -> Outcome:
     """Do germs at 0 vanish? Proved as identities near 0, refuted by a Taylor coefficient there."""

@@ -123,7 +123,8 @@ class _Keys:
             jets = [name for word in words for name in document.names(self.table[word], key(word))]
             allowed = [*(symbol.name for symbol in self.names.space.q), *jets]
         elif entry.side == "group":
-            allowed = [n for word in ("first", "second") for n in document.names(self.table[word], key(word))]
+            words = [word for word in ("first", "second") if word in self.table]
+            allowed = [n for word in words for n in document.names(self.table[word], key(word))]
         elif entry.side == "integral":
             constants = document.names(self.table["constants"], key("constants"))
             allowed = [*([] if entry.form == "constant" else (s.name for s in self.names.space.q)), *constants]

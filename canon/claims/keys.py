@@ -146,9 +146,11 @@ KEYS: Final[Mapping[str, KeySpec]] = {
     "matrix_algebra": KeySpec({"basis": Key("matrices", "parameters"), **_EQUALS}),
     "group": KeySpec(
         {
-            "composition": Key("expressions", "group"),
+            "composition": Key("expressions", "group", optional=True),
             "first": Key("constants"),
-            "second": Key("constants"),
+            "second": Key("constants", optional=True),
+            "matrix": Key("square", "group", optional=True),
+            "inverse": Key("square", "group", optional=True),
             **_EQUALS,
         }
     ),

@@ -101,7 +101,7 @@ def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
         "lagrangian": "a formula of velocities and of the coordinates",
         "integral": "a formula of the coordinates and of the constants",
         "jet": "a formula of accelerations, velocities and coordinates",
-        "group": "a composition of the parameters",
+        "group": "a formula of the group's parameters",
     }[side]
     return f"{words} {', '.join(allowed)}".rstrip()
 

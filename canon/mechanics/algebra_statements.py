@@ -4,6 +4,7 @@ Structure constants are a table "A,B" = {"C": coefficient} of the basis.
 """
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import sympy as sp
 
@@ -58,22 +59,42 @@ def matrix_algebra(
 
 def group(
     space: PhaseSpace,
-    composition: Sequence[Expression],
-    first: Sequence[sp.Symbol],
-    second: Sequence[sp.Symbol],
+    composition: Sequence[Expression] | None = None,
+    first: Sequence[sp.Symbol] = (),
+    second: Sequence[sp.Symbol] = (),
     *,
+    matrix: Rows | sp.MatrixBase | None = None,
+    inverse: Rows | sp.MatrixBase | None = None,
     equals: str | None = None,
     structure: Structure | None = None,
 ) -> Claim:
     """θ(a, b) = `composition`, of real symbols a = `first` and b = `second`, is a local group law about 0.
 
-    Its Lie algebra has C^a_bc = f^a_cb − f^a_bc of the second-order Taylor coefficients, in the basis `first`.
+    Its Lie algebra has C^a_bc = f^a_cb − f^a_bc of the second-order Taylor coefficients, in the basis `first`. In place
+    of the composition, `matrix` M(a) claims that the matrices near M(0) = 1 make a group with coordinates a, so that
+    M(a) M(b) = M(θ(a, b)); `inverse` of a, where it is known, makes that easier.
+
+    **Raises:** `InputError` for a matrix that isn't square, or both of them, or symbols that aren't real.
     """
-    keys = {"composition": as_formulas(composition), "first": tuple(first), "second": tuple(second)}
-    for symbol in (*keys["first"], *keys["second"]):
+    if (composition is None) == (matrix is None) or (matrix is None) != bool(second):
+        raise InputError("say the composition with both sets of symbols, or a matrix with the first")
+    keys: dict[str, object] = {"first": tuple(first)}
+    if composition is not None:
+        keys |= {"composition": as_formulas(composition), "second": tuple(second)}
+    for word, given in (("matrix", matrix), ("inverse", inverse)):
+        if given is not None:
+            keys[word] = _square(given, word)
+    for symbol in (*first, *second):
         if symbol in (*space.old, *space.new, space.t) or not symbol.is_real:
             raise InputError(f"{symbol} is no parameter of a group: give real symbols, and none that moves")
     return _claim(space, "group", keys | _stated(tuple(x.name for x in first), equals, structure))
+
+
+def _square(given: Rows | sp.MatrixBase, where: str) -> tuple[tuple[Formula, ...], ...]:
+    rows: Any = given.tolist() if isinstance(given, sp.MatrixBase) else given
+    if not rows or any(len(row) != len(rows) for row in rows):
+        raise InputError("a square matrix is expected", where)
+    return tuple(as_formulas(row, where) for row in rows)
 
 
 def casimir(space: PhaseSpace, f: Expression, coordinates: Sequence[sp.Symbol], tensor: Rows | sp.MatrixBase) -> Claim:

@@ -7,6 +7,7 @@ import os
 import re
 import sys
 import time
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -14,8 +15,10 @@ from canon.cli.files import ClaimFile, claim_files
 from canon.cli.parser import BAD_INPUT, count, seconds, whole
 
 if TYPE_CHECKING:
+    from canon.claims.journal import Journal
     from canon.claims.remembered import Memory
     from canon.claims.worker import Entry, Settings
+    from canon.errors import InputError
 
 HELP: Final = "check the claims of files, of folders, or of the built-in catalogue"
 DESCRIPTION: Final = (
@@ -57,6 +60,11 @@ def declare(parser: argparse.ArgumentParser) -> None:
         help="write each claim with its proof or refutation into FILE.html, .tex, .md or .txt",
     )
     parser.add_argument("--jobs", type=count, default=None, metavar="N", help="worker processes (default: the cores)")
+    parser.add_argument(
+        "--resume",
+        metavar="FILE",
+        help="write each answer into this journal as it comes, and don't ask again what is in it already",
+    )
 
 
 def execute(arguments: argparse.Namespace) -> int:
@@ -65,8 +73,10 @@ def execute(arguments: argparse.Namespace) -> int:
         print("canon verify: error: --coverage speaks of the built-in catalogue: leave out the files", file=sys.stderr)
         return BAD_INPUT
     start = time.monotonic()
+    from canon.claims.journal import answered, journal
     from canon.claims.remembered import memory
     from canon.cli.verify_run import run_claims
+    from canon.errors import InputError
 
     if arguments.certificate is not None and (reason := _not_a_folder(arguments.certificate)):
         print(f"canon verify: --certificate: {reason}", file=sys.stderr)
@@ -74,21 +84,33 @@ def execute(arguments: argparse.Namespace) -> int:
     if arguments.proof is not None and (reason := _no_proof_file(arguments.proof)):
         print(f"canon verify: --proof: {reason}", file=sys.stderr)
         return BAD_INPUT
+    settings = _settings(arguments)
+    try:
+        diary = None if arguments.resume is None else journal(arguments.resume, settings)
+    except InputError as error:
+        return _refuse_journal(arguments.resume, error)
     results: dict[int, Record] = {}
     entries: list[Entry] = []
     errors: list[Record] = []
     order: dict[str, int] = {}
     terminal = not arguments.json and sys.stdout.isatty()
     interrupted = False
-    settings = _settings(arguments)
     kept = memory(settings) if not (arguments.files or arguments.fresh) else None
     recalled: set[str] = set()
     try:
         _read(arguments.files, entries, errors, order, results, kept, recalled)
+        if diary is not None:
+            results |= answered(diary, entries)
         quiet = arguments.json or arguments.coverage
-        run_claims(entries, settings, arguments.jobs, results, terminal=terminal, quiet=quiet)
+        told = None if diary is None else partial(_write_down, diary, entries)
+        run_claims(entries, settings, arguments.jobs, results, terminal=terminal, quiet=quiet, told=told)
+    except InputError as error:
+        return _refuse_journal(arguments.resume, error)
     except KeyboardInterrupt:
         interrupted = True
+    if diary is not None and diary.fault:
+        reason = f"{diary.fault}: the answers since then are not in it"
+        print(f"canon verify: --resume {arguments.resume}: {reason}", file=sys.stderr)
     if kept is not None:
         _remember(kept, entries, results, recalled | {error["file"] for error in errors})
     from canon.report.record import exit_status, run_record
@@ -108,6 +130,17 @@ def execute(arguments: argparse.Namespace) -> int:
     else:
         _print(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
     return INTERRUPTED if interrupted else exit_status(claims, errors)
+
+
+def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Record) -> None:
+    from canon.claims.journal import write
+
+    write(diary, entries[position], answer)
+
+
+def _refuse_journal(name: str, error: InputError) -> int:
+    print(f"canon verify: --resume {name}: {error.message}", file=sys.stderr)
+    return BAD_INPUT
 
 
 def _coverage(entries: list[Entry], record: Record) -> list[str]:

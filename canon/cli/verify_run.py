@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -11,25 +12,41 @@ if TYPE_CHECKING:
 Record = dict[str, Any]
 Answers = dict[int, Record]
 Watcher = Callable[[int, Sequence[int]], None]
+Told = Callable[[int, Record], None]
+Ask = Callable[..., Iterator[tuple[int, Record]]]
 
 
 def run_claims(
-    entries: list[Entry], settings: Settings, jobs: int | None, results: Answers, *, terminal: bool, quiet: bool
+    entries: list[Entry],
+    settings: Settings,
+    jobs: int | None,
+    results: Answers,
+    *,
+    terminal: bool,
+    quiet: bool,
+    told: Told | None = None,
 ) -> None:
     """Verify the claims that `results` has no answer to, and put theirs in by position.
 
-    **Arguments:** `terminal`, whether to draw a bar; `quiet`, whether to print nothing; else a line for each answer.
+    **Arguments:** `terminal`, whether to draw a bar; `quiet`, whether to print nothing; else a line for each answer;
+    `told`, what is told of each answer as it comes, with its position.
     """
+    ask = partial(_answers, entries, settings, jobs, dict(results), told)
     if terminal:
-        _with_bar(entries, settings, jobs, results)
+        _with_bar(entries, ask, results)
     elif quiet:
-        _collect(entries, settings, jobs, results)
+        _collect(ask, results)
     else:
-        _with_lines(entries, settings, jobs, results)
+        _with_lines(entries, ask, results)
 
 
 def _answers(
-    entries: list[Entry], settings: Settings, jobs: int | None, known: Answers, watch: Watcher | None = None
+    entries: list[Entry],
+    settings: Settings,
+    jobs: int | None,
+    known: Answers,
+    told: Told | None,
+    watch: Watcher | None = None,
 ) -> Iterator[tuple[int, Record]]:
     """(position, answer) of the entries that aren't known."""
     from canon.claims.run import run
@@ -38,42 +55,36 @@ def _answers(
     open_ones = [position for position in range(len(entries)) if position not in known]
     asked = [entries[position] for position in open_ones]
 
-    def told(done: int, running: Sequence[int]) -> None:
+    def seen(done: int, running: Sequence[int]) -> None:
         assert watch is not None
         watch(done + len(entries) - len(asked), [open_ones[k] for k in running])
 
-    watcher = None if watch is None else told
+    watcher = None if watch is None else seen
     for position, answer in run(asked, settings, recorder(settings), jobs=jobs, watch=watcher):
+        if told is not None:
+            told(open_ones[position], answer)
         yield open_ones[position], answer
 
 
-def _collect(
-    entries: list[Entry], settings: Settings, jobs: int | None, results: Answers, watch: Watcher | None = None
-) -> None:
-    for position, answer in _answers(entries, settings, jobs, dict(results), watch):
+def _collect(ask: Ask, results: Answers, watch: Watcher | None = None) -> None:
+    for position, answer in ask(watch):
         results[position] = answer
 
 
-def _with_bar(entries: list[Entry], settings: Settings, jobs: int | None, results: Answers) -> None:
+def _with_bar(entries: list[Entry], ask: Ask, results: Answers) -> None:
     from rich.console import Console
 
     from canon.report.console import progress
 
     console = Console(stderr=True)
     if not (console.is_terminal and entries):
-        _collect(entries, settings, jobs, results)
+        _collect(ask, results)
         return
     with progress(len(entries), console) as bar:
-        _collect(
-            entries,
-            settings,
-            jobs,
-            results,
-            lambda done, running: bar.update(done, entries[running[0]].file if running else ""),
-        )
+        _collect(ask, results, lambda done, running: bar.update(done, entries[running[0]].file if running else ""))
 
 
-def _with_lines(entries: list[Entry], settings: Settings, jobs: int | None, results: Answers) -> None:
+def _with_lines(entries: list[Entry], ask: Ask, results: Answers) -> None:
     from canon.report.plain import Columns
     from canon.report.words import name
 
@@ -89,6 +100,6 @@ def _with_lines(entries: list[Entry], settings: Settings, jobs: int | None, resu
             printed += 1
 
     catch_up()
-    for position, answer in _answers(entries, settings, jobs, dict(results)):
+    for position, answer in ask():
         results[position] = answer
         catch_up()

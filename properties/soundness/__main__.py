@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
 import sys
 import time
+from collections.abc import Container
 from dataclasses import asdict
 from pathlib import Path
 
-from properties.soundness.campaign import limit_memory, run, summary
+from properties.soundness.campaign import Record, limit_memory, run, summary
 
 
 def main() -> int:
@@ -19,12 +21,20 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--json", action="store_true", help="one JSON object on standard output")
+    parser.add_argument(
+        "--journal", type=Path, help="a file of every case; those that are in it already aren't repeated"
+    )
     parser.add_argument("--keep", type=Path, help="a file for what wasn't decided, one JSON record a line")
     options = parser.parse_args()
     limit_memory()
-    start, records = time.monotonic(), []
-    for record in run(options.maps, options.seed, options.jobs):
+    seeds = range(options.seed * 1_000_000, options.seed * 1_000_000 + options.maps)
+    start, records = time.monotonic(), journalled(options.journal, seeds)
+    known = {record.seed for record in records}
+    for record in run([seed for seed in seeds if seed not in known], options.jobs):
         records.append(record)
+        if options.journal:
+            with options.journal.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(asdict(record)) + "\n")
         if record.wrong or record.outcome == "crash":
             print(f"\n{record.wrong or 'crash'}: seed {record.seed}: {record.cause}\n{record.text}", file=sys.stderr)
         if len(records) % 100 == 0:
@@ -40,6 +50,17 @@ def main() -> int:
         for name, value in figures.items():
             print(f"{name}: {value}")
     return 1 if figures["wrong_proved"] or figures["wrong_refuted"] or figures["crashes"] else 0
+
+
+def journalled(path: Path | None, seeds: Container[int]) -> list[Record]:
+    """The records of these seeds in a journal; a line that was cut short is none."""
+    found = dict[int, Record]()
+    for line in path.read_text(encoding="utf-8").splitlines() if path and path.exists() else ():
+        with contextlib.suppress(ValueError, TypeError):
+            record = Record(**json.loads(line))
+            if record.seed in seeds:
+                found[record.seed] = record
+    return list(found.values())
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import signal
 import statistics
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -100,9 +100,8 @@ def limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def run(maps: int, seed: int, jobs: int) -> Iterator[Record]:
-    """Records of `maps` cases, as they come."""
-    seeds = range(seed * 1_000_000, seed * 1_000_000 + maps)
+def run(seeds: Sequence[int], jobs: int) -> Iterator[Record]:
+    """Records of the cases of these seeds, as they come."""
     if jobs <= 1:
         yield from map(run_one, seeds)
         return

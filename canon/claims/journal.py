@@ -1,0 +1,143 @@
+"""A journal of a campaign: what each claim was answered, written down as it comes, so that a run can be gone on with.
+
+A line is one answer, as JSON with a checksum, under a name in which is all that the answer depends on: the file's
+content, the claim's number, the deciders and the settings. A line is appended in one piece; one that was cut short, or
+was changed, is none. Nothing in a journal is ever unpickled or executed.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import stat
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
+
+from canon.claims.remembered import fingerprint
+from canon.claims.worker import Entry, Settings
+from canon.errors import InputError
+
+Record = dict[str, Any]
+LARGEST: Final = 1_000_000_000
+"""The most bytes of a journal that are read."""
+STATUSES: Final = ("proved", "refuted", "supported", "undecided")
+LONGEST: Final = 4_000_000
+"""The most bytes of a line."""
+
+
+@dataclass
+class Journal:
+    """The file at `path`, the state of the deciders and the settings (`words`), and the names of the files' contents.
+
+    `fault` says why nothing is written any more, where that is so.
+    """
+
+    path: Path
+    words: str
+    contents: dict[str, str] = field(default_factory=dict)
+    fault: str = ""
+
+    def name(self, entry: Entry) -> str:
+        """What a claim's answer is called."""
+        if entry.path not in self.contents:
+            content = b""
+            with suppress(OSError):
+                content = Path(entry.path).read_bytes()
+            self.contents[entry.path] = hashlib.sha256(self.words.encode() + b"\0" + content).hexdigest()[:32]
+        return f"{self.contents[entry.path]} {entry.index}"
+
+
+def journal(path: str | os.PathLike[str], settings: Settings) -> Journal:
+    """The journal at `path`, which is made where there is none. **Raises:** `InputError` where that can't be done."""
+    words = f"{fingerprint()} {settings!r}"
+    try:
+        with open(os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NONBLOCK", 0), 0o666), "rb") as file:
+            status = os.fstat(file.fileno())
+            if not stat.S_ISREG(status.st_mode):
+                raise InputError("a journal is a regular file")
+            if status.st_size > LARGEST:
+                raise InputError(f"this journal has {status.st_size} bytes: at most {LARGEST} are read")
+    except (OSError, ValueError) as error:
+        raise InputError(f"can't be used as a journal: {getattr(error, 'strerror', None) or error}") from None
+    return Journal(Path(path), words)
+
+
+def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
+    """The answers that are written down, by position in `entries`. **Raises:** `InputError` if it is no journal."""
+    places: dict[str, list[int]] = {}
+    for position, entry in enumerate(entries):
+        places.setdefault(kept.name(entry), []).append(position)
+    found: dict[int, Record] = {}
+    lines = sound = 0
+    with open(kept.path, "rb") as file:
+        while line := file.readline(LONGEST):
+            lines += 1
+            body = _body(line)
+            sound += body is not None
+            for position in places.get(body["name"], ()) if body is not None else ():
+                entry, kind = entries[position], body["kind"]
+                record = {**body["record"], "file": entry.file}
+                if _fits(kind, record, entry):
+                    found[position] = {kind: record}
+    if lines and not sound:
+        raise InputError("this file is no journal of `canon verify --resume`")
+    return found
+
+
+def _fits(kind: str, record: Record, entry: Entry) -> bool:
+    """Whether a record can be the answer about a claim: it is of that claim, and has all that a report looks at."""
+    if kind == "error":
+        return all(isinstance(record.get(word), str) for word in ("where", "message"))
+    claim, verdict = entry.claim, record.get("verdict")
+    return (
+        claim is not None
+        and verdict in STATUSES
+        and (record.get("index"), record.get("kind"), record.get("title")) == (entry.index, claim.kind, claim.title)
+        and isinstance(record.get("expected"), bool)
+        and (claim.is_met_by(verdict) or not record["expected"])
+        and isinstance(record.get("method"), str)
+        and isinstance(record.get("detail"), dict)
+        and isinstance(record.get("seconds"), (int, float))
+        and all(record.get(word, 0) is None or isinstance(record.get(word), dict) for word in ("numeric", "witness"))
+        and (record.get("certificate", 0) is None or isinstance(record.get("certificate"), str))
+    )
+
+
+def write(kept: Journal, entry: Entry, answer: Record) -> None:
+    """Append an answer. Where that fails, `fault` says why, and nothing further is written."""
+    if kept.fault:
+        return
+    kind = "claim" if "claim" in answer else "error"
+    body = {"name": kept.name(entry), "kind": kind, "record": answer[kind]}
+    line = json.dumps({"check": _checksum(body), "body": body}).encode()
+    try:
+        handle = os.open(kept.path, os.O_RDWR | os.O_APPEND)
+        try:
+            end = os.fstat(handle).st_size
+            cut = end > 0 and os.pread(handle, 1, end - 1) != b"\n"  # a line that an earlier run didn't finish
+            data = b"\n" * cut + line + b"\n"
+            if os.write(handle, data) < len(data):
+                raise OSError(0, "no space was left in the middle of a line")
+        finally:
+            os.close(handle)
+    except OSError as error:
+        kept.fault = error.strerror or str(error)
+
+
+def _body(line: bytes) -> Record | None:
+    """What a line says; None where it is cut short or changed."""
+    try:
+        whole = json.loads(line)
+        body = whole["body"]
+        sound = whole["check"] == _checksum(body) and body["kind"] in ("claim", "error")
+        return body if sound and isinstance(body["name"], str) and isinstance(body["record"], dict) else None
+    except (ValueError, KeyError, TypeError, RecursionError):
+        return None
+
+
+def _checksum(body: Any) -> str:
+    return hashlib.sha256(json.dumps(body, sort_keys=True).encode()).hexdigest()[:32]

@@ -1,0 +1,107 @@
+"""A campaign that is interrupted at random and resumed, beside one that isn't: `python -m properties.resumed`.
+
+Claims are written into files at random (brackets, canonical maps, constants of the motion, with mutants of them), and
+verified by the command as a user would. The second time the command is stopped after a random time, by Ctrl-C or by
+SIGKILL in turn, and started again with `--resume`, until it comes to its end.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+HEAD = """[phase_space]
+q = ["q"]
+p = ["p"]
+Q = ["Q"]
+P = ["P"]
+[symbols]
+m = "positive"
+k = "positive"
+[hamiltonian]
+H = "p**2/(2*m) + k*q**2/2"
+"""
+PER_FILE = 50
+
+
+def file_text(rng: random.Random) -> str:
+    """A claim file whose transformation is a shear, true or spoiled, and claims about it and about brackets."""
+    degree, factor, spoil = rng.randint(2, 7), rng.randint(1, 99), rng.choice(("", "", "*1001/1000"))
+    text = HEAD + f'[transformation]\nQ = ["q{spoil}"]\nP = ["p + {factor}*q**{degree}/k"]\n'
+    for _ in range(PER_FILE):
+        n, c = rng.randint(2, 9), rng.choice(("", "", "*(1 + 1/10**9)"))
+        kind = rng.randrange(4)
+        if kind == 0:
+            text += '[[claim]]\nkind = "canonical"\n'
+        elif kind == 1:
+            text += (
+                f'[[claim]]\nkind = "bracket"\nf = "q**{n}*p"\ng = "sin(p)"\nequals = "{n}*q**{n - 1}*p*cos(p){c}"\n'
+            )
+        elif kind == 2:
+            text += f'[[claim]]\nkind = "conserved"\nf = "exp(H_**{n % 3 + 1}{c and "*q"})"\n'.replace(
+                "H_", "(p**2/(2*m) + k*q**2/2)"
+            )
+        else:
+            text += f'[[claim]]\nkind = "identity"\nlhs = "cos({n}*q)**2 + sin({n}*q)**2{c}"\nrhs = "1"\n'
+    return text
+
+
+def command(folder: Path, jobs: int, *more: str) -> list[str]:
+    """The command that verifies all files of a folder."""
+    return [sys.executable, "-m", "canon", "verify", str(folder), "--json", "--jobs", str(jobs), *more]
+
+
+def verdicts(output: str) -> list[tuple[Any, ...]]:
+    """What a run found, but for the time that it took."""
+    claims = json.loads(output)["claims"]
+    return [(c["file"], c["index"], c["kind"], c["verdict"], c["method"], str(c["witness"])) for c in claims]
+
+
+def main() -> int:
+    """Run both, compare, print the figures; exit status 1 where they differ."""
+    parser = argparse.ArgumentParser(prog="python -m properties.resumed", description=__doc__)
+    parser.add_argument("--claims", type=int, default=500)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--longest", type=float, default=20.0, help="seconds after which a run is stopped, at most")
+    options = parser.parse_args()
+    rng = random.Random(options.seed)
+    with tempfile.TemporaryDirectory() as name:
+        folder, kept = Path(name) / "claims", Path(name) / "journal"
+        folder.mkdir()
+        for k in range(-(-options.claims // PER_FILE)):
+            (folder / f"{k:05d}.toml").write_text(file_text(rng), encoding="utf-8")
+        start = time.monotonic()
+        whole = verdicts(subprocess.run(command(folder, options.jobs), capture_output=True, text=True).stdout)
+        seconds = time.monotonic() - start
+        stops, code = 0, -1
+        while code < 0 or code == 130:
+            resumed = command(folder, options.jobs, "--resume", str(kept))
+            process = subprocess.Popen(resumed, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            try:
+                output, _ = process.communicate(timeout=rng.uniform(1.0, options.longest))
+            except subprocess.TimeoutExpired:
+                process.send_signal(signal.SIGKILL if stops % 2 else signal.SIGINT)
+                output, _ = process.communicate()
+                stops += 1
+            code = process.returncode
+        again = verdicts(output)
+        lines = kept.read_bytes().count(b"\n")
+    counts = {
+        word: sum(verdict[3] == word for verdict in whole) for word in ("proved", "refuted", "supported", "undecided")
+    }
+    print(json.dumps({"claims": len(whole), **counts, "interruptions": stops, "lines_of_journal": lines,
+                      "same": again == whole, "seconds_uninterrupted": round(seconds, 1)}, indent=1))  # fmt: skip
+    return 0 if again == whole else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from canon.mechanics.algebra.sums import direct_sum, semidirect_sum
     from canon.mechanics.algebra_statements import algebra, casimir, group, matrix_algebra
     from canon.mechanics.birkhoff import NormalForm, birkhoff_gustavson
+    from canon.mechanics.boosts import BoostAndRotation, boost, compose_boosts, split_boost
+    from canon.mechanics.central_motion import RadialRegion, effective_potential, radial_regions
     from canon.mechanics.composition import (
         compose,
         extended_by_time,
@@ -51,6 +53,7 @@ if TYPE_CHECKING:
     from canon.mechanics.generating_function import GeneratingFunction
     from canon.mechanics.hamilton_jacobi import CompleteIntegral
     from canon.mechanics.hamiltonian import Hamiltonian
+    from canon.mechanics.inertia import RigidBody, composite, point_masses, polyhedron, principal_moments
     from canon.mechanics.lagrangian import Lagrangian
     from canon.mechanics.legendre_conversion import recovered
     from canon.mechanics.lie_series import (
@@ -99,6 +102,7 @@ if TYPE_CHECKING:
     from canon.numeric.actions.orbit import Orbit
     from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
     from canon.numeric.actions.separable import staeckel_actions
+    from canon.numeric.normal_modes import NormalModes, Williamson, normal_modes, williamson
     from canon.report.proof.of_claim import Proof, proof
     from canon.scenes.audit import audit
     from canon.verdict import Verdict
@@ -152,6 +156,10 @@ _HOMES: dict[str, tuple[str, ...]] = {
         "poisson_bracket",
         "standard_j",
     ),
+    "canon.mechanics.boosts": ("BoostAndRotation", "boost", "compose_boosts", "split_boost"),
+    "canon.mechanics.central_motion": ("RadialRegion", "effective_potential", "radial_regions"),
+    "canon.mechanics.inertia": ("RigidBody", "composite", "point_masses", "polyhedron", "principal_moments"),
+    "canon.numeric.normal_modes": ("NormalModes", "Williamson", "normal_modes", "williamson"),
     "canon.mechanics.lie_series": ("InfinitesimalTransformation", "closed_lie_series", "truncated_lie_series"),
     "canon.mechanics.separation.actions": ("separated_actions",),
     "canon.mechanics.separation.characteristic": ("characteristic_function",),
@@ -187,6 +195,7 @@ __all__ = [
     "SICM",
     "AuditFailed",
     "AuditReport",
+    "BoostAndRotation",
     "Bounded",
     "CanonError",
     "Claim",
@@ -214,12 +223,15 @@ __all__ = [
     "MatrixRepair",
     "Motion",
     "NormalForm",
+    "NormalModes",
     "NotInvariant",
     "Orbit",
     "OrthogonalCoordinates",
     "PhaseSpace",
     "PointTransformation",
     "Proof",
+    "RadialRegion",
+    "RigidBody",
     "Root",
     "RootSystem",
     "Separability",
@@ -227,12 +239,14 @@ __all__ = [
     "Subject",
     "Transformation",
     "Verdict",
+    "Williamson",
     "__version__",
     "action",
     "algebra",
     "algebra_of_matrices",
     "audit",
     "birkhoff_gustavson",
+    "boost",
     "bracket",
     "bracket_matrix",
     "cartan_loop_invariant",
@@ -244,8 +258,11 @@ __all__ = [
     "closure",
     "closure_of_fields",
     "compose",
+    "compose_boosts",
+    "composite",
     "conserved",
     "direct_sum",
+    "effective_potential",
     "equations_of_motion",
     "extended_by_time",
     "frequency",
@@ -271,11 +288,16 @@ __all__ = [
     "matrix_algebra",
     "motion",
     "normal_form",
+    "normal_modes",
     "orthogonal_coordinates",
     "pendulum_actions",
     "pendulum_angle",
+    "point_masses",
     "poisson_bracket",
+    "polyhedron",
+    "principal_moments",
     "proof",
+    "radial_regions",
     "recovered",
     "roots_of",
     "semidirect_sum",
@@ -283,12 +305,14 @@ __all__ = [
     "separates",
     "separates_here",
     "separation",
+    "split_boost",
     "staeckel_actions",
     "standard_j",
     "surface_invariant",
     "symplectify",
     "truncated_lie_series",
     "verify",
+    "williamson",
 ]
 
 

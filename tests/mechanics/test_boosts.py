@@ -1,0 +1,58 @@
+"""Boosts and Wigner's rotation."""
+
+import pytest
+import sympy as sp
+
+from canon.errors import InputError
+from canon.mechanics.boosts import boost, compose_boosts, split_boost
+
+Q = sp.Rational
+
+
+def test_parallel_boosts_add_without_a_rotation():
+    found = compose_boosts((Q(1, 2), 0, 0), (Q(1, 3), 0, 0))
+    assert found.velocity == sp.ImmutableMatrix([Q(5, 7), 0, 0])
+    assert found.rotation == sp.eye(3)
+
+
+def test_perpendicular_boosts_leave_a_rotation():
+    """cos = (g1 + g2)/(1 + g1 g2): with 3/5 and 4/5, g = 5/4 and 5/3 (Thomas 1927; Jackson, section 11.8)."""
+    found = compose_boosts((Q(3, 5), 0, 0), (0, Q(4, 5), 0))
+    assert found.velocity == sp.ImmutableMatrix([Q(3, 5), Q(16, 25), 0])
+    first, second = Q(5, 4), Q(5, 3)
+    assert found.cosine == (first + second) / (1 + first * second)
+    assert found.rotation[2, 2] == 1
+    assert found.rotation[0, 1] > 0  # from y towards x: against the turn from the second velocity to the first
+    other = compose_boosts((0, Q(4, 5), 0), (Q(3, 5), 0, 0))
+    assert other.rotation == found.rotation.T
+    assert other.velocity.dot(other.velocity) == found.velocity.dot(found.velocity)
+
+
+def test_a_general_pair_splits_and_multiplies_back():
+    second, first = (Q(1, 2), Q(1, 2), 0), (0, Q(1, 3), Q(2, 3))
+    found = compose_boosts(second, first)
+    rotation = sp.diag(1, sp.Matrix(found.rotation))
+    back = boost(found.velocity) * rotation
+    difference = (back - boost(second) * boost(first)).applyfunc(lambda x: sp.N(x, 40))
+    assert max(abs(x) for x in difference) < 1e-35
+
+
+def test_the_speed_of_light_as_given():
+    c = sp.Symbol("c", positive=True)
+    found = compose_boosts((c / 2, 0, 0), (c / 3, 0, 0), c)
+    assert sp.simplify(found.velocity[0] - 5 * c / 7) == 0
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: boost((1, 0, 0)), "below that of light"),
+        (lambda: boost((Q(1, 2), 0)), "three components"),
+        (lambda: split_boost(sp.diag(1, 1, 1, 2)), "no Lorentz"),
+        (lambda: split_boost(sp.diag(-1, -1, -1, -1)), "turns time"),
+        (lambda: split_boost(sp.diag(1, -1, 1, 1)), "handedness"),
+    ],
+)
+def test_faults(call, message):
+    with pytest.raises(InputError, match=message):
+        call()

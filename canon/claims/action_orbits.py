@@ -85,13 +85,9 @@ def _constants(question: Question, setting: Setting) -> dict[Any, Any] | None:
     try:
         region = constants_region(question, setting)
         for sample in samples(tape, nodes, region, rng, count=1, budget=question.budget.share(TIME), nice=True):
-            found = {name: sample.point.get(node) for name, node in zip(named, nodes, strict=True)}
-            if all(isinstance(value, Fraction) for value in found.values()):
-                return {
-                    name: sp.Rational(value.numerator, value.denominator)
-                    for name, value in found.items()
-                    if value is not None
-                }
+            exact = [_rational(sample.point.get(node)) for node in nodes]
+            if all(value is not None for value in exact):
+                return dict(zip(names, exact, strict=True))
     except (Unsupported, BudgetExceeded):
         pass
     return None

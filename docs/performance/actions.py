@@ -103,7 +103,7 @@ def isochrone_rows() -> Iterator[Row]:
             return np.asarray(jax.block_until_ready(closed(*rows)))
 
         programs = [Program("canon", ours, count)]
-        general = [Program("canon", lambda n, s=(r, p, L): canon.central_actions(V, *(x[:n] for x in s)).radial, 16384)]
+        general = [Program("canon", lambda n, s=(r, p, L): canon.central_actions(V, *(x[:n] for x in s)).radial, 65536)]
         if find_spec("galpy"):
             programs.append(Program("galpy", lambda n, s=(r, p, L): TURN * galpy_isochrone(*(x[:n] for x in s)), 2000))
             general.append(Program("galpy", lambda n, s=(r, p, L): TURN * galpy_spherical(*(x[:n] for x in s)), 24))

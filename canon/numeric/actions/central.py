@@ -15,7 +15,8 @@ import numpy as np
 from canon.errors import InputError
 from canon.numeric.actions.isochrone import CentralActions
 from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block
-from canon.numeric.actions.radial import narrow, narrow_sums, perhaps_narrow, wide_ends, wide_sums
+from canon.numeric.actions.oscillation import DEGREES
+from canon.numeric.actions.radial import amplitude, narrow, narrow_sums, wide_ends, wide_sums
 from canon.numeric.precision import UNIT, double
 
 COUNTS: Final = (16, 32, 64, 128, 256, 512)
@@ -75,9 +76,10 @@ def sorted_out(kernels: Any, state: Any, found: Any, row: Any) -> tuple[Any, Any
     """Fill `found` for the narrow orbits; return the indices of all others, with their turning points (2, …)."""
     everything = np.arange(found.shape[1])
     guessed = np.concatenate([on_block(kernels.guess, block, state)[0] for block in blocks(everything)])
-    for block in blocks(np.flatnonzero(guessed)):
-        holds, *values = on_block(kernels.near, block, state)
-        found[:, block[holds]] = row(*values)[:, holds]
+    for most, degree in DEGREES:
+        for block in blocks(np.flatnonzero((guessed < most) & np.isnan(found[0]))):
+            holds, *values = on_block(kernels.near(degree), block, state)
+            found[:, block[holds]] = row(*values)[:, holds]
     wide = np.flatnonzero(np.isnan(found[0]))
     ends = [np.stack(on_block(kernels.ends, block, state)) for block in blocks(wide)]
     return wide, np.concatenate([np.empty((2, 0)), *ends], axis=1)
@@ -116,12 +118,17 @@ def _kernels(formula: Any, symbol: Any, m: float) -> _Kernels:
 
     V = as_function(formula, symbol)
 
-    def near(r: Any, p: Any, L: Any) -> Any:
-        orbit = narrow(V, r, p, L, m)
-        sums = narrow_sums(orbit, r, L, m)
-        # D is a difference of two terms of the size of L²/r³
-        off = 8 * UNIT * (L * L / r**3) * jnp.maximum(-orbit.low, orbit.high)
-        return orbit.holds, *sums, 2 * (off * sums.time / m + 16 * UNIT * sums.action)
+    @lru_cache(maxsize=4)
+    def near(degree: int) -> Any:
+        @jax.jit
+        def run(r: Any, p: Any, L: Any) -> Any:
+            orbit = narrow(V, r, p, L, m, degree)
+            sums = narrow_sums(orbit, r, L, m)
+            # the slope of p_r² is a difference of two terms of the size of L²/r³
+            off = 8 * UNIT * (L * L / r**3) * jnp.maximum(-orbit.low, orbit.high)
+            return orbit.holds, *sums, 2 * (off * sums.time / m + 16 * UNIT * sums.action)
+
+        return run
 
     @lru_cache(maxsize=8)
     def wide(count: int) -> Any:
@@ -133,8 +140,8 @@ def _kernels(formula: Any, symbol: Any, m: float) -> _Kernels:
 
         return run
 
-    guess = jax.jit(lambda r, p, L: (perhaps_narrow(V, r, p, L, m),))
-    return _Kernels(guess, jax.jit(near), jax.jit(lambda r, p, L: wide_ends(V, r, p, L, m)), wide)
+    guess = jax.jit(lambda r, p, L: (amplitude(V, r, p, L, m),))
+    return _Kernels(guess, near, jax.jit(lambda r, p, L: wide_ends(V, r, p, L, m)), wide)
 
 
 def _check(state: list[Any]) -> None:

@@ -29,8 +29,10 @@ def blocks(indices: Array) -> Iterator[Array]:
 def on_block(kernel: Any, block: Array, rows: Any) -> list[Array]:
     """What a kernel finds of the orbits of a block: arrays of a power of two are passed, the last orbit repeated."""
     size = max(_LEAST, 1 << max(0, block.size - 1).bit_length())
-    padded = [np.pad(row[block], (0, size - block.size), mode="edge") for row in rows]
-    return [np.asarray(x)[: block.size] for x in kernel(*padded)]
+    chosen = [row[block] for row in rows]
+    if size > block.size:
+        chosen = [np.pad(row, (0, size - block.size), mode="edge") for row in chosen]
+    return [np.asarray(x)[: block.size] for x in kernel(*chosen)]
 
 
 def formula_of(text: Any, variable: str, parameters: Mapping[str, Any], where: str) -> tuple[Any, sp.Symbol]:

@@ -3,28 +3,34 @@
 Of one coordinate x, the square of the momentum is F(x) times a positive factor, F(x₀) ≥ 0 at the given state. A wide
 oscillation is integrated at nodes that are even in θ, u = mid − half cos θ, where u is a logarithm of x: near an end F
 is a difference of large numbers, but there it hardly counts. In a narrow one that difference would be all there is: F
-is taken as F(x₀) + y D(y), with a divided difference D, which gives the turning points with the digits that the state
-has; and between them as their distances times a mean of −F″, which loses none. Functions take arrays of one axis.
+is taken as F(x₀) + F′(x₀) y + …, whose further coefficients are those of a polynomial through F″; its zeros are the
+turning points with the digits that the state has, and the factor that is left when they are divided out, which takes
+none of the first two coefficients, loses none. Functions take arrays of one axis.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, Final
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 Scalar = Callable[[Any], Any]
 
 NARROW: Final = 0.05
-GAUSS: Final = 5
-NARROW_NODES: Final = 10
+NARROW_NODES: Final = 7
+DEGREES: Final = ((0.0015, 5), (2 * NARROW, 11))
+"""Those of the polynomial through F″, for oscillations that seem to have so small a part of the scale as amplitude."""
+
+_WIDER: Final = 1.25
+_LEAST: Final = 1e-12
+_IMPROVED: Final = 4
+_SMOOTH: Final = 2e-17
 _STEP: Final = 0.2
 _STEPS: Final = 400
 _HALVINGS: Final = 60
 _CLOSE: Final = 1e-14
-_NEWTON: Final = 8
-_SMOOTH: Final = 1e-9
 
 
 def turning_points(F: Scalar, start: Any) -> tuple[Any, Any]:
@@ -71,34 +77,6 @@ def zero_between(F: Scalar, inner: Any, outer: Any, start: Any = None, close: fl
     return lax.while_loop(going_on, improve, (0, inner, outer, first, first != first))[3]
 
 
-def mean_slope(f: Scalar, x: Any) -> Scalar:
-    """The divided difference (f(x + y) − f(x))/y as a function of y, by Gauss's rule for ∫₀¹ f′(x + sy) ds."""
-    import jax
-    import jax.numpy as jnp
-
-    nodes, weights = np.polynomial.legendre.leggauss(GAUSS)
-
-    def slope(at: Any) -> Any:
-        return jax.jvp(f, (at,), (jnp.ones_like(at),))[1]
-
-    return lambda y: jnp.tensordot(weights / 2, slope(x + (nodes[:, None] + 1) / 2 * y), axes=1)
-
-
-def mean_curvature(bend: Scalar, a: Any, b: Any, order: int = GAUSS) -> Scalar:
-    """The second divided difference f[a, b, y] as a function of y, given f″ = `bend`.
-
-    Hermite and Genocchi: f[a, b, y] = ∫₀¹∫₀¹ t f″(a + t (b − a) + tτ (y − b)) dτ dt. de Boor (2005), Surveys in
-    Approximation Theory 1, 46.
-    """
-    import jax.numpy as jnp
-
-    nodes, weights = np.polynomial.legendre.leggauss(order)
-    nodes, weights = (nodes + 1) / 2, weights / 2
-    t, tau = np.repeat(nodes, order), np.tile(nodes, order)
-    products = np.outer(weights * nodes, weights).ravel()
-    return lambda y: jnp.tensordot(products, bend(a + t[:, None] * ((b - a) + tau[:, None] * (y - b))), axes=1)
-
-
 def of_parabola(F0: Any, first: Any, second: Any) -> tuple[Any, Any]:
     """The zeros y of F0 + first y + second y², the farther one first; the nearer follows from their product."""
     import jax.numpy as jnp
@@ -108,48 +86,88 @@ def of_parabola(F0: Any, first: Any, second: Any) -> tuple[Any, Any]:
     return far, jnp.where(far != 0, F0 / (second * jnp.where(far != 0, far, 1.0)), 0.0)
 
 
-def may_be_narrow(F0: Any, first: Any, second: Any, scale: Any) -> Any:
-    """Whether the parabola's zeros are as near to each other as those of a narrow oscillation."""
+def seeming_amplitude(F0: Any, first: Any, second: Any, scale: Any) -> Any:
+    """How far the farther zero of a parabola is, in parts of a scale; infinite where it isn't one of an oscillation."""
     import jax.numpy as jnp
 
-    return (second < 0) & (jnp.abs(of_parabola(F0, first, second)[0]) < 2 * NARROW * scale)
+    return jnp.where(second < 0, jnp.abs(of_parabola(F0, first, second)[0]) / scale, jnp.inf)
 
 
-def narrow_ends(D: Scalar, F0: Any) -> tuple[Any, Any]:
-    """The two zeros y of F0 + y D(y) about 0: by its parabola, then by Newton's method."""
-    import jax
-    import jax.numpy as jnp
-    from jax import lax
+class Narrow(NamedTuple):
+    """A narrow oscillation, F = (y − low)(high − y) · `stiffness`(y) at x₀ + y; `holds` says whether it is one."""
 
-    zero = jnp.zeros_like(F0)
-    far, near = of_parabola(F0, *jax.jvp(D, (zero,), (jnp.ones_like(F0),)))
-
-    def improve(_: Any, y: Any) -> Any:
-        value, slope = jax.jvp(D, (y,), (jnp.ones_like(y),))
-        rate = value + y * slope
-        return y - (F0 + y * value) / jnp.where(rate != 0, rate, jnp.inf)
-
-    ends = [lax.fori_loop(0, _NEWTON, improve, y) for y in (far, near)]
-    return jnp.minimum(*ends), jnp.maximum(*ends)
+    low: Any
+    high: Any
+    stiffness: Scalar
+    holds: Any
 
 
-def is_narrow(D: Scalar, F0: Any, bend: Scalar, low: Any, high: Any, scale: Any) -> Any:
-    """Whether F0 + y D(y) is positive between these ends and negative beyond, they are near, and F is smooth there.
+def narrow_oscillation(F0: Any, first: Any, bend: Scalar, scale: Any, degree: int) -> Narrow:
+    """The oscillation about x₀, if F and its slope `first` there and F″ = `bend`(y) make it a narrow one.
 
-    `bend` is F″ as a function of y; `scale` the length on which F may vary.
+    `scale` is the length on which F may vary. It is one if its ends are near, F is positive between them and negative
+    beyond, and smooth: the last coefficients of the polynomial through F″, of this degree, say that the next one, which
+    an interpolation in Chebyshev's nodes counts 2^−degree times, and two integrations less, is below the rounding.
     """
     import jax.numpy as jnp
 
-    half = (high - low) / 2
+    far, near = of_parabola(F0, first, bend(jnp.zeros_like(F0)) / 2)
+    h = jnp.minimum(_WIDER * jnp.maximum(jnp.abs(far), jnp.abs(near)), 2 * _WIDER * NARROW * scale)
+    h = jnp.maximum(h, _LEAST * scale)
+    nodes, series, powers = _chebyshev(degree)
+    # in two steps: a small rounding of the series is a small polynomial, but one of each power wouldn't be
+    bends = jnp.tensordot(powers, jnp.tensordot(series, bend(h * nodes[:, None]), axes=1), axes=1)
+    # F as a polynomial in x = y/h
+    coefficients = [F0, first * h, *(h * h * bends[k] / ((k + 1) * (k + 2)) for k in range(degree + 1))]
 
-    def F(y: Any) -> Any:
-        return F0 + y * D(y)
+    def value(x: Any) -> Any:
+        return horner(coefficients, x)
 
-    near = (low <= 0) & (high >= 0) & (jnp.maximum(-low, high) < NARROW * scale)
-    inside = (F((low + high) / 2) > 0) & (F(low - half / 2) < 0) & (F(high + half / 2) < 0)
-    fine, coarse = (mean_curvature(bend, low, high, order)(low) for order in (GAUSS, GAUSS - 2))
+    slopes = [k * c for k, c in enumerate(coefficients)][1:]
+    ends = []
+    for x in (far / h, near / h):
+        for _ in range(_IMPROVED):
+            rate = horner(slopes, x)
+            x = x - value(x) / jnp.where(rate != 0, rate, jnp.inf)
+        ends.append(x)
+    a, b = jnp.minimum(*ends), jnp.maximum(*ends)
+    # without the factor (x − a)(x − b), from the highest coefficient down: the lowest two aren't used
+    quotient = [coefficients[-1], coefficients[-2] + (a + b) * coefficients[-1]]
+    for c in coefficients[-3:1:-1]:
+        quotient.append(c + (a + b) * quotient[-1] - a * b * quotient[-2])
+    quotient.reverse()
+    half = (b - a) / 2
+    inside = (value((a + b) / 2) > 0) & (value(a - half / 2) < 0) & (value(b + half / 2) < 0)
     # a circle has no inside; it is one where it is stable
-    return near & (inside | ((half == 0) & (fine < 0))) & (jnp.abs(fine - coarse) <= _SMOOTH * jnp.abs(fine))
+    shaped = inside | ((half == 0) & (quotient[0] < 0))
+    share = h / scale
+    following = (jnp.abs(bends[degree]) + jnp.abs(bends[degree - 1]) * share) * 2 * share
+    smooth = following <= _SMOOTH * 2**degree * (degree + 2) * (degree + 3) * jnp.abs(bends[0])
+    close = (a <= 0) & (b >= 0) & (jnp.maximum(-a, b) * h < NARROW * scale)
+    return Narrow(a * h, b * h, lambda y: -horner(quotient, y / h) / (h * h), close & shaped & smooth)
+
+
+@lru_cache(maxsize=4)
+def _chebyshev(degree: int) -> tuple[Any, Any, Any]:
+    """Nodes in (−1, 1), the matrix that leads from values there to a series of Chebyshev's polynomials, and from it to
+    powers."""
+    count = degree + 1
+    angles = (np.arange(count) + 0.5) * np.pi / count
+    series = 2 / count * np.cos(np.outer(np.arange(count), angles))
+    series[0] /= 2
+    powers = np.zeros((count, count))
+    for k in range(count):
+        found = np.polynomial.chebyshev.cheb2poly(np.eye(count)[k])
+        powers[: found.size, k] = found
+    return np.cos(angles), series, powers
+
+
+def horner(coefficients: Sequence[Any], x: Any) -> Any:
+    """The polynomial with these coefficients, the constant first."""
+    total = coefficients[-1]
+    for c in coefficients[-2::-1]:
+        total = total * x + c
+    return total
 
 
 def quadrature(term: Callable[[Any, Any], tuple[Any, ...]], low: Any, high: Any, count: int) -> tuple[Any, ...]:

@@ -6,13 +6,11 @@ from typing import Any, NamedTuple
 
 from canon.numeric.actions.oscillation import (
     NARROW_NODES,
+    Narrow,
     Scalar,
-    is_narrow,
-    may_be_narrow,
-    mean_curvature,
-    mean_slope,
-    narrow_ends,
+    narrow_oscillation,
     quadrature,
+    seeming_amplitude,
     turning_points,
 )
 
@@ -23,16 +21,6 @@ class Sums(NamedTuple):
     action: Any
     time: Any
     angle: Any
-
-
-class Narrow(NamedTuple):
-    """A nearly circular orbit: p_r² = p² + y D(y) at r + y, its second derivative, and its turning points."""
-
-    D: Scalar
-    bend: Scalar
-    low: Any
-    high: Any
-    holds: Any
 
 
 def wide_ends(V: Scalar, r: Any, p: Any, L: Any, m: Any) -> tuple[Any, Any]:
@@ -66,8 +54,8 @@ def wide_sums(V: Scalar, r: Any, p: Any, L: Any, m: Any, low: Any, high: Any, co
     return Sums(half * action, half * m * time, half * L * angle)
 
 
-def perhaps_narrow(V: Scalar, r: Any, p: Any, L: Any, m: Any) -> Any:
-    """Whether it is worth looking at the orbit as a nearly circular one, by two derivatives of V."""
+def amplitude(V: Scalar, r: Any, p: Any, L: Any, m: Any) -> Any:
+    """The amplitude that the orbit seems to have as a nearly circular one, by two derivatives of V, in parts of r."""
     import jax
     import jax.numpy as jnp
 
@@ -76,19 +64,13 @@ def perhaps_narrow(V: Scalar, r: Any, p: Any, L: Any, m: Any) -> Any:
 
     first, second = jax.jvp(slope, (r,), (jnp.ones_like(r),))
     square = (L / (r * r)) ** 2
-    return may_be_narrow(p * p, 2 * square * r - 2 * m * first, -3 * square - m * second, r)
+    return seeming_amplitude(p * p, 2 * square * r - 2 * m * first, -3 * square - m * second, r)
 
 
-def narrow(V: Scalar, r: Any, p: Any, L: Any, m: Any) -> Narrow:
-    """The orbit as a nearly circular one; `holds` says whether it is."""
+def narrow(V: Scalar, r: Any, p: Any, L: Any, m: Any, degree: int) -> Narrow:
+    """The orbit as a nearly circular one: p_r² as a function of the distance from r."""
     import jax
     import jax.numpy as jnp
-
-    mean = mean_slope(V, r)
-
-    def D(y: Any) -> Any:
-        x = r + y
-        return (L / (r * x)) ** 2 * (x + r) - 2 * m * mean(y)
 
     def slope(x: Any) -> Any:
         return jax.jvp(V, (x,), (jnp.ones_like(x),))[1]
@@ -97,18 +79,15 @@ def narrow(V: Scalar, r: Any, p: Any, L: Any, m: Any) -> Narrow:
         x = r + y
         return -6 * (L / (x * x)) ** 2 - 2 * m * jax.jvp(slope, (x,), (jnp.ones_like(x),))[1]
 
-    low, high = narrow_ends(D, p * p)
-    return Narrow(D, bend, low, high, is_narrow(D, p * p, bend, low, high, r))
+    return narrow_oscillation(p * p, 2 * (L / (r * r)) ** 2 * r - 2 * m * slope(r), bend, r, degree)
 
 
 def narrow_sums(orbit: Narrow, r: Any, L: Any, m: Any) -> Sums:
-    """The integrals of a nearly circular orbit, where p_r² = (y − low)(high − y) g(y)."""
+    """The integrals of a nearly circular orbit."""
     import jax.numpy as jnp
 
-    mean = mean_curvature(orbit.bend, orbit.low, orbit.high)
-
     def term(y: Any, sine: Any) -> tuple[Any, ...]:
-        factor = jnp.sqrt(-mean(y))
+        factor = jnp.sqrt(orbit.stiffness(y))
         x = r + y
         return sine * sine * factor, 1 / factor, 1 / (factor * x * x)
 

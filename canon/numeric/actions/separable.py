@@ -95,10 +95,15 @@ def _kernels(formula: Any, symbol: Any, delta: float, m: float) -> _Kernels:
     def place(*state: Any) -> staeckel.Place:
         return staeckel.place_of(G, delta, m, *state)
 
-    def near(*state: Any) -> Any:
-        at = place(*state)
-        orbit = staeckel.narrow_radial(G, D2, at)
-        return orbit.holds, *staeckel.narrow_action(orbit, m, at)
+    @lru_cache(maxsize=4)
+    def near(degree: int) -> Any:
+        @jax.jit
+        def run(*state: Any) -> Any:
+            at = place(*state)
+            orbit = staeckel.narrow_radial(G, D2, at, degree)
+            return orbit.holds, *staeckel.narrow_action(orbit, m, at)
+
+        return run
 
     @lru_cache(maxsize=8)
     def wide(count: int) -> Any:
@@ -108,7 +113,7 @@ def _kernels(formula: Any, symbol: Any, delta: float, m: float) -> _Kernels:
     def across(count: int) -> Any:
         return jax.jit(lambda *row: staeckel.vertical(G, D2, m, place(*row[:5]), row[5], count))
 
-    guess = jax.jit(lambda *state: (staeckel.perhaps_narrow(G, D2, place(*state)),))
+    guess = jax.jit(lambda *state: (staeckel.amplitude(G, D2, place(*state)),))
     ends = jax.jit(lambda *state: staeckel.wide_ends(G, D2, place(*state)))
     top = jax.jit(lambda *state: (staeckel.vertical_end(G, D2, place(*state)),))
-    return _Kernels(guess, jax.jit(near), ends, wide, top, across)
+    return _Kernels(guess, near, ends, wide, top, across)

@@ -13,13 +13,11 @@ from typing import Any, NamedTuple
 
 from canon.numeric.actions.oscillation import (
     NARROW_NODES,
+    Narrow,
     Scalar,
-    is_narrow,
-    may_be_narrow,
-    mean_curvature,
-    mean_slope,
-    narrow_ends,
+    narrow_oscillation,
     quadrature,
+    seeming_amplitude,
     turning_points,
     zero_between,
 )
@@ -91,17 +89,8 @@ def wide_radial(G: Scalar, D2: Any, m: Any, place: Place, low: Any, high: Any, c
     return half * action, 2.0**-47 * half * (action + slope * place.size)
 
 
-class NarrowRadial(NamedTuple):
-    """An orbit whose l hardly changes: F″ about it, the ends y of l + y, and whether it is one."""
-
-    bend: Scalar
-    low: Any
-    high: Any
-    holds: Any
-
-
-def perhaps_narrow(G: Scalar, D2: Any, place: Place) -> Any:
-    """Whether it is worth looking at the orbit as one whose l hardly changes, by two derivatives of t G."""
+def amplitude(G: Scalar, D2: Any, place: Place) -> Any:
+    """The amplitude that l seems to have as one that hardly changes, by two derivatives of t G, in parts of l − Δ²."""
     import jax
     import jax.numpy as jnp
 
@@ -110,47 +99,37 @@ def perhaps_narrow(G: Scalar, D2: Any, place: Place) -> Any:
 
     first, second = jax.jvp(slope, (place.l,), (jnp.ones_like(place.l),))
     pull = place.I2 * D2 / place.beyond**2
-    return may_be_narrow(place.F, first + place.E + pull, second / 2 - pull / place.beyond, place.beyond)
+    return seeming_amplitude(place.F, first + place.E + pull, second / 2 - pull / place.beyond, place.beyond)
 
 
-def narrow_radial(G: Scalar, D2: Any, place: Place) -> NarrowRadial:
-    """The orbit as one whose l hardly changes."""
+def narrow_radial(G: Scalar, D2: Any, place: Place, degree: int) -> Narrow:
+    """The orbit as one whose l hardly changes: F as a function of the change of l."""
     import jax
     import jax.numpy as jnp
 
-    def depth(t: Any) -> Any:
-        return t * G(t)
-
     def slope(t: Any) -> Any:
-        return jax.jvp(depth, (t,), (jnp.ones_like(t),))[1]
-
-    mean = mean_slope(depth, place.l)
-
-    def D(y: Any) -> Any:
-        return mean(y) + place.E + place.I2 * D2 / ((place.beyond + y) * place.beyond)
+        return jax.jvp(lambda x: x * G(x), (t,), (jnp.ones_like(t),))[1]
 
     def bend(y: Any) -> Any:
         t = place.l + y
         return jax.jvp(slope, (t,), (jnp.ones_like(t),))[1] - 2 * place.I2 * D2 / (place.beyond + y) ** 3
 
-    low, high = narrow_ends(D, place.F)
-    return NarrowRadial(bend, low, high, is_narrow(D, place.F, bend, low, high, place.beyond))
+    first = slope(place.l) + place.E + place.I2 * D2 / place.beyond**2
+    return narrow_oscillation(place.F, first, bend, place.beyond, degree)
 
 
-def narrow_action(orbit: NarrowRadial, m: Any, place: Place) -> tuple[Any, Any]:
+def narrow_action(orbit: Narrow, m: Any, place: Place) -> tuple[Any, Any]:
     """∫ p_l dl of such an orbit, and the rounding of twice that."""
     import jax.numpy as jnp
 
-    mean = mean_curvature(orbit.bend, orbit.low, orbit.high)
-
     def term(y: Any, sine: Any) -> tuple[Any, ...]:
         rate = jnp.sqrt(m / (2 * (place.beyond + y) * (place.l + y)))
-        root = jnp.sqrt(-mean(y))
+        root = jnp.sqrt(orbit.stiffness(y))
         return sine * sine * root * rate, rate / root
 
     half = (orbit.high - orbit.low) / 2
     action, slope = quadrature(term, orbit.low, orbit.high, NARROW_NODES)
-    # D is a sum of terms of the size of E's
+    # F' is a sum of terms of the size of E's
     off = 2.0**-48 * place.size * jnp.maximum(-orbit.low, orbit.high)
     return half * half * action, 2 * (off * slope + 2.0**-48 * half * half * action)
 

@@ -9,6 +9,7 @@ C^i_jk X_i = −[X_j, X_k]. Helgason, Differential Geometry, Lie Groups, and Sym
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -99,7 +100,7 @@ def constants(question: Question) -> LieAlgebra:
             algebra = known[0]
     except (Dependent, NotClosed) as error:
         raise NoChart(error.message) from None
-    turned = {pair: {c: times(v, -1) for c, v in row.items()} for pair, row in algebra.constants.items()}
+    turned = {pair: {c: times(v, Fraction(-1)) for c, v in row.items()} for pair, row in algebra.constants.items()}
     return LieAlgebra(names, turned)
 
 
@@ -122,7 +123,7 @@ def _outside(question: Question, M: Rows, back: Rows, names: Sequence[Node]) -> 
     columns = independent_entries(flat)
     if columns is None:
         raise NoChart("the derivatives of the matrix at the identity are linearly dependent, or not seen not to be")
-    inverse = sp.Matrix([[row[k] for k in columns] for row in flat]).inv()
+    inverse: Any = sp.Matrix([[row[k] for k in columns] for row in flat]).inv()
     weights = [[question.load(inverse[k, j]) for j in range(len(flat))] for k in range(len(columns))]
     basis = [[question.load(entry) for entry in row] for row in flat]
     residuals = []

@@ -1,16 +1,18 @@
-"""Times of Lie algebras: from matrices to a name, Kepler's brackets, and Cartan types beside sympy.liealgebras.
+"""Times of Lie algebras: from matrices to a name, Casimirs, Kepler's brackets, beside GAP and sympy.liealgebras.
 
 python docs/performance/lie_algebras.py
 
-CPU seconds of one run, each the least of three. sympy's liealgebras knows complex simple types by name: it has Cartan
-matrices, roots and Weyl groups, but takes no matrices, structure constants or real forms, and so identifies nothing.
-What both do is set beside each other: the Cartan matrix and the positive roots of a type.
+CPU seconds, each the least of three runs. GAP (`apt install gap-core`) is asked where it is installed: structure
+constants of matrices, Jacobi's identities, Levi decomposition, complex type and root system. sympy's liealgebras knows
+complex simple types by name: what both have is the Cartan matrix and the roots of a type.
 """
 
 from __future__ import annotations
 
+import shutil
+import subprocess
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import sympy as sp
@@ -18,7 +20,10 @@ from sympy.liealgebras.root_system import RootSystem
 
 from canon import PhaseSpace, algebra_of_matrices, closure, identify, verify
 from canon.mechanics.algebra.complex_type import ComplexType
+from canon.mechanics.algebra.invariants import motion_casimirs, orthogonal_casimirs
 from canon.mechanics.algebra.root_system import cartan_matrix, positive_roots
+from canon.mechanics.algebra.roots import roots_of
+from canon.mechanics.algebra.standard import euclidean, orthogonal, symplectic
 from canon.mechanics.formulas import as_formula
 from canon.mechanics.subject import Subject
 
@@ -33,32 +38,7 @@ def seconds(work: Callable[[], Any], times: int = 3) -> tuple[float, Any]:
     return best, value
 
 
-def unit(size: int, *entries: tuple[int, int, int]) -> list[list[Any]]:
-    """The matrix with these entries, else 0."""
-    found: list[list[Any]] = [[0] * size for _ in range(size)]
-    for i, j, value in entries:
-        found[i][j] = value
-    return found
-
-
-def orthogonal(n: int) -> dict[str, Any]:
-    """Antisymmetric matrices."""
-    return {f"L{i}_{j}": unit(n, (i, j, -1), (j, i, 1)) for i in range(n) for j in range(i + 1, n)}
-
-
-def symplectic(n: int) -> dict[str, Any]:
-    """J S for symmetric S, of 2n dimensions."""
-    found = {}
-    for i in range(n):
-        for j in range(n):
-            found[f"a{i}_{j}"] = unit(2 * n, (i, j, 1), (n + j, n + i, -1))
-            if i <= j:
-                found[f"b{i}_{j}"] = unit(2 * n, (i, n + j, 1), (j, n + i, 1))
-                found[f"c{i}_{j}"] = unit(2 * n, (n + i, j, 1), (n + j, i, 1))
-    return found
-
-
-def identified(matrices: dict[str, Any]) -> str:
+def identified(matrices: Mapping[str, Any]) -> str:
     """Structure constants with all their Jacobi identities, and the name."""
     return identify(algebra_of_matrices(matrices).algebra).identity.name
 
@@ -77,12 +57,48 @@ def kepler() -> tuple[Any, dict[str, Any]]:
     return claim, {"space": space, "functions": {"M3": M[2], "A": A[0] + A[2]}, "H": H, "energy": E0}
 
 
+GAP = """
+m := List({matrices}, LieObject);; start := Runtime();;
+S := StructureConstantsTable(Basis(LieAlgebra(Rationals, m)));; right := TestJacobi(S);;
+L := LieAlgebraByStructureConstants(Rationals, S);; D := LeviMalcevDecomposition(L);;
+type := SemiSimpleType(D[1]);; named := Runtime() - start;; start := Runtime();;
+R := RootSystem(D[1]);; if R = fail then roots := "no root system";; else roots := "a root system";; fi;
+Print(right, " ", type, " (", List(D, Dimension), ") ", named, " ms; ", roots, " ", Runtime() - start, " ms\\n");
+"""
+
+
+def by_gap(matrices: Mapping[str, Any]) -> str:
+    """What GAP says of the same matrices, with its own times."""
+    rows = [[[str(entry) for entry in row] for row in given] for given in matrices.values()]
+    text = str(rows).replace("'", "")
+    found = subprocess.run(
+        ["gap", "-q", "-b"], input=GAP.format(matrices=text), capture_output=True, text=True, check=True
+    )
+    return " ".join(found.stdout.replace("\\\n", "").split())
+
+
 def main() -> None:
     """Print the table."""
-    for name, matrices in (("so(8)", orthogonal(8)), ("sp(12,R)", symplectic(6))):
+    families = {
+        "so(8)": orthogonal(8), "so(4,4)": orthogonal(4, 4), "e(3)": euclidean(3), "iso(2,1)": euclidean(2, 1),
+        "sp(12,R)": symplectic(6),
+    }  # fmt: skip
+    for name, matrices in families.items():
         taken, found = seconds(lambda matrices=matrices: identified(matrices), 3 if len(matrices) < 50 else 1)
         assert found == name
-        print(f"{name}, {len(matrices)} matrices, verified and identified: {taken:.2f} s")
+        print(f"{name}, {len(matrices)} matrices, verified and identified: {taken:.3f} s")
+        if shutil.which("gap"):
+            print(f"    GAP: {by_gap(matrices)}")
+    for name in ("so(8)", "sp(12,R)"):
+        algebra = algebra_of_matrices(families[name]).algebra
+        taken, found = seconds(lambda algebra=algebra: roots_of(algebra), 1)
+        print(f"{name}: {len(found.roots)} roots with their vectors {taken:.2f} s")
+    for name, work in (
+        ("so(8): its four Casimirs", lambda: orthogonal_casimirs(orthogonal(8))),
+        ("e(5): its three Casimirs", lambda: motion_casimirs(algebra_of_matrices(euclidean(5)).algebra)),
+    ):
+        taken, found = seconds(work)
+        print(f"{name}, {max(len(sp.Add.make_args(f)) for f in found)} terms at most: {taken:.2f} s")
     claim, given = kepler()
     taken, verdict = seconds(lambda: verify(claim))
     assert verdict.status == "proved"

@@ -235,7 +235,7 @@ def _scaled(vector: list[fmpq_poly], f: fmpq_poly) -> list[fmpq_poly]:
 def _generic(algebra: LieAlgebra, H: fmpq_mat, seed: int) -> tuple[list[Any], fmpq_mat]:
     rng, rows = Random(seed), linear.rows(H)
     for attempt in range(ATTEMPTS):
-        weights = [fmpq(rng.choice((-1, 1)) * rng.randint(1, 2 + attempt + len(rows))) for _ in rows]
+        weights = [fmpq(rng.choice((-1, 1)) * rng.randint(1, 2 + attempt * len(rows))) for _ in rows]
         h = [sum((w * row[k] for w, row in zip(weights, rows, strict=True)), start=fmpq(0)) for k in range(H.ncols())]
         ad = adjoint_of(algebra, h)
         factors = _characteristic(ad).factor()[1]

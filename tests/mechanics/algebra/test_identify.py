@@ -12,7 +12,7 @@ from canon.mechanics.algebra.lie_algebra import structure
 from canon.mechanics.algebra.names import read_name
 from canon.mechanics.algebra.rescaling import rescaled
 from canon.mechanics.algebra.semisimple import adjoint_of, cartan_subalgebra
-from tests.mechanics.algebra.matrices import euclidean, hermitian, orthogonal, special_linear, symplectic, unit
+from canon.mechanics.algebra.standard import euclidean, hermitian, orthogonal, special_linear, symplectic, unit
 from tests.mechanics.algebra.test_lie_algebra import EPSILON, two_vectors
 
 NAMED = {

@@ -12,7 +12,7 @@ from canon.mechanics.algebra.complex_type import ComplexType
 from canon.mechanics.algebra.from_matrices import algebra_of_matrices
 from canon.mechanics.algebra.invariants import motion_casimirs, orthogonal_casimirs
 from canon.mechanics.algebra.root_system import cartan_matrix, positive_roots
-from tests.mechanics.algebra.matrices import euclidean, hermitian, orthogonal, symplectic
+from canon.mechanics.algebra.standard import euclidean, hermitian, orthogonal, symplectic
 from tests.mechanics.algebra.test_identify import galilei
 from tests.mechanics.algebra.test_lie_algebra import two_vectors
 

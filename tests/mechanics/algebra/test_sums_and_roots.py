@@ -12,8 +12,8 @@ from canon.mechanics.algebra.identify import identify
 from canon.mechanics.algebra.lie_algebra import LieAlgebra, structure
 from canon.mechanics.algebra.root_system import cartan_matrix, positive_roots
 from canon.mechanics.algebra.roots import roots_of
+from canon.mechanics.algebra.standard import hermitian, orthogonal, special_linear, symplectic
 from canon.mechanics.algebra.sums import direct_sum, semidirect_sum
-from tests.mechanics.algebra.matrices import hermitian, orthogonal, special_linear, symplectic
 from tests.mechanics.algebra.test_lie_algebra import SO3, two_vectors
 
 ROTATIONS = structure("xyz", SO3)

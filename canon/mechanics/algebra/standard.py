@@ -1,4 +1,9 @@
-"""Textbook bases of matrix algebras, as nested lists of whole numbers and (real, imaginary) pairs."""
+"""Textbook bases of matrix algebras, as nested lists of whole numbers and (real, imaginary) pairs.
+
+They are what `algebra_of_matrices` takes.
+"""
+
+from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any

@@ -15,12 +15,14 @@ from canon.errors import InputError
 from canon.expression import Formula, Vocabulary, read
 from canon.measure import Measure
 from canon.mechanics.generating_function import GeneratingFunction
-from canon.mechanics.phase_space import ASSUMPTIONS, PhaseSpace, symbol_with
+from canon.mechanics.phase_space import ASSUMPTIONS, UNSTATED, PhaseSpace, symbol_with
 from canon.vocabulary import nearest
 
 FUNCTION_WORDS: Final = ("function", "real", "positive", "negative", "nonzero")
 """The words that can stand together for an arbitrary function; one sign at most."""
 SIGNS: Final = ("positive", "negative", "nonzero")
+BARE: Final = ("matrix_algebra", "group", "matrix_group", "invariant_interval")
+"""The kinds of claims of files that need no phase space."""
 
 
 @dataclass
@@ -113,13 +115,14 @@ def read_names(tables: Table) -> Names:
 
     **Raises:** `InputError` with the place.
     """
-    declared = _phase_space(tables)
+    bare = "phase_space" not in tables and _needs_no_space(tables)
+    declared = {} if bare else _phase_space(tables)
     words = _symbols(tables.get("symbols", {}), declared)
     definitions = document.table(tables.get("definitions", {}), "[definitions]")
     words |= {name: ["complex"] for name in complex_variables(tables, words)}
     taken = {**dict.fromkeys(words, "[symbols]"), **declared}
     time = next((name for name, place in declared.items() if place == "[phase_space], time"), None)
-    hidden = time is None and ("t" in declared or "t" in definitions or "function" in words.get("t", ()))
+    hidden = bare or (time is None and ("t" in declared or "t" in definitions or "function" in words.get("t", ())))
     time = _unused("t_", {*taken, *definitions}) if hidden else time or "t"
     for name in definitions:
         where = key(name, "[definitions]")
@@ -133,9 +136,11 @@ def read_names(tables: Table) -> Names:
     words |= {name: ["function"] for name, given in words.items() if "function" in given}
     spoken = {**{name: ["real"] for name in declared}, **words}  # what is complex has been found in the formulas
     sides = {word: [n for n, place in declared.items() if place == f"[phase_space], {word}"] for word in "qpQP"}
+    if bare:
+        sides |= {"q": [UNSTATED[0]], "p": [UNSTATED[1]]}
     space = PhaseSpace(sides["q"], sides["p"], new=(sides["Q"], sides["P"]), time=time, symbols=spoken)
     vocabulary = Vocabulary(
-        symbols={name: symbol for name, symbol in space.vocabulary.items() if not (hidden and name == time)},
+        symbols={n: x for n, x in space.vocabulary.items() if n not in UNSTATED and not (hidden and n == time)},
         functions=frozenset(space.functions),
         signs=signs,
         pairs=tuple(zip(space.q, space.p, strict=True)),
@@ -146,11 +151,24 @@ def read_names(tables: Table) -> Names:
     return names
 
 
+def _needs_no_space(tables: Table) -> bool:
+    """Whether all claims of a file are about matrices and groups alone, and nothing in it is about a phase space."""
+    if {"hamiltonian", "transformation", "generating_function"} & set(tables):
+        return False
+    claims = tables.get("claim")
+    return (
+        bool(claims) and isinstance(claims, list) and all(isinstance(c, dict) and c.get("kind") in BARE for c in claims)
+    )
+
+
 def _phase_space(tables: Table) -> dict[str, str]:
     """Each name of the phase space with its place."""
     where = "[phase_space]"
     if "phase_space" not in tables:
-        raise InputError("a claim file declares its coordinates and momenta: [phase_space] with q = [...], p = [...]")
+        raise InputError(
+            "a claim file declares its coordinates and momenta: [phase_space] with q = [...], p = [...]; it may be "
+            f"left out where all claims are of kind {', '.join(BARE)}"
+        )
     section = document.table(tables["phase_space"], where)
     document.only(section, ("q", "p", "Q", "P", "time"), where)
     declared: dict[str, str] = {}

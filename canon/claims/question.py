@@ -22,6 +22,7 @@ from canon.decide.tape import Node, Tape
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.mechanics.phase_space import UNSTATED
 from canon.sign import declared
 from canon.verdict import Status
 
@@ -176,6 +177,7 @@ class Question:
         """
         tape, chart, images = self.tape, chart or self.chart, images or {}
         names = [tape.symbol_at(u) for u in chart.coordinates if u not in images]
+        names = [x for x in names if x.name not in UNSTATED]
         written = Region.of(tape, self.domain(*formulas) if domain is None else domain, names)
         if not chart.images and not images:
             return written

@@ -16,6 +16,9 @@ from canon.vocabulary import Vocabulary
 
 Names: TypeAlias = str | sp.Symbol | Iterable[str | sp.Symbol]
 
+UNSTATED = ("q__", "p__")
+"""The variables of claims that are about no phase space."""
+
 ASSUMPTIONS: dict[str, dict[str, bool]] = {
     "real": {"real": True},
     "complex": {"complex": True},

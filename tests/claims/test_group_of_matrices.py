@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 
 from canon import InputError, PhaseSpace, group, verify
+from canon.claims.reader import read_text
 
 SPACE = PhaseSpace("x", "p", positive="c")
 I = sp.I
@@ -105,6 +106,35 @@ def test_names_that_are_no_coordinates():
     a, b = sp.symbols("a b", real=True)
     found = decided([[1, a + b], [0, 1]], [a, b], "u(1)^2")
     assert (found.status, found.detail["fails"]) == ("refuted", "independence of the derivatives at the identity")
+
+
+BARE = """
+[symbols]
+k = "real"
+[[claim]]
+kind = "group"
+first = ["t"]
+matrix = [["cos(t)", "-sin(t)"], ["sin(t)", "cos(t)"]]
+equals = "u(1)"
+[[claim]]
+kind = "group"
+first = ["s"]
+second = ["r"]
+composition = ["s + r + k*s*r + s*r**2/1000"]
+equals = "u(1)"
+"""
+
+
+def test_a_file_about_groups_needs_no_phase_space():
+    reading = read_text(BARE)
+    assert reading.problems == []
+    circle, wrong = (verify(claim) for claim in reading.claims)
+    assert (circle.status, wrong.status) == ("proved", "refuted")
+    assert not {"q__", "p__"} & set(wrong.witness or {})
+    problems = read_text(BARE + '[[claim]]\nkind = "bracket"\nf = "q"\ng = "p"\nequals = "1"').problems
+    assert "declares its coordinates" in problems[0]["message"]
+    unknown = read_text(BARE.replace("k*s", "q__*s")).problems
+    assert "unknown name 'q__'" in unknown[0]["message"]
 
 
 def test_ill_posed_claims():

@@ -98,12 +98,15 @@ def _run(scene: Scene, arguments: argparse.Namespace) -> Result:
     def keep(arrays: Any) -> None:
         write_arrays(arrays, arguments.out)
 
+    def warn(message: str) -> None:
+        print(f"canon simulate: {arguments.scene}: {message}", file=sys.stderr)
+
     with _watched(arguments.json) as watch, _terminated_as_interrupted():
         if arguments.resume is None:
-            return simulate(scene, watch=watch, keep=None if arguments.out is None else keep)
+            return simulate(scene, watch=watch, keep=None if arguments.out is None else keep, warn=warn)
         try:
             resume = read_arrays(arguments.resume)
-            return simulate(scene, watch=watch, keep=keep, resume=resume)
+            return simulate(scene, watch=watch, keep=keep, resume=resume, warn=warn)
         except InputError as error:
             raise error if error.where else error.at(f"--resume {arguments.resume}") from None
 

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.attainable import attainable
 from canon.numeric.constrained_formula import faults_at
 from canon.numeric.gradient import gradient
 from canon.numeric.integrators.constrained import Held
 from canon.numeric.observe import observe
 from canon.numeric.operations import operations_per_step
 from canon.numeric.planner import Planned, run_for_accuracy, run_with_step
-from canon.numeric.step_search import BUDGET_USED
+from canon.numeric.step_search import BUDGET_USED, Task
 from canon.scenes.identity import identity_of
 from canon.scenes.methods import Choice, choose
 from canon.scenes.monitors import Reading, read_monitors
@@ -25,11 +26,14 @@ from canon.scenes.monitors.price import price
 from canon.scenes.problem import Problem, problem_of
 from canon.scenes.saved import Arrays, differing_versions, restored, resumable, saved
 from canon.scenes.scattering import Scattered, scattered
-from canon.scenes.scene import Scene
+from canon.scenes.scene import Scene, Settings
 from canon.scenes.string_events import Event, events_of
 
 HURRY: Final = 0.3
 """Seconds that monitors get after somebody has stopped the run."""
+
+FINE: Final = 1e-10
+"""Of such accuracies it is asked whether double precision can hold them at all."""
 
 
 @dataclass(frozen=True)
@@ -63,9 +67,11 @@ def simulate(
     watch: Callable[[float], None] | None = None,
     keep: Callable[[Arrays], None] | None = None,
     resume: Arrays | None = None,
+    warn: Callable[[str], None] | None = None,
 ) -> Result:
     """The scene's run. `watch` is told, now and then, which part of a run is done, and `keep` given the arrays with
     which it can be gone on with: given as `resume` they make a run that has every bit of one that wasn't interrupted.
+    `warn` is told, before anything is run, that an accuracy cannot be had in double precision, and what can.
 
     **Raises:** `InputError` where the initial state is no state of the system, a method cannot solve the problem, or
     what is to be resumed is damaged or of another scene.
@@ -82,6 +88,12 @@ def simulate(
     choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
     state = (np.array(scene.q), np.array(scene.p))
     identity = identity_of(scene, choice.method.name)
+    task = Task(problem.value, choice.method, state, settings.duration, settings.samples, settings.start)
+    looking = time.process_time()
+    limit = _limit(task, settings)
+    looked = time.process_time() - looking
+    if limit is not None and warn is not None:
+        warn(f"the accuracy {settings.accuracy:.1e} cannot be reached: {_words(limit)}")
     shared = {
         "duration": settings.duration,
         "samples": settings.samples,
@@ -97,8 +109,11 @@ def simulate(
         left = None if settings.budget is None else settings.budget - (time.monotonic() - entered)
         reserve = price(settings.monitors, scene.model.n)
         planned = run_for_accuracy(
-            problem.value, choice.method, state, accuracy=settings.accuracy, budget=left, reserve=reserve, **shared
-        )
+            problem.value, choice.method, state, accuracy=limit or settings.accuracy, budget=left, reserve=reserve,
+            **shared,
+        )  # fmt: skip
+    if limit is not None:
+        planned = replace(planned, reached=False, reason=_words(limit))
     run = planned.run
     operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)
     q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
@@ -107,7 +122,7 @@ def simulate(
     flow = Flow(scene.model, value, method, run, planned.good, planned.error, problem.closed, operations)
     until = time.monotonic() + HURRY if planned.interrupted else None
     monitors = read_monitors(settings.monitors, flow, times, q, p, until)
-    compiling = planned.compile_seconds
+    compiling = planned.compile_seconds + looked
     running = max(time.process_time() - begun - compiling, 0.0)
     messages, ok = _judged(scene, planned, monitors)
     if resume is not None and (other := differing_versions(resume)):
@@ -116,6 +131,21 @@ def simulate(
         scene, problem, choice, planned, times, q, p, monitors, operations, (compiling, running), messages, ok,
         resumable(planned.progress, identity), scattered(scene, p), events_of(flow),
     )  # fmt: skip
+
+
+def _limit(task: Task, settings: Settings) -> float | None:
+    """What double precision can hold at best, where that is less than a fine accuracy that is asked for."""
+    if settings.accuracy is None or settings.accuracy > FINE:
+        return None
+    least = attainable(task)
+    return None if least is None or settings.accuracy >= least else least
+
+
+def _words(limit: float) -> str:
+    return (
+        f"in double precision the rounding of the initial state alone grows to {limit:.1e}, which is aimed at; "
+        f"ask for {2 * limit:.0e} or more, or shorten the run"
+    )
 
 
 def _check_start(scene: Scene) -> None:

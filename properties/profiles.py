@@ -1,6 +1,7 @@
 """Settings that every test shares: the Hypothesis profiles, chosen by the environment variable `CANON_PROFILE`.
 
-`dev` (the default) is quick, `ci` is reproducible, and `thorough` is for campaigns that run for long.
+`dev` (the default) is quick: it leaves out what is marked `slow`. `ci` is reproducible and runs that too, and
+`thorough` is for campaigns that run for long.
 """
 
 import os
@@ -20,11 +21,16 @@ PROFILE = os.environ.get("CANON_PROFILE", "dev")
 settings.load_profile(PROFILE)
 
 
+LEFT_OUT = {
+    "dev": {"thorough": "a campaign: set CANON_PROFILE=thorough to run it", "slow": "set CANON_PROFILE=ci to run it"},
+    "ci": {"thorough": "a campaign: set CANON_PROFILE=thorough to run it"},
+}
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Leave out what is marked `thorough`, unless the thorough profile asks for it."""
-    if PROFILE == "thorough":
-        return
-    skip = pytest.mark.skip(reason="a campaign: set CANON_PROFILE=thorough to run it")
-    for item in items:
-        if "thorough" in item.keywords:
-            item.add_marker(skip)
+    """Leave out what is marked for a profile of more patience than the one that is chosen."""
+    for mark, reason in LEFT_OUT.get(PROFILE, {}).items():
+        skip = pytest.mark.skip(reason=reason)
+        for item in items:
+            if mark in item.keywords:
+                item.add_marker(skip)

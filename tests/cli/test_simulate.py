@@ -78,6 +78,7 @@ def test_bad_input_has_status_3(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert caught.value.code == 3
 
 
+@pytest.mark.slow
 def test_scenes_prints_what_simulate_runs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["scenes"]) == 0
     listed = capsys.readouterr().out

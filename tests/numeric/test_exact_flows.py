@@ -109,6 +109,7 @@ def test_pendulum_next_to_the_top_keeps_the_digits_of_its_distance() -> None:
         assert float(found) == pytest.approx(1e-100 * np.cosh(3.0), rel=1e-14)
 
 
+@pytest.mark.slow
 def test_pendulum_units_and_its_jacobian() -> None:
     inertia, strength = 0.7, 2.3
     with double():
@@ -204,6 +205,7 @@ def test_uniform_acceleration() -> None:
 START = np.array([0.5, 0.5, -0.5, 0.5])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("moments", [(1.0, 2.0, 2.7), (2.0, 1.0, 2.7), (1.0, 1.0, 1.7), (1.5, 1.5, 1.5)])
 def test_free_tops(moments: Sequence[float]) -> None:
     I = np.array(moments)

@@ -96,6 +96,7 @@ def test_no_force_is_uniform_motion() -> None:
     assert np.array_equal(v, [0.5, 3.0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("from_pericentre", [False, True])
 def test_a_thousand_periods_keep_the_energy(from_pericentre: bool) -> None:
     """e = 0.99: the drift is some 1e-16 of the potential, which near the pericentre is 200 times the energy."""
@@ -113,6 +114,7 @@ def test_a_thousand_periods_keep_the_energy(from_pericentre: bool) -> None:
     assert (drift * 0.5 / np.maximum(potential[1:].astype(float), 1)).max() < 5e-16
 
 
+@pytest.mark.slow
 def test_its_jacobian_is_symplectic() -> None:
     """Also where the first guess already solves the equation, so that no iteration carries a derivative."""
     with double():

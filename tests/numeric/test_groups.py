@@ -94,6 +94,7 @@ def test_boosts_of_any_size():
         assert error(back, zeta[k]) < FEW or rapidity == 0 or np.any(omega[k])
 
 
+@pytest.mark.slow
 def test_flows_of_quadratic_hamiltonians():
     rng = np.random.default_rng(1)
     S = rng.normal(size=(2, 4, 4)) * np.array([0.02, 0.6])[:, None, None]
@@ -108,6 +109,7 @@ def test_flows_of_quadratic_hamiltonians():
         assert error(back, given) < 8 * FEW
 
 
+@pytest.mark.slow
 def test_derivatives():
     """log after exp is the identity, at 0 and elsewhere: forward derivatives of boosts, reverse ones of rotations."""
     import jax

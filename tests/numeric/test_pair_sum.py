@@ -107,6 +107,7 @@ def test_second_derivatives_are_those_of_the_terms() -> None:
     assert of.diff(sp.Symbol("other")) == 0
 
 
+@pytest.mark.slow
 def test_the_tangent_map_is_finite_and_symmetric() -> None:
     """The second derivatives that jax takes of the slopes: a body's distance from itself must leave no nan."""
     for bodies in (5, AT_ONCE + 1):

@@ -52,6 +52,7 @@ def nested(z: Any) -> Any:
 MAPS = [leapfrog, looped, layered, scattered, scanned, nested]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("function", MAPS)
 def test_values_and_jacobians_are_jaxs(function: Callable[[Any], Any]) -> None:
     program = values_and_jacobian(function, 4)

@@ -136,6 +136,7 @@ def test_pushes(method: OneStep, c: float | None) -> None:
         method.stepper(PENDULUM)
 
 
+@pytest.mark.slow
 def test_the_exact_push_is_exact_in_momentum() -> None:
     uniform = Charge(
         lambda x, t: jnp.stack([0 * x[0] + 0.5, 0 * x[0], 0 * x[0] + 0.1]), lambda x, t: 0 * x + 0.7, c=1.2
@@ -150,6 +151,7 @@ def hamiltonian(q: jax.Array, p: jax.Array) -> jax.Array:
     return jnp.sum((1 + q**2) * p**2 / 2 + q**2 / 2, axis=0)
 
 
+@pytest.mark.slow
 def test_extended_phase_space() -> None:
     state = (np.array([0.5, 0.1]), np.array([0.3, -0.2]))
     field = hamiltonian_field(hamiltonian)
@@ -175,6 +177,7 @@ def torque(attitude: jax.Array) -> jax.Array:
     return jnp.cross(arm, down, axis=0)
 
 
+@pytest.mark.slow
 def test_heavy_tops() -> None:
     """A top with a fixed point keeps M_z; three rotations and the exact free top lead to the same."""
     problem = rigid_body(MOMENTS, torque, frame="space")

@@ -30,6 +30,7 @@ CASES = {
 VALUES = {m: 1.3, B: 0.7, a: 1.1}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", CASES)
 def test_rules_and_their_agreement(name: str) -> None:
     H, kinds = CASES[name]

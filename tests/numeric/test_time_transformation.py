@@ -46,6 +46,7 @@ def test_its_order_in_time() -> None:
     assert np.log2(error[0] / error[1]) == pytest.approx(4, abs=0.5)
 
 
+@pytest.mark.slow
 def test_weighted_and_sundman_steps() -> None:
     q, p = ellipse(0.9)
 

@@ -46,6 +46,7 @@ def system(name: str, parameters: str, q: str, p: str) -> str:
     return text[: text.index("parameters")] + lines
 
 
+@pytest.mark.slow
 def test_a_magnetic_field_across_the_plane_pulls_along_the_rod_alone() -> None:
     """The pendulum moves as without it; its momentum is another, and the form on the surface is kept to rounding."""
     result, found = run(BOB + FIELD, *FLOW)
@@ -57,6 +58,7 @@ def test_a_magnetic_field_across_the_plane_pulls_along_the_rod_alone() -> None:
     assert abs(found["cartan"].initial) > 1e-4
 
 
+@pytest.mark.slow
 def test_friction_contracts_the_form_as_predicted() -> None:
     result, found = run(BOB + DAMPING, "symplecticity", "volume", "loop", "energy")
     text = system("pendulum", "m = 2.0, g = 9.81, R = 2.0", '"atan2(1.2, 1.6)"', "2.0") + DAMPING
@@ -109,6 +111,7 @@ samples = 21
     assert found["energy"].expected == "conserved"
 
 
+@pytest.mark.slow
 def test_a_relativistic_charge_on_a_circle() -> None:
     """No force along the circle: v is constant, whatever the field across; p is γ m v + q A."""
     text = """
@@ -134,6 +137,7 @@ samples = 31
     assert found["symplecticity"].max_drift < 1e-12
 
 
+@pytest.mark.slow
 def test_friction_on_a_line_that_turns() -> None:
     """r̈ = Ω²r − 2λṙ: the friction along the line; that across it is the line's business."""
     text = """

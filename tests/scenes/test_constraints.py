@@ -30,6 +30,7 @@ monitor = ["energy", "angular_momentum", "constraint", "reversibility"]
 ROD = PENDULUM.format(kind="rod", more="length = 2.0")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [ROD, PENDULUM.format(kind="surface", more='equation = "x**2 + y**2 - 4"')])
 def test_a_rod_is_a_pendulum(text: str) -> None:
     result = simulate(read_scene_text(text))

@@ -31,6 +31,7 @@ def written_out(model: Model) -> Model:
     return replace(model, terms=tuple(Term(x.effect, expr) for x, expr in zip(model.terms, terms, strict=True)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "effects", [(GRAVITY,), (TIMED, 'kind = "uniform_gravity"\ng = 2.0\n')], ids=["gravity", "timed"]
 )

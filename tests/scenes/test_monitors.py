@@ -35,6 +35,7 @@ def readings(text: str, monitors: tuple[str, ...] = ALL, **settings: Any) -> tup
     return result, {reading.name: reading for reading in result.monitors}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("integrator", [None, "gauss6"])
 def test_a_hamiltonian_flow_keeps_its_invariants(integrator: str | None) -> None:
     result, found = readings(HENON, integrator=integrator)
@@ -47,6 +48,7 @@ def test_a_hamiltonian_flow_keeps_its_invariants(integrator: str | None) -> None
     assert all(reading.bound is not None for reading in found.values())
 
 
+@pytest.mark.slow
 def test_a_coarse_symplectic_step_keeps_them_and_runge_kutta_does_not() -> None:
     _, verlet = readings(HENON, ("symplecticity", "loop"), accuracy=None, step=0.1, integrator="verlet")
     _, rk4 = readings(HENON, ("symplecticity", "loop"), accuracy=None, step=0.1, integrator="rk4")
@@ -59,6 +61,7 @@ def damped(rate: float, duration: float = 5.0) -> str:
     return text + f'[[effect]]\nkind = "potential"\nV = "x**2*y/5"\n[[effect]]\nkind = "damping"\nrate = {rate}\n'
 
 
+@pytest.mark.slow
 def test_damping_contracts_as_predicted() -> None:
     result, found = readings(damped(0.1))
     assert result.ok, result.messages
@@ -72,6 +75,7 @@ def test_damping_contracts_as_predicted() -> None:
         assert found[name].max_drift <= found[name].bound < 1e-8
 
 
+@pytest.mark.slow
 def test_rayleighs_matrix_contracts_volume_by_its_trace() -> None:
     text = """
 [[body]]
@@ -113,6 +117,7 @@ samples = 401
     assert found["volume"].max_drift < 1e-6
 
 
+@pytest.mark.slow
 def test_a_flow_that_is_not_hamiltonian_raises_the_alarm() -> None:
     """The same model, but its steps get a force that is in no Hamiltonian: every monitor sees it."""
     result, _ = readings(HENON, ())

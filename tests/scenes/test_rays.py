@@ -20,6 +20,7 @@ def run(text: str) -> Result:
     return simulate(read_scene_text(text))
 
 
+@pytest.mark.slow
 def test_a_graded_fibre_is_an_oscillator_along_its_axis() -> None:
     """n² = n₀² − a r²: with h = −H = n cos(angle) conserved, d²x/dz² = −a x/h². Ledger S25."""
     result = run(RAY + FIBRE + RUN)

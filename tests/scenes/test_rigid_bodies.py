@@ -82,6 +82,7 @@ def test_the_separatrix_of_the_asymmetric_top() -> None:
     assert np.abs(M - expected).max() < 1e-15 * np.exp(10 * g) * 10
 
 
+@pytest.mark.slow
 def test_the_attitude_of_an_asymmetric_top() -> None:
     """The elliptic functions agree with three rotations in small steps."""
     text = TOP.replace("[1.0, 1.0, 0.5]", "[1.0, 2.0, 2.7]").replace("8.0]", "-0.5]")
@@ -95,6 +96,7 @@ def test_the_attitude_of_an_asymmetric_top() -> None:
     assert np.abs(exact.p - split.p).max() < 1e-9
 
 
+@pytest.mark.slow
 def test_the_heavy_top_in_euler_angles() -> None:
     """sec-12.3.2-e: the same motion as the system in (θ, φ, ψ), M_3 is kept, and so are M_z and the bracket."""
     result, found = run(TOP + GRAVITY, ALL)
@@ -118,6 +120,7 @@ def test_the_heavy_top_in_euler_angles() -> None:
     assert np.allclose(R[:, :2, 2], node, atol=1e-8)
 
 
+@pytest.mark.slow
 def test_torques() -> None:
     """dM/dt = K in space; a body that is turned about an axis of its own speeds up as K t/I."""
     result, found = run(TOP + TORQUE, ("energy", "angular_momentum", "casimir", "volume", "symplecticity"))
@@ -132,6 +135,7 @@ def test_torques() -> None:
     assert np.allclose(result.p, np.outer(0.25 * result.times, [0, 0, 1]), atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_torque_without_a_potential_raises_the_alarm() -> None:
     """The model says gravity, the steps have a little more of one component: bracket, energy and loops see it."""
     scene = read_scene_text(TOP + GRAVITY)
@@ -152,6 +156,7 @@ def test_a_torque_without_a_potential_raises_the_alarm() -> None:
     assert found == {"energy": True, "symplecticity": True, "volume": False}
 
 
+@pytest.mark.slow
 def test_a_method_that_is_asked_for_is_used() -> None:
     """Gauss's keeps the attitude's norm, and the brackets to its error alone: that is no alarm."""
     text = TOP.replace("[1.0, 1.0, 0.5]", "[1.0, 2.0, 2.7]").replace("8.0]", "-0.5]")

@@ -37,6 +37,7 @@ def test_orbits_turn_as_is_said() -> None:
     assert result.scattering["n0"].energy == pytest.approx(2.25, rel=1e-11)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("k", [1.0, -1.0])
 def test_coulomb_scattering_is_rutherfords(k: float) -> None:
     """The state at a finite distance has the energy and moment of the asymptotic one."""
@@ -51,6 +52,7 @@ def test_coulomb_scattering_is_rutherfords(k: float) -> None:
     assert seen.angle == pytest.approx(abs(seen.deflection.angle))
 
 
+@pytest.mark.slow
 def test_where_nothing_is_known_nothing_is_said() -> None:
     other = '[[effect]]\nkind = "damping"\nrate = 0.001\n'
     result = run("1/r", (0.4,), 20.0, other)

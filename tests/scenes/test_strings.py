@@ -68,6 +68,7 @@ def test_a_bob_that_is_thrown_too_slowly() -> None:
     assert (found["volume"].expected, found["volume"].max_drift) == ("broken by string", None)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [3.0, 7.5])
 def test_a_string_that_is_never_slack_is_a_rod(speed: float) -> None:
     """Below the horizontal, and fast enough to go round."""
@@ -79,6 +80,7 @@ def test_a_string_that_is_never_slack_is_a_rod(speed: float) -> None:
     assert np.allclose(string.q, rod.q, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_jerk_at_the_very_beginning() -> None:
     """At full length outwards: the radial half of (1, 1) is lost at once, and the other goes on."""
     text = BOB.format(speed=1.0, kind="string", duration=0.5).replace("[1.0, 0.0]", "[1.0, -1.0]")
@@ -90,6 +92,7 @@ def test_a_jerk_at_the_very_beginning() -> None:
     assert found["energy"].expected == "broken by string"
 
 
+@pytest.mark.slow
 def test_two_bodies_pull_each_other() -> None:
     """A string that is slack at first: the jerk is between the two, and keeps their momentum; then they turn."""
     text = """
@@ -142,6 +145,7 @@ def test_only_what_is_called_for() -> None:
     assert operations(rod) < damped < operations(rod) + 120
 
 
+@pytest.mark.slow
 def test_the_record_and_bad_input(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "string.toml"
     path.write_text(BOB.format(speed=0, kind="string", duration=0.3).replace("-1.0]", "-0.9]"))

@@ -27,6 +27,7 @@ def test_the_ledgers_systems_are_there() -> None:
     assert len(system_names()) == len(LEDGER)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", system_names())
 def test_a_system_runs_and_conserves_what_it_should(name: str, tmp_path: Path, capsys: Capture) -> None:
     """From the file that `canon scenes` prints, by the command line."""

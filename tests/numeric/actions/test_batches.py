@@ -130,6 +130,7 @@ def test_angles_of_the_pendulum(cosine: float, momentum: float, side: int) -> No
         assert abs(w - (exact - mp.floor(exact))) < 5e-16
 
 
+@pytest.mark.slow
 def test_any_central_potential() -> None:
     b, V = 1.0, "-k/(1 + sqrt(1 + r**2))"
     for eccentricity, most in ((0.3, 1e-11), (1e-3, 2e-11), (1e-6, 2e-8)):

@@ -138,6 +138,7 @@ def test_two_wells() -> None:
         double.orbit("-1/10")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("H", "q", "p"),
     [
@@ -241,6 +242,7 @@ def test_actions_beyond_the_branch(pendulum: Motion) -> None:
         pendulum.point(7, 0.1, branch="rotation")
 
 
+@pytest.mark.slow
 def test_the_largest_action_of_a_well_that_can_be_left() -> None:
     """Morse's well: J < 2π√2 below the energy of escape."""
     morse = motion("p**2/2 + (1 - exp(-q))**2")

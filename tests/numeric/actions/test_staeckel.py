@@ -75,6 +75,7 @@ def states(spread: float, height: float, count: int) -> list[np.ndarray]:
     ]  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("spread", "height"), [(0.3, 0.2), (0.3, 1e-5), (1e-6, 1e-9)])
 def test_both_actions_near_the_plane_and_far_from_it(spread: float, height: float) -> None:
     rows = states(spread, height, 4)

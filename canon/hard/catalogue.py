@@ -6,10 +6,42 @@ from collections.abc import Sequence
 from difflib import get_close_matches
 
 from canon.errors import InputError
-from canon.hard import brackets, caustics, kepler, relativity, resonance, rotations, scattering, separatrix, series
+from canon.hard import (
+    angles,
+    brackets,
+    caustics,
+    elements,
+    integrators,
+    kepler,
+    loops,
+    modes,
+    relativity,
+    resonance,
+    rotations,
+    scattering,
+    separatrix,
+    series,
+    units,
+)
 from canon.hard.case import HardCase
 
-FAMILIES = (kepler, separatrix, resonance, rotations, relativity, scattering, caustics, series, brackets)
+FAMILIES = (
+    kepler,
+    elements,
+    separatrix,
+    resonance,
+    modes,
+    rotations,
+    relativity,
+    scattering,
+    angles,
+    caustics,
+    series,
+    brackets,
+    loops,
+    integrators,
+    units,
+)
 
 
 def cases(names: Sequence[str] = (), *, slow: bool = False) -> tuple[HardCase, ...]:

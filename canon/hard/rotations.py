@@ -90,6 +90,28 @@ def _turned_over(distance: float, phi: float, psi: float) -> tuple[float, ...]:
     return (w * half / whole, x * whole / half, y * whole / half, z * half / whole)
 
 
+def _body_momentum(m: Any, theta: Number, psi: Number, p_phi: Number, p_theta: Number, p_psi: Number) -> Quantities:
+    """M₁ and M₂ of Euler's momenta, (p_φ − p_ψ cos θ)/sin θ as it stands. Goldstein, Poole and Safko (2002), 5.7."""
+    along = (p_phi - p_psi * m.cos(theta)) / m.sin(theta)
+    return ((along * m.sin(psi) + p_theta * m.cos(psi), along * m.cos(psi) - p_theta * m.sin(psi)),)
+
+
+def _our_body_momentum(theta: Any, psi: Any, p_phi: Any, p_theta: Any, p_psi: Any) -> Any:
+    from canon.numeric.rotations import momentum_in_body
+
+    return momentum_in_body(theta, psi, p_phi, p_theta, p_psi)[:2]
+
+
+def _sympy_body_momentum(*values: float) -> Quantities:
+    """sympy's lambdified formula."""
+    import sympy as sp
+
+    theta, psi, p_phi, p_theta, p_psi = names = sp.symbols("theta psi p_phi p_theta p_psi")
+    along = (p_phi - p_psi * sp.cos(theta)) / sp.sin(theta)
+    formulas = [along * sp.sin(psi) + p_theta * sp.cos(psi), along * sp.cos(psi) - p_theta * sp.sin(psi)]
+    return (tuple(sp.lambdify(names, formulas, "math")(*values)),)
+
+
 def _rapidity(m: Any, x: Number, y: Number, z: Number) -> Quantities:
     return ((x, y, z),)
 
@@ -231,6 +253,18 @@ CASES = (
         compiled(_our_euler),
         peers={"scipy.spatial": each(_scipy_euler)},
         digits=360,
+    ),
+    HardCase(
+        "a top with p_φ = p_ψ, θ → 0",
+        "rotations",
+        "its angular momentum across its axis",
+        ("theta", "psi", "p_phi", "p_theta", "p_psi"),
+        tuple((10.0**-k, 0.4, 1.3, 0.5 * 10.0**-k, 1.3) for k in (3, 6, 9, 150)),
+        _body_momentum,
+        compiled(_our_body_momentum),
+        peers={"sympy": each(_sympy_body_momentum)},
+        digits=360,
+        held=frozenset({2, 4}),
     ),
     HardCase(
         "boosts with γ − 1 down to 1e-16",

@@ -114,3 +114,19 @@ def to_euler(a: Any) -> tuple[Any, Any, Any]:
     along, across = jnp.where(over == 0, across, along), jnp.where(upright == 0, along, across)
     wrapped = lambda angle: angle - 2 * jnp.pi * jnp.round(angle / (2 * jnp.pi))
     return wrapped(along + across), 2 * jnp.arctan2(upright, over), wrapped(along - across)
+
+
+def momentum_in_body(theta: Any, psi: Any, p_phi: Any, p_theta: Any, p_psi: Any) -> Any:
+    """The angular momentum (3, …) in the body's frame, of the momenta conjugate to z-x-z Euler angles.
+
+    Its component across the line of nodes, (p_φ − p_ψ cos θ)/sin θ, is (p_φ − p_ψ)/sin θ + p_ψ tan θ/2, and likewise
+    from θ = π: where p_φ = ±p_ψ it stays finite and keeps its digits. Goldstein, Poole and Safko (2002), 5.7.
+    """
+    import jax.numpy as jnp
+
+    near = jnp.tan(theta / 2)
+    upper = (p_phi - p_psi) / jnp.sin(theta) + p_psi * near
+    lower = (p_phi + p_psi) / jnp.sin(theta) - p_psi / near
+    along = jnp.where(p_phi == p_psi, p_psi * near, jnp.where(jnp.abs(near) <= 1, upper, lower))
+    c, s = jnp.cos(psi), jnp.sin(psi)
+    return jnp.stack([along * s + p_theta * c, along * c - p_theta * s, p_psi + 0.0 * along])

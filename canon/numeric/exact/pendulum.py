@@ -27,7 +27,9 @@ def pendulum(
     scale = 2 * jnp.sqrt(inertia * strength)
     turns = jnp.round(q / (2 * jnp.pi))
     half = (q - 2 * jnp.pi * turns) / 2
-    S, C, P = jnp.sin(half), jnp.cos(half), p / scale
+    # the sines are those of q itself: of a large angle less whole turns, rounded, the first digits would be lost
+    side = 1 - 2 * (jnp.abs(turns) % 2)
+    S, C, P = side * jnp.sin(q / 2), side * jnp.cos(q / 2), p / scale
     if from_top:
         S, C = C, -S
     X, Y, Z = rotor(P, S, C, rate * t)

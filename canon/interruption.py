@@ -61,7 +61,8 @@ def heeding(work: Callable[[], T]) -> T:
     **Raises:** `Left` where the work didn't end soon after that.
     """
     listener = Listener()
-    before = {number: signal.signal(number, listener) for number in (signal.SIGINT, signal.SIGTERM)}
+    wanted = [n for n in (signal.SIGINT, signal.SIGTERM) if signal.getsignal(n) is not signal.SIG_IGN]
+    before = {number: signal.signal(number, listener) for number in wanted}
     try:
         return _in_a_thread(work, listener.overdue, Left)
     finally:

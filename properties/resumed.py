@@ -65,6 +65,11 @@ def verdicts(output: str) -> list[tuple[Any, ...]]:
     return [(c["file"], c["index"], c["kind"], c["verdict"], c["method"], str(c["witness"])) for c in claims]
 
 
+def heard() -> None:
+    """A background job begins with Ctrl-C ignored; this one is to hear it."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def main() -> int:
     """Run both, compare, print the figures; exit status 1 where they differ."""
     parser = argparse.ArgumentParser(prog="python -m properties.resumed", description=__doc__)
@@ -85,7 +90,9 @@ def main() -> int:
         stops, code = 0, -1
         while code < 0 or code == 130:
             resumed = command(folder, options.jobs, "--resume", str(kept))
-            process = subprocess.Popen(resumed, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            process = subprocess.Popen(
+                resumed, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=heard
+            )
             try:
                 output, _ = process.communicate(timeout=rng.uniform(1.0, options.longest))
             except subprocess.TimeoutExpired:

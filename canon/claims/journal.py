@@ -76,9 +76,10 @@ def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
     with open(kept.path, "rb") as file:
         while line := file.readline(LONGEST):
             lines += 1
-            body = _body(line)
-            sound += body is not None
-            for position in places.get(body["name"], ()) if body is not None else ():
+            if (body := _body(line)) is None:
+                continue
+            sound += 1
+            for position in places.get(body["name"], ()):
                 entry, kind = entries[position], body["kind"]
                 record = {**body["record"], "file": entry.file}
                 if _fits(kind, record, entry):

@@ -16,7 +16,7 @@ from typing import Final
 
 import canon
 from canon.cli import actions, algebra, certificate, cost, hard, scenes, simulate, verify
-from canon.cli.parser import Parser
+from canon.cli.parser import NOT_WRITTEN, Parser
 from canon.interruption import Left, heeding, left_behind
 
 COMMANDS: Final = {
@@ -108,6 +108,10 @@ def entry() -> None:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         status = HUNG_UP
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            print(f"canon: the output could not be written: {error.strerror or error}", file=sys.stderr, flush=True)
+        os._exit(NOT_WRITTEN)  # what is left in the buffers can't be written, either
     except (KeyboardInterrupt, Left):
         with contextlib.suppress(OSError):
             print("canon: interrupted", file=sys.stderr, flush=True)

@@ -8,6 +8,8 @@ import re
 from typing import NoReturn
 
 BAD_INPUT = 3
+NOT_WRITTEN = 74
+"""The exit status where the output could not be written: the disk is full, most likely (EX_IOERR of sysexits)."""
 
 
 class Parser(argparse.ArgumentParser):

@@ -9,11 +9,11 @@ import signal
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
-from canon.cli.parser import BAD_INPUT, positive, seconds
+from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, positive, seconds
 
 if TYPE_CHECKING:
     from canon.scenes.scene import Scene
@@ -85,9 +85,11 @@ def execute(arguments: argparse.Namespace) -> int:
         result = _run(scene, arguments)
     except InputError as error:
         return _refuse(arguments, error)
-    _write(result, arguments)
+    faults = _write(result, arguments)
     _print(result, arguments)
-    return 0 if result.ok else 1
+    for fault in faults:
+        print(f"canon simulate: {fault}", file=sys.stderr)
+    return NOT_WRITTEN if faults else 0 if result.ok else 1
 
 
 def _run(scene: Scene, arguments: argparse.Namespace) -> Result:
@@ -96,7 +98,8 @@ def _run(scene: Scene, arguments: argparse.Namespace) -> Result:
     from canon.scenes.simulate import simulate
 
     def keep(arrays: Any) -> None:
-        write_arrays(arrays, arguments.out)
+        with suppress(OSError):  # the run is worth more than what it could be gone on with; it is said at the end
+            write_arrays(arrays, arguments.out)
 
     def warn(message: str) -> None:
         print(f"canon simulate: {arguments.scene}: {message}", file=sys.stderr)
@@ -170,8 +173,8 @@ def check_folder(option: str, path: str | None) -> None:
     folder = os.path.dirname(path) or os.curdir
     if not os.path.isdir(folder):
         raise InputError(f"there is no folder {folder!r} to write to", option)
-    if not os.access(folder, os.W_OK) or os.path.isdir(path):
-        raise InputError(f"{path!r} can't be written", option)
+    if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.path.isfile(path)):
+        raise InputError(f"{path!r} can't be written, or is no regular file", option)
 
 
 class _watched:  # noqa: N801 - a context manager that reads as a word
@@ -204,15 +207,27 @@ def _refuse(arguments: argparse.Namespace, error: Any) -> int:
     return BAD_INPUT
 
 
-def _write(result: Result, arguments: argparse.Namespace) -> None:
-    if arguments.out is not None:
-        from canon.report.states_file import write_states
+def _write(result: Result, arguments: argparse.Namespace) -> list[str]:
+    """Write the files that were asked for, and return what to say of those that couldn't be written."""
+    from canon.report.states_file import write_states
 
-        write_states(result, arguments.out)
-    if arguments.plot is not None:
+    def draw() -> None:
         from canon.report.figures import plot
 
         plot(result, arguments.plot)
+
+    faults = []
+    for option, path, write in (
+        ("--out", arguments.out, lambda: write_states(result, arguments.out)),
+        ("--plot", arguments.plot, draw),
+    ):
+        try:
+            if path is not None:
+                write()
+        except OSError as error:
+            faults.append(f"{option} {path} can't be written: {error.strerror or error}")
+            setattr(arguments, option.removeprefix("--"), None)
+    return faults
 
 
 def _print(result: Result, arguments: argparse.Namespace) -> None:

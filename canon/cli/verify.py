@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from canon.cli.files import ClaimFile, claim_files
-from canon.cli.parser import BAD_INPUT, count, seconds, whole
+from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, count, seconds, whole
 
 if TYPE_CHECKING:
     from canon.claims.journal import Journal
@@ -129,7 +129,11 @@ def execute(arguments: argparse.Namespace) -> int:
         print("\n".join(table))
     else:
         _print(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
-    return INTERRUPTED if interrupted else exit_status(claims, errors)
+    unwritten = [claim["detail"]["certificate_error"] for claim in claims if "certificate_error" in claim["detail"]]
+    if unwritten:
+        print(f"canon verify: {len(unwritten)} certificates are missing: {unwritten[0]}", file=sys.stderr)
+    status = INTERRUPTED if interrupted else exit_status(claims, errors)
+    return status or (NOT_WRITTEN if unwritten else 0)
 
 
 def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Record) -> None:
@@ -138,7 +142,7 @@ def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Rec
     write(diary, entries[position], answer)
 
 
-def _refuse_journal(name: str, error: InputError) -> int:
+def _refuse_journal(name: str | None, error: InputError) -> int:
     print(f"canon verify: --resume {name}: {error.message}", file=sys.stderr)
     return BAD_INPUT
 

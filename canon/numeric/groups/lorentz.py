@@ -41,8 +41,8 @@ def log(boost: Any) -> tuple[Any, Any]:
     """(ω, ζ) of a proper orthochronous Lorentz matrix, with |ω| ≤ π where ζ is along ω (or 0).
 
     The matrix is M M̄ with M = m₀ + Σ m_k F_k: the products m_i m̄_j are sums of its entries, and √f = acosh m₀. They
-    determine m up to a phase, which m₀² − m·m = 1 fixes: of a rapidity ζ beyond 1 the matrix, rounded as it is, knows ω
-    to some e^ζ roundings only; a pure boost's ζ comes back to full precision.
+    determine m up to a phase, which m₀² − m·m = 1 fixes. How well a rounded matrix knows them says `log_error`: at
+    rapidity 30 a rotation beside the boost to three digits, while a pure boost's ζ comes back to full precision.
     """
     import jax.numpy as jnp
 
@@ -59,6 +59,18 @@ def log(boost: Any) -> tuple[Any, Any]:
     m0, vector = m[..., 0], m[..., 1:]
     z = 2 * _arc(m0, jnp.sum(vector * vector, -1))[..., None] * vector
     return jnp.imag(z), jnp.real(z)
+
+
+def log_error(boost: Any) -> Any:
+    """How far (ω, ζ) of `log` may be off for a matrix with rounded entries: at most so much in each component.
+
+    A turn about the direction of the boost changes entries by about as much as the angle, while all are rounded to some
+    2⁻⁵³ e^ζ: so much is lost in the matrix, and not in its logarithm. The bound is 16 roundings of the largest entry,
+    four times what was found at random; near |ω| = π, where ζ is along ω, ω may be −ω besides.
+    """
+    import jax.numpy as jnp
+
+    return 8 * jnp.finfo(boost.dtype).eps * jnp.max(jnp.abs(boost), axis=(-2, -1))
 
 
 def _self_dual(omega: Any, zeta: Any) -> tuple[Any, Any]:

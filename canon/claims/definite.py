@@ -291,6 +291,8 @@ def at_points(question: Question, span: Range, f: Node, equals: Node, budget: Bu
     tape = question.tape
     if isinstance(span.low, str) or isinstance(span.high, str):
         return Outcome("undecided", note="an infinite range has no certified quadrature")
+    if tape.functions_of([f, equals]):
+        return Outcome("undecided", note="arbitrary functions have no quadrature")
     ends = [question.load(end) for end in (span.low, span.high)]  # type: ignore[arg-type]
     x = tape.symbol(span.x)
     names = sorted(set().union(*(tape.support(n) for n in (f, equals, *ends))) - {x})

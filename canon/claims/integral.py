@@ -13,6 +13,7 @@ from canon.claims.definite import Range, Unproved, antiderivative, at_points, ex
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.show import with_value
 from canon.decide.tape import Node
+from canon.errors import InputError
 from canon.expression import Formula
 
 if TYPE_CHECKING:
@@ -30,6 +31,8 @@ def integral(question: Question) -> Outcome:
     f, equals = question.formula("f"), question.formula("equals")
     x: sp.Symbol = question.key("variable")
     given = question.key("antiderivative")
+    if x in equals.expr.free_symbols:
+        raise InputError(f"{x} is the variable of integration: the integral doesn't depend on it", "key 'equals'")
     try:
         span = range_of(question, x, question.key("from"), question.key("to"), (f, equals))
     except Unproved as reason:

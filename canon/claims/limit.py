@@ -25,6 +25,7 @@ from canon.decide.search import ball_point, samples
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.sign import declared
 from canon.verdict import Evidence
 
 if TYPE_CHECKING:
@@ -42,6 +43,8 @@ def limit(question: Question) -> Outcome:
     """
     f, to, equals = question.formula("f"), question.key("to"), question.key("equals")
     x: sp.Symbol = question.key("variable")
+    if declared(x).get("integer") and not isinstance(to, str):
+        raise InputError(f"{x} is an integer: it can tend to an infinity alone", "key 'to'")
     for word, value in (("to", to), ("equals", equals)):
         if isinstance(value, Formula) and x in value.expr.free_symbols:
             raise InputError(f"{x} tends to its limit: it can't be in it", f"key {word!r}")

@@ -243,6 +243,8 @@ def _trials(question: Question, span: Range, second: Second, word: str) -> Outco
     tape, t = question.tape, question.tape.symbol(span.x)
     if isinstance(span.low, str) or isinstance(span.high, str):
         return Outcome("undecided", note="no variations were tried over an infinite range")
+    if tape.functions_of([node for matrix in (second.P, second.R, second.Q) for row in matrix for node in row]):
+        return Outcome("undecided", note="no variations were tried with arbitrary functions")
     low, high = question.load(span.low), question.load(span.high)
     phase = tape.times(tape.constant("pi"), tape.minus(t, low), tape.power(tape.minus(high, low), -1))
     waves = [tape.call("sin", tape.scaled(phase, k)) for k in range(1, WAVES + 1)]

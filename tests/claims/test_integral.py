@@ -80,6 +80,7 @@ def test_numeric_only(ask):
         (_claim("q", "q", "0", "1", "1/2", "q**2"), "another function"),
         (_claim("q", "q", "infinity", "0", "0"), "upwards"),
         (_claim("q", "q", "0", "q", "q**2/2"), "variable of integration"),
+        (_claim("q", "q", "0", "1", "q/2"), "doesn't depend"),
         (_claim("r", "r", "-1", "1", "0"), "leaves what is assumed"),
         (_claim("n", "n", "0", "1", "0"), "no real variable"),
     ],

@@ -5,7 +5,8 @@ import pytest
 from canon.errors import InputError
 
 SYMBOLS = "\n".join(
-    [f'{x} = "positive"' for x in "abcmNw"] + ['v = "real"', 'k = "real"', 'V = "function"', 'l = "nonnegative"']
+    [f'{x} = "positive"' for x in "abcmNw"]
+    + ['n = "integer"', 'v = "real"', 'k = "real"', 'V = "function"', 'l = "nonnegative"']
 )
 
 
@@ -106,6 +107,7 @@ def test_numeric_only(ask):
         (_claim("q", "q", "oo", "0"), "infinity"),
         (_claim("q", "q", "0", "0", "above"), "from above"),
         (_claim("q", "V", "0", "0"), "function"),
+        (_claim("n", "n", "0", "0"), "integer"),
     ],
 )
 def test_faults(ask, claim, message):

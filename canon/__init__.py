@@ -102,6 +102,7 @@ if TYPE_CHECKING:
     from canon.numeric.actions.orbit import Orbit
     from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
     from canon.numeric.actions.separable import staeckel_actions
+    from canon.numeric.actions.staeckel_frequencies import staeckel_frequencies
     from canon.numeric.normal_modes import NormalModes, Williamson, normal_modes, williamson
     from canon.report.proof.of_claim import Proof, proof
     from canon.scenes.audit import audit
@@ -130,6 +131,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.numeric.actions.central": ("central_actions",),
     "canon.numeric.actions.frequency_analysis": ("Lines", "frequency_lines"),
     "canon.numeric.actions.separable": ("staeckel_actions",),
+    "canon.numeric.actions.staeckel_frequencies": ("staeckel_frequencies",),
     "canon.numeric.actions.isochrone": ("isochrone_actions", "isochrone_angle"),
     "canon.numeric.actions.motion": ("Motion", "motion"),
     "canon.numeric.actions.orbit": ("Orbit",),
@@ -307,6 +309,7 @@ __all__ = [
     "separation",
     "split_boost",
     "staeckel_actions",
+    "staeckel_frequencies",
     "standard_j",
     "surface_invariant",
     "symplectify",

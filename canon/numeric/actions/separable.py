@@ -14,6 +14,11 @@ from canon.numeric.actions.central import doubled, sorted_out, spread
 from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block
 from canon.numeric.precision import double
 
+NOT_BOUND = (
+    "orbit {} has no turning points on both sides: it is not bound; bound ones have E below the limit of V at "
+    "infinity, and G + E above 0 in the plane"
+)
+
 
 class StaeckelActions(NamedTuple):
     """J_λ, J_ν and J_φ = 2πL_z of each orbit, in the plane's terms radial, vertical and azimuthal, with two bounds."""
@@ -54,14 +59,7 @@ def staeckel_actions(
 
     **Raises:** `InputError` where G is no such formula, or an orbit is not bound or on the axis, with its index.
     """
-    formula, symbol = formula_of(G, variable, parameters or {}, "G")
-    if not delta > 0:
-        raise InputError(f"the foci are at a distance above 0 from the centre, not {delta}", "delta")
-    shape = np.broadcast_shapes(*(np.shape(x) for x in (R, z, p_R, p_z, L_z)))
-    state = [np.broadcast_to(np.asarray(x, dtype=float), shape).ravel() for x in (R, z, p_R, p_z, L_z)]
-    wrong = ~((state[0] > 0) & (state[4] != 0) & np.isfinite(np.sum(state, axis=0)))
-    if wrong.any():
-        raise InputError(f"orbit {int(np.argmax(wrong))} has no R > 0 and L_z ≠ 0, or is not finite", "R")
+    formula, symbol, shape, state = read_orbits(G, delta, (R, z, p_R, p_z, L_z), variable, parameters)
     count = state[0].size
     radial, vertical = np.full((2, count), np.nan), np.full((2, count), np.nan)
     kernels = _kernels(formula, symbol, float(delta), float(m))
@@ -71,15 +69,26 @@ def staeckel_actions(
         lost = ~np.isfinite(top)
         lost[wide] |= ~np.isfinite(ends).all(axis=0)
         if lost.any():
-            raise InputError(
-                f"orbit {int(np.argmax(lost))} has no turning points on both sides: it is not bound; bound ones have "
-                f"E below the limit of V at infinity, and G + E above 0 in the plane",
-                "E",
-            )
+            raise InputError(NOT_BOUND.format(int(np.argmax(lost))), "E")
         doubled(kernels.wide, wide, [*state, *spread(ends, wide, count)], radial, _twice)
         doubled(kernels.across, np.arange(count), [*state, top], vertical, lambda *row: np.stack(row))
     azimuthal = 2 * np.pi * state[4]
     return StaeckelActions(*(x.reshape(shape) for x in (radial[0], vertical[0], azimuthal, radial[1], vertical[1])))
+
+
+def read_orbits(
+    G: Any, delta: float, rows: Any, variable: str, parameters: Mapping[str, Any] | None
+) -> tuple[Any, Any, tuple[int, ...], list[Any]]:
+    """The formula and its symbol, and the orbits' shape and flat states. **Raises:** `InputError`."""
+    formula, symbol = formula_of(G, variable, parameters or {}, "G")
+    if not delta > 0:
+        raise InputError(f"the foci are at a distance above 0 from the centre, not {delta}", "delta")
+    shape = np.broadcast_shapes(*(np.shape(x) for x in rows))
+    state = [np.broadcast_to(np.asarray(x, dtype=float), shape).ravel() for x in rows]
+    wrong = ~((state[0] > 0) & (state[4] != 0) & np.isfinite(np.sum(state, axis=0)))
+    if wrong.any():
+        raise InputError(f"orbit {int(np.argmax(wrong))} has no R > 0 and L_z ≠ 0, or is not finite", "R")
+    return formula, symbol, shape, state
 
 
 def _twice(action: Any, rounding: Any) -> Any:

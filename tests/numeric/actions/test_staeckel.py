@@ -8,6 +8,7 @@ import pytest
 
 from canon.errors import InputError
 from canon.numeric.actions.separable import staeckel_actions
+from canon.numeric.actions.staeckel_frequencies import staeckel_frequencies
 
 C, DELTA, M = 0.6, 0.8, 2.0
 KUZMIN_KUTUZOV = "k/(c + sqrt(t + c**2))"
@@ -109,3 +110,43 @@ def test_the_vertical_action_does_not_vanish_with_the_height() -> None:
 def test_what_is_refused(state: tuple[float, ...], message: str) -> None:
     with pytest.raises(InputError, match=message):
         staeckel_actions(KUZMIN_KUTUZOV, DELTA, *state, m=M, parameters={"c": C, "k": 1})
+
+
+def actions_and_energy(x: np.ndarray) -> np.ndarray:
+    """J_λ, J_ν, J_φ in 40 digits' quadrature, and the energy, of a state (R, z, p_R, p_z, L)."""
+    R, z, p_R, p_z, L = map(mp.mpf, x)
+    S = R * R + z * z + mp.mpf(DELTA) ** 2
+    l = (S + mp.sqrt(S * S - 4 * z * z * mp.mpf(DELTA) ** 2)) / 2
+    n = z * z * mp.mpf(DELTA) ** 2 / l
+    c = mp.mpf(C)
+    E = (p_R**2 + p_z**2 + L**2 / R**2) / (2 * mp.mpf(M)) - 1 / (mp.sqrt(l + c * c) + mp.sqrt(n + c * c))
+    return np.array([*reference(*x, nodes=60), 2 * mp.pi * L, E])
+
+
+@pytest.mark.parametrize("height", [0.2, 1e-7])
+def test_frequencies_are_derivatives_of_the_energy(height: float) -> None:
+    """dE = ν·dJ along each direction of phase space: differences in 40 digits, so that steps may be tiny."""
+    state = np.array([1.0, height / 3, 0.2, height, 0.7])
+    found = staeckel_frequencies(KUZMIN_KUTUZOV, DELTA, *state, m=M, parameters={"c": C, "k": 1})
+    rates = [float(found.radial), float(found.vertical), float(found.azimuthal)]
+    with mp.workdps(40):
+        for k in (0, 2, 3, 4):
+            step = mp.mpf(10) ** -9
+            sides = []
+            for sign in (1, -1):
+                moved = [mp.mpf(x) for x in state]
+                moved[k] += sign * step
+                sides.append(actions_and_energy(moved))
+            *dJ, dE = (sides[0] - sides[1]) / (2 * step)
+            along = sum(rate * change for rate, change in zip(rates, dJ, strict=True))
+            assert abs(along - dE) <= float(found.relative_bound) * sum(
+                abs(r * x) for r, x in zip(rates, dJ, strict=True)
+            )
+    assert found.relative_bound < 1e-10
+
+
+def test_frequencies_in_the_plane() -> None:
+    heights = [0.0, 1e-9]
+    found = staeckel_frequencies(KUZMIN_KUTUZOV, DELTA, 1.0, heights, 0.2, 0.0, -0.7, m=M, parameters={"c": C, "k": 1})
+    assert found.vertical[0] == pytest.approx(found.vertical[1], rel=1e-13)
+    assert np.all(found.azimuthal < 0)

@@ -1,0 +1,180 @@
+"""Frequencies of many orbits in a Stäckel potential: the inverse of ∂(J_λ, J_ν, J_φ)/∂(E, I₂, I₃), by quadrature.
+
+With the separation of `staeckel`, ∂p_l/∂(E, I₂, I₃) = (1, −1/(l − Δ²), −1/l) m/(4 (l − Δ²) p_l), and for n alike. At
+fixed actions dE then is ν_λ dJ_λ + ν_ν dJ_ν + ν_φ dJ_φ with, D being ∂(J_λ, J_ν)/∂(E, I₃) and I₂ = L²/2m,
+ν_λ = ∂J_ν/∂I₃ /D, ν_ν = −∂J_λ/∂I₃ /D and 2πmν_φ = L [∂(J_λ, J_ν)/∂(I₃, I₂)]/D. No numerator is a difference, and D is
+one of two terms with the ratio of ⟨n⟩⟨1/l⟩ < 1. de Zeeuw (1985), Mon. Not. R. Astron. Soc. 216, 273, section 4.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.numeric.actions import staeckel
+from canon.numeric.actions.central import doubled, sorted_out, spread
+from canon.numeric.actions.orbit_blocks import as_function, blocks, on_block
+from canon.numeric.actions.oscillation import NARROW_NODES, Narrow, Scalar, quadrature
+from canon.numeric.actions.separable import NOT_BOUND, read_orbits
+from canon.numeric.precision import double
+
+ROUNDING: Final = 2.0**-46
+CLOSE: Final = 0.1
+
+
+class StaeckelFrequencies(NamedTuple):
+    """ν_λ, ν_ν and ν_φ of each orbit, in cycles, in the plane's terms radial, vertical and azimuthal; and their bound,
+    relative to each: an estimate of rounding and of what the last doubling of the nodes left."""
+
+    radial: Any
+    vertical: Any
+    azimuthal: Any
+    relative_bound: Any
+
+
+class _Kernels(NamedTuple):
+    guess: Any
+    near: Any
+    ends: Any
+    wide: Any
+    top: Any
+    across: Any
+
+
+def staeckel_frequencies(
+    G: Any,
+    delta: float,
+    R: Any,
+    z: Any,
+    p_R: Any,
+    p_z: Any,
+    L_z: Any,
+    *,
+    m: float = 1.0,
+    variable: str = "t",
+    parameters: Mapping[str, Any] | None = None,
+) -> StaeckelFrequencies:
+    """The frequencies ∂E/∂J of the orbits whose actions `staeckel_actions` gives; the arguments are the same.
+
+    ν_φ has the sign of L_z, and the vertical angle grows by 1 while n, and z with it, goes there and back across the
+    plane. In the plane itself the vertical frequency is that of small oscillations about it.
+
+    **Raises:** `InputError` where G is no such formula, or an orbit is not bound or on the axis, with its index.
+    """
+    formula, symbol, shape, state = read_orbits(G, delta, (R, z, p_R, p_z, L_z), variable, parameters)
+    count = state[0].size
+    along, across = np.full((4, count), np.nan), np.full((4, count), np.nan)
+    kernels = _kernels(formula, symbol, float(delta), float(m))
+    with double():
+        wide, ends = sorted_out(kernels, state, along, lambda *row: np.stack(row))
+        top = np.concatenate([on_block(kernels.top, block, state)[0] for block in blocks(np.arange(count))])
+        lost = ~np.isfinite(top)
+        lost[wide] |= ~np.isfinite(ends).all(axis=0)
+        if lost.any():
+            raise InputError(NOT_BOUND.format(int(np.argmax(lost))), "E")
+        doubled(kernels.wide, wide, [*state, *spread(ends, wide, count)], along, lambda *row: np.stack(row))
+        doubled(kernels.across, np.arange(count), [*state, top], across, lambda *row: np.stack(row))
+    by_E, by_2, by_3, off = m / 2 * along  # there and back
+    across_3, across_E, across_2, across_off = m * across
+    with np.errstate(all="ignore"):
+        part = by_3 * across_E / (by_E * across_3)
+        D = by_E * across_3 * (1 - part)
+        bound = 4 * (off / by_E + across_off / across_3 + ROUNDING) / (1 - part)
+        found = (across_3 / D, by_3 / D, state[4] * (by_2 * across_3 + by_3 * across_2) / (2 * np.pi * m * D), bound)
+    return StaeckelFrequencies(*(x.reshape(shape) for x in found))
+
+
+@lru_cache(maxsize=32)
+def _kernels(formula: Any, symbol: Any, delta: float, m: float) -> _Kernels:
+    import jax
+
+    G, D2 = as_function(formula, symbol), delta * delta
+
+    def place(*state: Any) -> staeckel.Place:
+        return staeckel.place_of(G, delta, m, *state)
+
+    @lru_cache(maxsize=4)
+    def near(degree: int) -> Any:
+        @jax.jit
+        def run(*state: Any) -> Any:
+            at = place(*state)
+            orbit = staeckel.narrow_radial(G, D2, at, degree)
+            return orbit.holds, *_narrow_sums(orbit, m, at)
+
+        return run
+
+    @lru_cache(maxsize=8)
+    def wide(count: int) -> Any:
+        return jax.jit(lambda *row: _wide_sums(G, D2, m, place(*row[:5]), row[5], row[6], count))
+
+    @lru_cache(maxsize=8)
+    def across(count: int) -> Any:
+        return jax.jit(lambda *row: _vertical_sums(G, D2, m, place(*row[:5]), row[5], count))
+
+    guess = jax.jit(lambda *state: (staeckel.amplitude(G, D2, place(*state)),))
+    ends = jax.jit(lambda *state: staeckel.wide_ends(G, D2, place(*state)))
+    top = jax.jit(lambda *state: (staeckel.vertical_end(G, D2, place(*state)),))
+    return _Kernels(guess, near, ends, wide, top, across)
+
+
+def _wide_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, low: Any, high: Any, count: int) -> tuple[Any, ...]:
+    """∫ dl/p_l over l − Δ², over its square and over (l − Δ²) l, between the ends; the rounding of the first."""
+    import jax.numpy as jnp
+
+    def term(u: Any, sine: Any) -> tuple[Any, ...]:
+        beyond = jnp.exp(u)
+        l = D2 + beyond
+        F = l * (G(l) + place.E - place.I2 / beyond) - place.I3
+        F = jnp.where(F > 0, F, jnp.inf)
+        rate = sine * jnp.sqrt(2 * l * beyond / (m * F))
+        return rate, rate / beyond, rate / l, rate * l * place.size / F
+
+    half = (high - low) / 2
+    *sums, off = quadrature(term, low, high, count)
+    return *(half * value for value in sums), 2.0**-51 * half * off
+
+
+def _narrow_sums(orbit: Narrow, m: Any, place: staeckel.Place) -> tuple[Any, ...]:
+    """The same sums of an orbit whose l hardly changes."""
+    import jax.numpy as jnp
+
+    def term(y: Any, sine: Any) -> tuple[Any, ...]:
+        beyond, l = place.beyond + y, place.l + y
+        rate = jnp.sqrt(2 * l / (m * beyond * orbit.stiffness(y)))
+        return rate, rate / beyond, rate / l
+
+    first, *others = quadrature(term, orbit.low, orbit.high, NARROW_NODES)
+    return first, *others, ROUNDING * first
+
+
+def _vertical_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, end: Any, count: int) -> tuple[Any, ...]:
+    """∫ dn/p_n over (Δ² − n) n, over Δ² − n and over its square, up to the largest n; the rounding of the first.
+
+    I₃ is the value of n [G(n) + E + I₂/(Δ² − n)] at that end, so that what is under p_n's root is a divided difference
+    of it: near the end one by Gauss's rule for its mean slope.
+    """
+    import jax
+    import jax.numpy as jnp
+
+    def stiffness(n: Any) -> Any:
+        return G(n) + place.E + place.I2 / (D2 - n)
+
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+
+    def term(half_turn: Any, _: Any) -> tuple[Any, ...]:
+        # n = end sin²(θ/2) at the nodes u = −cos θ: dn / √(n (end − n)) = dθ
+        n = end * (1 + half_turn) / 2
+        rest = end - n
+        places = n + rest * (nodes[:, None] + 1) / 2
+        slopes = jax.jvp(lambda t: t * G(t), (places,), (jnp.ones_like(places),))[1]
+        close = jnp.tensordot(weights / 2, slopes, axes=1) + place.E + place.I2 * D2 / ((D2 - n) * (D2 - end))
+        apart = (place.I3 - n * stiffness(n)) / jnp.where(rest > 0, rest, 1.0)
+        rate = jnp.sqrt(2 / (m * (D2 - n) * jnp.where(rest > CLOSE * end, apart, close)))
+        return rate, rate * n, rate * n / (D2 - n)
+
+    first, second, third = quadrature(term, -jnp.ones_like(end), jnp.ones_like(end), count)
+    return first, second, third, ROUNDING * first * (1 + place.size / jnp.abs(stiffness(jnp.zeros_like(end))))

@@ -148,6 +148,7 @@ def _at_values(question: Question, region: Region, algebra: LieAlgebra, equals: 
         seen[place] = found.identity.name
         if named is not None and isomorphic(found.identity, named) is False and _is_inside(question, region, values):
             detail = described(found) | {"fails": f"isomorphism with {equals} at {place}"}
+            detail |= {"algebra": f"{found.identity.name} at {place}"}
             return exact("refuted", INVARIANTS, **detail)
     note = "; ".join(f"{name} at {place}" for place, name in seen.items())
     if named is None and seen:

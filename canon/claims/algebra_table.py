@@ -51,7 +51,10 @@ def algebra_table(claim: Claim, *, budget: float = 10.0, seed: int = 0) -> Algeb
     except InputError as error:
         return AlgebraTable(claim, verdict, None, None, None, error.message)
     if algebra is None:
-        return AlgebraTable(claim, verdict, None, None, None, "the basis doesn't close with constant coefficients")
+        note = "the basis doesn't close with constant coefficients"
+        fails, value = verdict.detail.get("fails"), verdict.detail.get("value")
+        note += f": {fails.split(' in the span')[0]} = {value}" if fails and value else ""
+        return AlgebraTable(claim, verdict, None, None, None, note)
     scaled = rescaled(algebra)
     try:
         found = None if scaled is None else identify(scaled.algebra, seed)

@@ -84,6 +84,8 @@ def as_text(table: AlgebraTable, file: str) -> list[str]:
     lines += _square("[ , ]", g, brackets) if g.dimension <= WIDEST else [f"  [{a}, {b}] = {v}" for a, b, v in g.rows()]
     if table.found is None or table.scaled is None:
         known = table.note or table.verdict.detail.get("algebra") or "not identified for all values of the parameters"
+        if g.dimension <= WIDEST:
+            lines += ["", *_square("K", g, [[str(entry) for entry in row] for row in g.killing_matrix().tolist()])]
         return [*lines, "", f"  algebra          {known}"]
     found, form = table.found, table.scaled.algebra.killing_form()
     scales = [f"{n} by {s}" for n, s in zip(g.names, table.scaled.scales, strict=True) if s != 1]
@@ -121,7 +123,7 @@ def as_text_of(g: LieAlgebra, a: int, b: int) -> str:
 
 
 def as_latex(table: AlgebraTable) -> str:
-    """The bracket table, and the algebra's name below it, for a paper."""
+    """The bracket table with the algebra's name below it, and the Killing form, for a paper."""
     g = table.algebra
     if g is None:
         return f"% {table.note}"
@@ -135,7 +137,13 @@ def as_latex(table: AlgebraTable) -> str:
     name = (
         f" \\\\[1ex]\n\\multicolumn{{{g.dimension + 1}}}{{l}}{{\\text{{{_tex_words(table)}}}}}" if table.found else ""
     )
-    return f"\\[\n\\begin{{array}}{{c|{'c' * g.dimension}}}\n{body}{name}\n\\end{{array}}\n\\]"
+    brackets = f"\\[\n\\begin{{array}}{{c|{'c' * g.dimension}}}\n{body}{name}\n\\end{{array}}\n\\]"
+    return brackets if g.dimension > WIDEST else f"{brackets}\n\\[\n{_killing_form(g)}\n\\]"
+
+
+def _killing_form(g: LieAlgebra) -> str:
+    rows = " \\\\\n".join(" & ".join(sp.latex(entry) for entry in row) for row in g.killing_matrix().tolist())
+    return f"K = \\begin{{pmatrix}}\n{rows}\n\\end{{pmatrix}}"
 
 
 def _tex_words(table: AlgebraTable) -> str:

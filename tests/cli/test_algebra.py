@@ -31,6 +31,19 @@ basis = {f = "x**3", g = "px"}
 """
 
 
+BOOSTS = """
+[symbols]
+k = "real"
+[[claim]]
+kind = "matrix_algebra"
+equals = "so(2,1)"
+[claim.basis]
+K1 = [["0", "k", "0"], ["1", "0", "0"], ["0", "0", "0"]]
+K2 = [["0", "0", "k"], ["0", "0", "0"], ["1", "0", "0"]]
+J3 = [["0", "0", "0"], ["0", "0", "-1"], ["0", "1", "0"]]
+"""
+
+
 @pytest.fixture
 def file(tmp_path):
     path = tmp_path / "plane.toml"
@@ -47,7 +60,7 @@ def test_text(file, capsys):
     assert "  algebra          e(2)\n" in out
     assert "  Killing form     0 positive, 1 negative, 2 zero\n" in out
     assert "  derived series   3 > 2 > 0; centre of dimension 0" in out
-    assert "#3: refuted\n  the basis doesn't close with constant coefficients" in out
+    assert "#3: refuted\n  the basis doesn't close with constant coefficients: {f, g} = 3*x**2" in out
     assert "#2" not in out
 
 
@@ -67,6 +80,16 @@ def test_latex(file, capsys):
     out = capsys.readouterr().out
     assert r"M & 0 & \frac{Py}{k} & - Px k \\" in out
     assert "e(2), Killing form of signature $(0, 1, 2)$" in out
+    assert "K = \\begin{pmatrix}\n-2 & 0 & 0 \\\\\n0 & 0 & 0" in out
+
+
+def test_parameters_of_any_sign_are_left_in_the_killing_form(tmp_path, capsys):
+    path = tmp_path / "boosts.toml"
+    path.write_text(BOOSTS)
+    assert main(["algebra", str(path)]) == 1
+    out = capsys.readouterr().out
+    assert ["K1", "2*k", "0", "0"] in [line.split() for line in out.splitlines()]
+    assert "  algebra          so(3) at k = -1\n" in out
 
 
 def test_bad_input_is_named(tmp_path, capsys):

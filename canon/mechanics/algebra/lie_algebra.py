@@ -15,7 +15,7 @@ from flint import fmpq, fmpq_mat
 from canon.errors import InputError
 from canon.expression import Vocabulary, read
 from canon.mechanics.algebra import linear
-from canon.mechanics.algebra.coefficients import Combination, Number, as_sympy, exact, increase, times
+from canon.mechanics.algebra.coefficients import Combination, Number, as_sympy, exact, increase, sympy_of, times
 from canon.mechanics.algebra.jacobi import both_orders, jacobi_failure
 from canon.mechanics.algebra.linear import fraction, rational
 
@@ -142,6 +142,19 @@ class LieAlgebra:
             ([x for row in linear.rows(self.adjoint(a).transpose()) for x in row] for a in range(size)), size**2
         )
         return flat * turned.transpose()
+
+    def adjoint_matrix(self, a: int) -> sp.Matrix:
+        """ad e_a, whose column b is [e_a, e_b], for any structure constants."""
+        n = self.dimension
+        return sp.Matrix(n, n, lambda c, b: sympy_of(self.bracket_of(a, b).get(c, Fraction(0))))
+
+    def killing_matrix(self) -> sp.Matrix:
+        """K_ab = tr(ad e_a ad e_b), for any structure constants: formulas in their parameters."""
+        n = self.dimension
+        ad = [self.adjoint_matrix(a) for a in range(n)]
+        return sp.Matrix(
+            n, n, lambda a, b: sp.expand(sum(ad[a][i, j] * ad[b][j, i] for i in range(n) for j in range(n)))
+        )
 
     def product(self, x: Sequence[fmpq], y: Sequence[fmpq]) -> list[fmpq]:
         """[x, y] for vectors of rational components."""

@@ -67,6 +67,11 @@ class Verdict:
         if self.status not in STATUSES:
             raise ValueError(f"a verdict is one of {', '.join(STATUSES)}, not {self.status!r}")
 
+    @property
+    def one_digit_more(self) -> str | None:
+        """What one digit more costs: "exact" of what is proved or refuted, where none is to be bought; None else."""
+        return "exact" if self.status in ("proved", "refuted") else None
+
     def __bool__(self) -> bool:
         """True if proved, False if refuted; unknown is no truth value.
 

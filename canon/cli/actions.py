@@ -6,6 +6,7 @@ import argparse
 import json
 import os
 import sys
+import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
 
@@ -56,6 +57,7 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.cli.simulate import check_folder
     from canon.errors import InputError
 
+    begun = time.monotonic()
     try:
         check_folder("--plot", arguments.plot)
         found = _found(arguments)
@@ -68,7 +70,7 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.report.action_record import action_lines, action_record
 
     if arguments.json:
-        print(json.dumps(action_record(found), ensure_ascii=False, allow_nan=False))
+        print(json.dumps(action_record(found, time.monotonic() - begun), ensure_ascii=False, allow_nan=False))
         return 0
     print("\n".join(action_lines(found)))
     if arguments.plot is not None:

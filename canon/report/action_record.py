@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, Final
 
 from canon.numeric.actions.bounded import Bounded
 from canon.numeric.actions.elliptic import RULE as MEAN
@@ -13,12 +13,17 @@ from canon.scenes.actions import Actions
 from canon.scenes.degrees import Degree
 from canon.scenes.values import text_of
 
+BEYOND: Final = "beyond double precision"
+"""The price of one digit more: the bounds of actions are those of the doubles that hold them."""
 
-def action_record(actions: Actions) -> dict[str, Any]:
+
+def action_record(actions: Actions, seconds: float | None = None) -> dict[str, Any]:
     """The record that `canon actions --json` prints."""
     return {
         "format": 1,
         "title": actions.title,
+        "seconds": None if seconds is None else round(seconds, 6),
+        "one_digit_more": BEYOND,
         "hamiltonian": text_of(actions.H),
         "energy": _pair(actions.energy),
         "separates": actions.how,

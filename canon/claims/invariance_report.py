@@ -93,7 +93,9 @@ class Invariance:
         ]
         for when, integral in (("before", self.found.before), ("after", self.found.after)):
             count = integral.nodes if isinstance(integral.nodes, int) else " × ".join(map(str, integral.nodes))
-            told = "resolved" if integral.resolved else f"not resolved: the last doubling changed {integral.change:.2g}"
+            told = (
+                "resolved" if integral.resolved else f"not resolved: the last nodes added changed {integral.change:.2g}"
+            )
             lines.append(f"  {when} the map, {count} nodes: {told}")
         return "\n".join(lines)
 

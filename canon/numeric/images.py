@@ -104,7 +104,7 @@ def compare_surfaces(
     periodic: Sequence[bool],
     *,
     factor: float = 1.0,
-    most_points: int = 2**18,
+    most_points: int | None = None,
     unit: float = UNIT,
 ) -> Comparison:
     """∫ ωᵏ/k! over a surface of 2k dimensions, and over its image under a map of points that rounds to `unit`."""

@@ -23,6 +23,16 @@ Surface = Callable[[Array], Array]
 Noise = Callable[[Array, Array], Array]
 
 FIRST_NODES: Final = {1: 16, 2: 6, 3: 3}
+MOST_POINTS: Final = {1: 2**18, 2: 2**18}
+"""On one grid, unless it is said otherwise; 2²⁰ for higher orders."""
+AS_ROUGH: Final = 1e-3
+"""Directions with tails of this part of the largest one are refined together with it, on surfaces of order 2 and up."""
+SLAB: Final = 4096
+"""So many points are looked at together there."""
+FAST: Final = 0.05
+"""Where a change is this part of the one before, at most, convergence is geometric, and what remains is estimated."""
+FASTEST: Final = 1e-3
+"""No faster convergence is relied on."""
 SAFETY: Final = 4.0
 MATRIX_ULPS: Final = 4.0
 """The rounding of a differentiation matrix, in units of roundoff of each entry."""
@@ -57,14 +67,18 @@ def surface_integral(
     periodic: Sequence[bool],
     *,
     noise: Noise | None = None,
-    most_points: int = 2**18,
+    most_points: int | None = None,
     unit: float = UNIT,
 ) -> SurfaceIntegral:
-    """∫ ωᵏ/k! over a surface of 2k dimensions; nodes are doubled, direction by direction, until all is resolved.
+    """∫ ωᵏ/k! over a surface of 2k dimensions; nodes are added until nothing changes beyond rounding.
+
+    For k = 1 they are doubled, direction by direction; for k > 1, where each doubling would cost the most, their number
+    grows by a third, in all directions together that are as rough as the roughest.
 
     **Arguments:** `surface` takes parameters u (N, 2k) in [0, 1]²ᵏ to phase points (N, 2n); `periodic`, 2k booleans:
     which directions close (trapezoid rule; the others have Gauss–Legendre nodes); `noise`, of parameters and their
-    points: how far the points may be off, by default `unit` of themselves; `most_points`, on one grid.
+    points: how far the points may be off, by default `unit` of themselves; `most_points`, on one grid, by default 2¹⁸
+    for k = 1 and 2, 2²⁰ for more.
 
     **Raises:** `InputError` where the surface has another shape, isn't finite, or doesn't close where it should.
     """
@@ -73,26 +87,52 @@ def surface_integral(
     if size < 2 or size % 2:
         raise InputError(f"a surface has 2, 4, 6, … directions, not {size}", "periodic")
     off = noise or (lambda _, points: unit * np.abs(points))
+    most = most_points or MOST_POINTS.get(size // 2, 2**20)
     counts = [FIRST_NODES.get(size // 2, 2)] * size
     now = _on_grid(surface, counts, directions, off, unit)
     if now.points.shape[-1] < size:
         raise InputError(f"a phase space of {now.points.shape[-1]} dimensions has no surface of {size}", "surface")
     _check_closed(surface, directions)
-    settled, changes = [False] * size, [math.inf] * size
+    settled, changes, remaining = [False] * size, [math.inf] * size, [math.inf] * size
     while True:
         tails = now.tails()
         if all(settled):
             if max(tails) <= TAIL and _interpolates(surface, now):
-                return SurfaceIntegral(now.value, now.bound, tuple(counts), True, max(changes), max(tails))
+                bound = now.bound + (0.0 if size == 2 else max(remaining))
+                return SurfaceIntegral(now.value, bound, tuple(counts), True, max(changes), max(tails))
             settled = [False] * size
-        axis = max((a for a in range(size) if not settled[a]), key=lambda a: (tails[a], -counts[a]))
-        larger = [2 * c if a == axis else c for a, c in enumerate(counts)]
-        if math.prod(larger) > most_points:
+        larger = _refined(counts, tails, settled, most)
+        if larger is None:
             return SurfaceIntegral(now.value, now.bound, tuple(counts), False, max(changes), max(tails))
-        counts, before = larger, now.value
+        counts, before, old = larger, now.value, counts
         now = _on_grid(surface, counts, directions, off, unit)
-        changes[axis] = abs(now.value - before)
-        settled[axis] = changes[axis] <= now.bound
+        for axis in (a for a in range(size) if counts[a] > old[a]):
+            last, changes[axis] = changes[axis], abs(now.value - before)
+            remaining[axis] = changes[axis] if size == 2 else _remaining(last, changes[axis])
+            settled[axis] = remaining[axis] <= now.bound
+
+
+def _remaining(last: float, change: float) -> float:
+    """What further nodes may still change, after two changes: less than the last one where they fall geometrically."""
+    rate = change / last if 0 < last < math.inf else 1.0
+    return change if rate > FAST else SAFETY * change * max(rate, FASTEST)
+
+
+def _refined(counts: Sequence[int], tails: Sequence[float], settled: Sequence[bool], most: int) -> list[int] | None:
+    """More nodes in the roughest direction that isn't settled, on surfaces of order 2 and up in all that are about as
+    rough; None where the grid would have more than `most` points.
+    """
+    size = len(counts)
+    roughest = max((a for a in range(size) if not settled[a]), key=lambda a: (tails[a], -counts[a]))
+    if size == 2:
+        larger = [2 * c if a == roughest else c for a, c in enumerate(counts)]
+        return larger if math.prod(larger) <= most else None
+    rough = {a for a in range(size) if not settled[a] and tails[a] >= AS_ROUGH * tails[roughest]}
+    for chosen in (rough, {roughest}):
+        larger = [c + max(1, c // 3) if a in chosen else c for a, c in enumerate(counts)]
+        if math.prod(larger) <= most:
+            return larger
+    return None
 
 
 @dataclass(frozen=True)
@@ -116,34 +156,64 @@ def _on_grid(surface: Surface, counts: Sequence[int], periodic: Sequence[bool], 
     u = np.stack([x.ravel() for x in np.meshgrid(*(g.x for g in grids), indexing="ij")], axis=1)
     flat = _points(surface, u)
     off = np.sqrt(np.mean(noise(u, flat) ** 2, axis=0))
+    off = np.hypot(off, MATRIX_ULPS * unit * np.abs(flat).max(axis=0))
     points = flat.reshape(*counts, -1)
-    tangents = np.stack([g.derivative(points, axis).reshape(flat.shape) for axis, g in enumerate(grids)])
-    weights = np.ones(1)
-    for g in grids:
-        weights = np.multiply.outer(weights, g.weights).ravel()
-    total, own = (weights @ part for part in _pfaffians(tangents))
-    bound = own + _carried(grids, tangents, weights, np.hypot(off, MATRIX_ULPS * unit * np.abs(flat).max(axis=0)))
+    total, bound = (_by_slabs if len(grids) > 2 else _of_two_dimensions)(grids, points, off)
     return _OnGrid(grids, points, float(total), float(bound))
 
 
-def _carried(grids: Sequence[Grid], tangents: Array, weights: Array, off: Array) -> Array:
-    """What errors of the points, `off` in each variable, make of the integral.
+def _of_two_dimensions(grids: Sequence[Grid], points: Array, off: Array) -> tuple[Array, Array]:
+    """The integral, and what rounding and errors of the points, `off` in each variable, make of it.
 
-    A direction's differentiation makes them larger. On a surface of two dimensions they are taken to be independent of
-    each other along the direction, where they add in quadrature; across it the rounding of the matrix is the same
-    everywhere, and they add up. In more dimensions, where that would cost the most, all of them add up.
+    A direction's differentiation makes errors larger. They are taken to be independent of each other along the
+    direction, where they add in quadrature; across it the rounding of the matrix is the same everywhere, and they add
+    up.
     """
     counts = [g.count for g in grids]
-    larger = [_along(g.amplification(), axis, counts)[:, None] * off for axis, g in enumerate(grids)]
-    if len(grids) > 2:
-        return weights @ _pfaffians(tangents, np.stack(larger))[1]
-    total: Array = 0.0
+    flat = points.reshape(-1, points.shape[-1])
+    tangents = np.stack([g.derivative(points, axis).reshape(flat.shape).T for axis, g in enumerate(grids)])
+    weights = np.multiply.outer(grids[0].weights, grids[1].weights).ravel()
+    total, bound = (weights @ part for part in _pfaffians(tangents))
+    larger = [_along(g.amplification(), axis, counts) * off[:, None] for axis, g in enumerate(grids)]
     for axis in range(2):
         errors = np.zeros_like(tangents)
         errors[axis] = larger[axis]
         added = (weights * _pfaffians(tangents, errors)[1]).reshape(counts)
-        total = total + SAFETY * np.sqrt(np.sum(added.sum(axis=1 - axis) ** 2))
-    return total + weights @ _pfaffians(tangents, np.full_like(tangents, 2 * np.pi) * off)[1]
+        bound = bound + SAFETY * np.sqrt(np.sum(added.sum(axis=1 - axis) ** 2))
+    everywhere = np.full_like(tangents, 2 * np.pi) * off[:, None]
+    return total, bound + weights @ _pfaffians(tangents, everywhere)[1]
+
+
+def _by_slabs(grids: Sequence[Grid], points: Array, off: Array) -> tuple[Array, Array]:
+    """The same in more dimensions, where errors of points add up: slab by slab, each with one node in the first few
+    directions, so that derivatives of all points are never there at once.
+    """
+    stacked = np.ascontiguousarray(np.moveaxis(points, -1, 0))
+    width, counts, larger = len(stacked), [g.count for g in grids], [g.amplification() for g in grids]
+    lead = next(k for k in range(2, len(grids) + 1) if math.prod(counts[k:]) <= SLAB or k == len(grids) - 1)
+    inner = np.ones(1)
+    for g in grids[lead:]:
+        inner = np.multiply.outer(inner, g.weights).ravel()
+    errors = np.empty((len(grids), width, len(inner)))
+    for axis in range(lead, len(grids)):
+        errors[axis] = _along(larger[axis], axis - lead, counts[lead:]) * off[:, None]
+    tangents = np.empty_like(errors)
+    total: Array = 0.0
+    bound: Array = 0.0
+    for index in np.ndindex(*counts[:lead]):
+        weight = 1.0
+        for axis, k in enumerate(index):
+            line = stacked[(slice(None), *index[:axis], slice(None), *index[axis + 1 :])]
+            tangents[axis] = np.tensordot(grids[axis].matrix[k], line, axes=(0, 1)).reshape(width, -1)
+            errors[axis] = larger[axis][k] * off[:, None]
+            weight *= grids[axis].weights[k]
+        here = stacked[(slice(None), *index)]
+        for axis in range(lead, len(grids)):
+            tangents[axis] = grids[axis].derivative(here, 1 + axis - lead).reshape(width, -1)
+        values, rounding = _pfaffians(tangents, errors)
+        total = total + weight * (inner @ values)
+        bound = bound + weight * (inner @ rounding)
+    return total, bound
 
 
 def _along(values: Array, axis: int, counts: Sequence[int]) -> Array:
@@ -151,12 +221,11 @@ def _along(values: Array, axis: int, counts: Sequence[int]) -> Array:
     return np.broadcast_to(values.reshape(shape), tuple(counts)).ravel()
 
 
-def _pfaffians(tangents: Array, errors: Array | None = None) -> tuple[Array, Array]:
-    """Pf(ω(t_a, t_b)) at each node for tangents (2k, N, 2n), and the error for tangents off by `errors`."""
-    size, count, width = tangents.shape
+def _pfaffians(t: Array, off: Array | None = None) -> tuple[Array, Array]:
+    """Pf(ω(t_a, t_b)) at each node for tangents (2k, 2n, N), with its error for tangents off by `off`."""
+    size, width, count = t.shape
     n = width // 2
-    t = np.ascontiguousarray(np.moveaxis(tangents, 1, 2))
-    large, off = np.abs(t), None if errors is None else np.ascontiguousarray(np.moveaxis(errors, 1, 2))
+    large = np.abs(t)
 
     def sums(x: Array, y: Array, a: int, b: int) -> tuple[Array, Array]:
         """Σ p_i q_i and Σ q_i p_i, the first factors of x_a, the second ones of y_b."""

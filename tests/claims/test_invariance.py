@@ -229,6 +229,26 @@ def test_the_second_invariant() -> None:
     assert scaled.after == pytest.approx(36 * found.before, rel=1e-12)
 
 
+def test_the_third_invariant_of_a_step_that_is_not_linear() -> None:
+    """∫ ω³/3! over a box of six dimensions: by Gauss's nodes, of which a third more are taken each time."""
+    turned = np.array([[np.cos(i * j + 1.0) for j in range(6)] for i in range(6)]) / 10
+
+    def cells(u: Array) -> Array:
+        return (u - 0.5) @ turned
+
+    def step(z: Array, more: float = 0.0) -> Array:
+        q, p = z[..., :3], z[..., 3:]
+        p = p - 0.3 * np.sin(q) - 0.1 * q.sum(axis=-1, keepdims=True) ** 2
+        return np.concatenate([q + 0.3 * (1 + more) * p + more * q, p], axis=-1)
+
+    found = surface_invariant(step, cells, periodic=(False,) * 6)
+    assert found.preserved is True
+    assert max(found.found.after.nodes) <= 8
+    other = surface_invariant(lambda z: step(z, more=1e-9), cells, periodic=(False,) * 6)
+    assert other.preserved is False
+    assert other.after / other.before - 1 == pytest.approx(3e-9, rel=0.01)
+
+
 def test_a_map_of_volume_one_that_keeps_no_areas() -> None:
     """(q1, p1) doubled, (q2, p2) halved: the second invariant is the volume, the first is not kept."""
 

@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from canon.mechanics.hamilton_jacobi import CompleteIntegral
     from canon.mechanics.hamiltonian import Hamiltonian
     from canon.mechanics.inertia import RigidBody, composite, point_masses, polyhedron, principal_moments
+    from canon.mechanics.kepler_variables import delaunay_variables, poincare_variables
     from canon.mechanics.lagrangian import Lagrangian
     from canon.mechanics.legendre_conversion import recovered
     from canon.mechanics.lie_series import (
@@ -149,6 +150,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.hamiltonian": ("Hamiltonian",),
     "canon.mechanics.hamilton_jacobi": ("CompleteIntegral",),
     "canon.mechanics.birkhoff": ("NormalForm", "birkhoff_gustavson"),
+    "canon.mechanics.kepler_variables": ("delaunay_variables", "poincare_variables"),
     "canon.mechanics.lagrangian": ("Lagrangian",),
     "canon.mechanics.poisson": (
         "bracket_matrix",
@@ -263,6 +265,7 @@ __all__ = [
     "compose_boosts",
     "composite",
     "conserved",
+    "delaunay_variables",
     "direct_sum",
     "effective_potential",
     "equations_of_motion",
@@ -294,6 +297,7 @@ __all__ = [
     "orthogonal_coordinates",
     "pendulum_actions",
     "pendulum_angle",
+    "poincare_variables",
     "point_masses",
     "poisson_bracket",
     "polyhedron",

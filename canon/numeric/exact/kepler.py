@@ -18,6 +18,9 @@ FINE: Final = 1e-9
 COARSE: Final = 1e-4
 SLIGHT: Final = 1e-9
 """A correction of the energy is smaller than this, or none is made."""
+OPEN: Final = 1.0
+"""From this −βs² on a hyperbola's new state is found from its pericentre."""
+
 _LAGUERRE: Final = 5
 
 
@@ -35,6 +38,7 @@ def kepler(q: Any, v: Any, mu: Any, t: Any) -> tuple[Any, Any]:
     import jax.numpy as jnp
     from jax import lax
 
+    start = q, v
     r, (beta, beta_low), eta, _ = _elements(q, v, mu)
     zeta = mu - beta * r
     forwards = jnp.where(t >= 0, 1.0, -1.0)
@@ -54,8 +58,58 @@ def kepler(q: Any, v: Any, mu: Any, t: Any) -> tuple[Any, Any]:
         jax.tree.map(lambda x, u: x + (f * x + g * u), q, v),
         jax.tree.map(lambda x, u: u + (f_dot * x + g_dot * u), q, v),
     )
+    open_ = (-psi > OPEN) & (mu != 0)
+    q, v = lax.cond(
+        jnp.any(open_),
+        lambda: _from_pericentre(start, (q, v), mu, span, lax.stop_gradient(s), open_),
+        lambda: (q, v),
+    )
     longer, faster = lax.stop_gradient(_energy_correction(q, v, mu, (beta, beta_low)))
     return jax.tree.map(lambda x: x + longer * x, q), jax.tree.map(lambda u: u + faster * u, v)
+
+
+def _from_pericentre(start: Any, other: Any, mu: Any, span: Any, s: Any, where: Any) -> Any:
+    """The state on a hyperbola that turns by much, in the frame of its pericentre, where `where` is; else the other.
+
+    On the way in and out again f x and g v grow as the exponential of s and cancel. From the pericentre, with ε = |μ|e,
+    t = q_p s + ε G_3, r = q_p + ε G_2 and x = (q_p − μ G_2) P + G_1 P·L are sums without a difference but the one in
+    which x changes its sign; P is along v × (x × v) − μ x/r, with x × v as in twice the precision. Danby (1988), 6.9.
+    """
+    import jax
+    import jax.numpy as jnp
+
+    x, v = start
+    count = len(x)
+    r, (beta, _), eta, _ = _elements(x, v, mu)
+    beta = jnp.where(where, beta, -1.0)
+    L = [[sum_of_products([(x[i], v[j]), (-x[j], v[i])])[0] for j in range(count)] for i in range(count)]
+    h2 = sum((L[i][j] * L[i][j] for i in range(count) for j in range(i)), 0.0 * r)
+    epsilon = jnp.sqrt(mu * mu - beta * h2)
+    nearest = jnp.where(mu > 0, h2 / jnp.where(mu > 0, mu + epsilon, 1.0), (epsilon - mu) / -beta)
+    root = jnp.sqrt(-beta)
+    axis = [(sum((v[j] * L[i][j] for j in range(count)), -mu * x[i] / r)) / epsilon for i in range(count)]
+    across = [sum((axis[i] * L[i][j] for i in range(count)), 0.0 * r) for j in range(count)]
+
+    def at(s: Any) -> tuple[Any, Any, Any, Any, Any]:
+        """(c_0, G_1, G_2, r, t) at s after the pericentre."""
+        psi = beta * s * s
+        c0, c1, c2, c3 = stumpff_quickly(jnp.where(where, jnp.where(jnp.abs(psi) <= QUICK_BELOW, psi, jnp.nan), -1.0))
+        g2 = s * s * c2
+        return c0, s * c1, g2, nearest + epsilon * g2, nearest * s + epsilon * s * s * s * c3
+
+    first = jnp.arcsinh(root * eta / epsilon) / root
+    time = at(first)[4] + span
+    last = jax.lax.stop_gradient(first + s)
+    for _ in range(2):
+        _, _, _, after, reached = at(last)
+        last = last - (reached - time) / after
+    c0, g1, g2, after, _ = at(last)
+    along, speed = nearest - mu * g2, -mu * g1 / after
+    place = [jnp.where(where, along * P + g1 * W, old) for P, W, old in zip(axis, across, other[0], strict=True)]
+    velocity = [
+        jnp.where(where, speed * P + c0 / after * W, old) for P, W, old in zip(axis, across, other[1], strict=True)
+    ]
+    return tuple(tuple(new) if isinstance(x, tuple) else jnp.stack(new) for new in (place, velocity))
 
 
 def _energy_correction(q: Any, v: Any, mu: Any, wanted: tuple[Any, Any]) -> tuple[Any, Any]:

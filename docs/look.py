@@ -40,7 +40,7 @@ async function look(page, width) {
   const say = what => found.push({page, width, what});
   if (inner.MathJax) await inner.MathJax.startup.promise;
   for (const error of body.querySelectorAll("mjx-merror")) say(`formula: ${error.textContent}`);
-  for (const math of body.querySelectorAll(".math:not(:has(mjx-container)):not(:has(.math))"))
+  for (const math of body.querySelectorAll(".math:not(:has(mjx-container, math, .math))"))
     if (math.textContent.trim()) say(`formula not set: ${math.textContent.trim().slice(0, 80)}`);
   for (const text of body.querySelectorAll("article p, article li, article td")) {
     const copy = text.cloneNode(true);

@@ -27,6 +27,8 @@ INVARIANTS = "real Lie algebras of different dimension, Levi subalgebra or abeli
 CLASSIFIED = "its Levi decomposition, complex types and real forms determine a real Lie algebra of this kind"
 RIGID = "semisimple Lie algebras don't change their isomorphism class where their structure constants are continuous"
 LARGEST_SYMBOLIC = 10
+MOST_CASES = 3
+"""The most parameters of open sign whose cases are looked at one by one."""
 VALUES = (sp.S.One, sp.S.NegativeOne, sp.S.Zero, sp.Integer(2))
 
 
@@ -77,10 +79,37 @@ def _for_all_parameters(algebra: LieAlgebra) -> tuple[Identification | None, str
         scales = ", ".join(f"{n} by {s}" for n, s in zip(algebra.names, scaled.scales, strict=True) if s != 1)
         return identify(scaled.algebra), f"the basis rescaled, {scales}"
     if not _is_semisimple_throughout(algebra):
-        return None, ""
+        return _in_each_case(algebra)
     values = next(_tables(algebra.parameters))
     there = at(algebra, values)
     return (identify(there), RIGID) if there is not None and there.is_rational else (None, "")
+
+
+def _in_each_case(algebra: LieAlgebra) -> tuple[Identification | None, str]:
+    """The identification where it is one for either sign of a parameter, and for 0 where that is allowed."""
+    free = [x for x in sorted(algebra.parameters, key=str) if _sign_is_open(declared(x))]
+    if not free or len(free) > MOST_CASES:
+        return None, ""
+    facts, name = declared(free[0]), free[0].name
+    cases: list[Any] = []
+    if not facts.get("nonpositive"):
+        cases.append(sp.Symbol(name, positive=True))
+    if not facts.get("nonnegative"):
+        cases.append(sp.Symbol(name, negative=True))
+    if facts.get("zero") is None:
+        cases.append(sp.S.Zero)
+    found: list[Identification] = []
+    for value in cases:
+        there = at(algebra, {free[0]: value})
+        one = None if there is None else _for_all_parameters(there)[0]
+        if one is None or (found and one.identity != found[0].identity):
+            return None, ""
+        found.append(one)
+    return found[0], f"the same for each sign of {name}"
+
+
+def _sign_is_open(facts: Mapping[str, bool]) -> bool:
+    return bool(facts.get("real")) and not any(facts.get(sign) for sign in ("positive", "negative", "zero"))
 
 
 def at(algebra: LieAlgebra, values: Mapping[Any, Any]) -> LieAlgebra | None:

@@ -82,6 +82,17 @@ def test_a_parameter_decides_for_all_of_its_values(ask, assumed, name, verdict):
     assert found.status == verdict, found
 
 
+@pytest.mark.parametrize(
+    ("assumed", "verdict"), [("nonzero", "proved"), ("real", "refuted"), ("nonnegative", "refuted")]
+)
+def test_one_algebra_for_each_sign_of_a_parameter(ask, assumed, verdict):
+    """[e, f] = k h: sl(2,R) for k of either sign, but not at k = 0."""
+    basis = {"e": '[["0", "k"], ["0", "0"]]', "f": '[["0", "0"], ["1", "0"]]', "h": '[["1", "0"], ["0", "-1"]]'}
+    claim = stated(basis, equals='"SL(2,R)"') if assumed == "nonzero" else stated(BOOSTS, equals='"so(2,1)"')
+    (found,) = ask(claim, symbols=f'k = "{assumed}"', **LINE)
+    assert found.status == verdict
+
+
 def test_a_parameter_that_is_no_power(ask):
     """[K1, K2] = (k² + 1) J3: semisimple and of one class for every real k."""
     basis = {name: rows.replace('"k"', '"k**2 + 1"') for name, rows in BOOSTS.items()}

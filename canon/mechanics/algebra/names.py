@@ -34,7 +34,7 @@ def read_name(text: str) -> Identity:
     cores: list[Core] = []
     for word in re.split(r"[+⊕]", text):
         name = re.sub(r"\s+", "", word).replace("ℝ", "R").replace("ℂ", "C")
-        matched = _SUMMAND.fullmatch(name)
+        matched = _SUMMAND.fullmatch(_lowered(name))
         family = FAMILIES.get(matched[1]) if matched else None
         if matched is None or family is None:
             raise InputError(f"unknown algebra {word.strip()[:80]!r}: known are {', '.join(KNOWN)}, and sums of them")
@@ -54,6 +54,12 @@ def read_name(text: str) -> Identity:
     levi = [*simple, *(_levi_of(core) if core else [])]
     dimension = sum(s.dimension for s in simple) + abelian + (core.dimension if core else 0)
     return Identity(tuple(sorted(simple)), abelian, core, "", tuple(sorted(levi)), dimension)
+
+
+def _lowered(name: str) -> str:
+    """The name with its letters small up to the brackets: SO(3) is so(3), Poincaré is poincare; R and C stay."""
+    head, bracket, tail = name.partition("(")
+    return head.lower().replace("é", "e") + bracket + tail
 
 
 def _simple(letter: str, rank: int, compact: int) -> Parts:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from canon.claims.implicit_map import ImplicitMap
     from canon.claims.invariance import cartan_loop_invariant, loop_invariant, surface_invariant
     from canon.claims.invariance_report import Invariance, NotInvariant
+    from canon.claims.many import verify_many
     from canon.claims.separability import Separability, separates, separates_here
     from canon.claims.symplectify import MapRepair, MatrixRepair, symplectify
     from canon.claims.verify import verify
@@ -127,6 +128,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.claims.closure": ("Closure", "closure", "closure_of_fields"),
     "canon.claims.separability": ("Separability", "separates", "separates_here"),
     "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
+    "canon.claims.many": ("verify_many",),
     "canon.claims.verify": ("verify",),
     "canon.numeric.actions.bounded": ("Bounded",),
     "canon.numeric.actions.central": ("central_actions",),
@@ -319,6 +321,7 @@ __all__ = [
     "symplectify",
     "truncated_lie_series",
     "verify",
+    "verify_many",
     "williamson",
 ]
 

@@ -58,11 +58,13 @@ def journal(path: str | os.PathLike[str], settings: Settings) -> Journal:
         with open(os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NONBLOCK", 0), 0o666), "rb") as file:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode):
-                raise InputError("a journal is a regular file")
+                raise InputError("a journal is a regular file", f"--resume {path}")
             if status.st_size > LARGEST:
-                raise InputError(f"this journal has {status.st_size} bytes: at most {LARGEST} are read")
+                reason = f"this journal has {status.st_size} bytes: at most {LARGEST} are read"
+                raise InputError(reason, f"--resume {path}")
     except (OSError, ValueError) as error:
-        raise InputError(f"can't be used as a journal: {getattr(error, 'strerror', None) or error}") from None
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(f"can't be used as a journal: {reason}", f"--resume {path}") from None
     return Journal(Path(path), words)
 
 
@@ -85,7 +87,7 @@ def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
                 if _fits(kind, record, entry):
                     found[position] = {kind: record}
     if lines and not sound:
-        raise InputError("this file is no journal of `canon verify --resume`")
+        raise InputError("this file is no journal of `canon verify --resume`", f"--resume {kept.path}")
     return found
 
 

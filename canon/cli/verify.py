@@ -61,6 +61,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--jobs", type=count, default=None, metavar="N", help="worker processes (default: the cores)")
     parser.add_argument(
+        "--cluster", metavar="tcp://HOST:PORT", help="decide on the workers of this Dask cluster (extra: cluster)"
+    )
+    parser.add_argument(
         "--resume",
         metavar="FILE",
         help="write each answer into this journal as it comes, and don't ask again what is in it already",
@@ -71,6 +74,9 @@ def execute(arguments: argparse.Namespace) -> int:
     """Check what is asked for, print the report, and return the exit status."""
     if arguments.coverage and arguments.files:
         print("canon verify: error: --coverage speaks of the built-in catalogue: leave out the files", file=sys.stderr)
+        return BAD_INPUT
+    if arguments.cluster is not None and (arguments.certificate is not None or arguments.proof is not None):
+        print("canon verify: error: --cluster brings verdicts alone: no certificates and no proofs", file=sys.stderr)
         return BAD_INPUT
     start = time.monotonic()
     from canon.claims.journal import answered, journal
@@ -88,7 +94,7 @@ def execute(arguments: argparse.Namespace) -> int:
     try:
         diary = None if arguments.resume is None else journal(arguments.resume, settings)
     except InputError as error:
-        return _refuse_journal(arguments.resume, error)
+        return _refuse(error)
     results: dict[int, Record] = {}
     entries: list[Entry] = []
     errors: list[Record] = []
@@ -103,9 +109,10 @@ def execute(arguments: argparse.Namespace) -> int:
             results |= answered(diary, entries)
         quiet = arguments.json or arguments.coverage
         told = None if diary is None else partial(_write_down, diary, entries)
-        run_claims(entries, settings, arguments.jobs, results, terminal=terminal, quiet=quiet, told=told)
+        where = {"jobs": arguments.jobs, "cluster": arguments.cluster}
+        run_claims(entries, settings, results, **where, terminal=terminal, quiet=quiet, told=told)
     except InputError as error:
-        return _refuse_journal(arguments.resume, error)
+        return _refuse(error)
     except KeyboardInterrupt:
         interrupted = True
     if diary is not None and diary.fault:
@@ -142,8 +149,8 @@ def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Rec
     write(diary, entries[position], answer)
 
 
-def _refuse_journal(name: str | None, error: InputError) -> int:
-    print(f"canon verify: --resume {name}: {error.message}", file=sys.stderr)
+def _refuse(error: InputError) -> int:
+    print(f"canon verify: {error}", file=sys.stderr)
     return BAD_INPUT
 
 

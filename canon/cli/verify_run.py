@@ -19,19 +19,23 @@ Ask = Callable[..., Iterator[tuple[int, Record]]]
 def run_claims(
     entries: list[Entry],
     settings: Settings,
-    jobs: int | None,
     results: Answers,
     *,
+    jobs: int | None = None,
+    cluster: str | None = None,
     terminal: bool,
     quiet: bool,
     told: Told | None = None,
 ) -> None:
     """Verify the claims that `results` has no answer to, and put theirs in by position.
 
-    **Arguments:** `terminal`, whether to draw a bar; `quiet`, whether to print nothing; else a line for each answer;
-    `told`, what is told of each answer as it comes, with its position.
+    **Arguments:** `jobs`, the number of worker processes, or `cluster`, the address of a cluster; `terminal`, whether
+    to draw a bar; `quiet`, whether to print nothing; else a line for each answer; `told`, what is
+    told of each answer as it comes, with its position.
+
+    **Raises:** `InputError` where there is no such cluster.
     """
-    ask = partial(_answers, entries, settings, jobs, dict(results), told)
+    ask = partial(_answers, entries, settings, jobs, cluster, dict(results), told)
     if terminal:
         _with_bar(entries, ask, results)
     elif quiet:
@@ -44,6 +48,7 @@ def _answers(
     entries: list[Entry],
     settings: Settings,
     jobs: int | None,
+    cluster: str | None,
     known: Answers,
     told: Told | None,
     watch: Watcher | None = None,
@@ -60,7 +65,13 @@ def _answers(
         watch(done + len(entries) - len(asked), [open_ones[k] for k in running])
 
     watcher = None if watch is None else seen
-    for position, answer in run(asked, settings, recorder(settings), jobs=jobs, watch=watcher):
+    if cluster is not None and asked:
+        from canon.cli.cluster import answers_of
+
+        answers = answers_of(cluster, asked, settings)
+    else:
+        answers = run(asked, settings, recorder(settings), jobs=jobs, watch=watcher)
+    for position, answer in answers:
         if told is not None:
             told(open_ones[position], answer)
         yield open_ones[position], answer

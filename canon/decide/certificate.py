@@ -25,6 +25,9 @@ class Certificate(Mapping[str, Any]):
         self._make = make
         self._data: dict[str, Any] | None = None
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (dict(self),)
+
     def __repr__(self) -> str:
         known = "made when it is looked at" if self._data is None else ", ".join(self._data)
         return f"Certificate({known})"
@@ -46,6 +49,11 @@ class Certificate(Mapping[str, Any]):
 
     def __len__(self) -> int:
         return len(self._known())
+
+
+def _restored(data: dict[str, Any]) -> Certificate:
+    """A certificate that was made in another process."""
+    return Certificate(lambda: data)
 
 
 def _rows(value: Any, name: str) -> Iterator[tuple[str, str]]:

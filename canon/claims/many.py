@@ -1,0 +1,119 @@
+"""Campaigns: claims by the thousand on any executor of `concurrent.futures`, in processes here or on a cluster.
+
+Claims go out in batches and verdicts come back, in the order in which they are answered; so many batches are out at a
+time that every worker has something to do, and no more, however many claims there are. What a lost worker had is asked
+again, claim by claim; a claim whose worker is lost again is `undecided`, with the reason.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from dataclasses import replace
+from itertools import islice
+from multiprocessing import get_context
+from typing import Final
+
+from canon.claim import Claim
+from canon.claims.run import available_cores
+from canon.claims.verify import Method, verify
+from canon.claims.worker import without_verdict
+from canon.errors import InputError
+from canon.verdict import Verdict
+
+BATCH: Final = 16
+"""Claims that travel together: a message costs about as much as a small claim."""
+AHEAD: Final = 64
+"""Batches that are out at a time."""
+
+Answer = Verdict | InputError
+Numbered = tuple[int, Claim]
+_ONE_AT_A_TIME: Final = threading.Lock()
+"""The precision of the balls belongs to a process: its threads decide one after the other."""
+
+
+def verify_many(
+    claims: Iterable[Claim],
+    *,
+    executor: Executor | None = None,
+    budget: float = 10.0,
+    seed: int = 0,
+    method: Method = "symbolic",
+    batch: int = BATCH,
+    certificates: bool = False,
+) -> Iterator[tuple[int, Answer]]:
+    """The verdicts on many claims as they come, each with the claim's place in the order of `claims`.
+
+    **Arguments:** `claims`, taken only as they are needed; `executor`, on which they are decided (default: a process
+    for each core here), with workers that can import `canon`; `budget` in seconds for each claim (its own wins),
+    `seed` and `method` as of `verify`; `batch`, how many claims travel together; `certificates`, whether verdicts bring
+    theirs along.
+
+    **Yields:** (position, verdict); for an ill-posed claim (position, `InputError`). They are the same on every
+    executor and in every order, as long as no budget ends a decision.
+    """
+    settings = (budget, seed, method, certificates)
+    if executor is None:
+        with ProcessPoolExecutor(available_cores(), mp_context=get_context("spawn")) as own:
+            yield from _answers(enumerate(claims), own, settings, batch)
+    else:
+        yield from _answers(enumerate(claims), executor, settings, batch)
+
+
+Settings = tuple[float, int, Method, bool]
+
+
+def _answers(
+    numbered: Iterator[Numbered], executor: Executor, settings: Settings, batch: int
+) -> Iterator[tuple[int, Answer]]:
+    out: dict[Future[list[Answer]], list[Numbered]] = {}
+    again: list[Numbered] = []
+    alone: set[int] = set()
+    try:
+        while True:
+            while len(out) < AHEAD:
+                work = [again.pop()] if again else list(islice(numbered, batch))
+                if not work:
+                    break
+                try:
+                    out[executor.submit(decided, [claim for _, claim in work], *settings)] = work
+                except Exception as error:  # a pool that is broken takes nothing more
+                    yield from ((position, _lost(claim, error)) for position, claim in work)
+            if not out:
+                return
+            for future in wait(out, return_when=FIRST_COMPLETED).done:
+                work = out.pop(future)
+                error = future.exception()
+                if error is None:
+                    yield from zip((position for position, _ in work), future.result(), strict=True)
+                    continue
+                once_more = [(k, claim) for k, claim in work if k not in alone]
+                yield from ((k, _lost(claim, error)) for k, claim in work if k in alone)
+                alone.update(k for k, _ in once_more)
+                again += once_more
+    finally:
+        for future in out:
+            future.cancel()
+
+
+def decided(claims: Sequence[Claim], budget: float, seed: int, method: Method, certificates: bool) -> list[Answer]:
+    """The answers to a batch of claims, in this process: what a worker does."""
+    found: list[Answer] = []
+    for claim in claims:
+        try:
+            with _ONE_AT_A_TIME:
+                verdict = verify(claim, budget=budget, seed=seed, method=method)
+            found.append(verdict if certificates else replace(verdict, certificate=None))
+        except InputError as error:
+            found.append(error)
+        except MemoryError:
+            found.append(without_verdict(claim, "stopped: out of memory", 0.0))
+        except Exception as error:
+            note = f"stopped by an internal error, {type(error).__name__}: {error}"
+            found.append(without_verdict(claim, note, 0.0))
+    return found
+
+
+def _lost(claim: Claim, error: BaseException) -> Verdict:
+    return without_verdict(claim, f"stopped: its worker was lost twice ({type(error).__name__}: {error})"[:300], 0.0)

@@ -1,0 +1,168 @@
+"""Campaigns on executors: the same verdicts on each of them, and none lost with a worker."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from collections import Counter
+from collections.abc import Iterator
+from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from canon import verify, verify_many
+from canon.claim import Claim
+from canon.claims import many
+from canon.claims.many import AHEAD
+from canon.claims.reader import read_text
+from canon.cli.main import main
+from canon.errors import InputError
+
+HEAD = '[phase_space]\nq = ["q"]\np = ["p"]\n'
+
+
+def brackets(count: int) -> str:
+    text = HEAD
+    for k in range(1, count + 1):
+        value = f"{k}*q**{k - 1}" + "*1001/1000" * (k % 3 == 0)
+        text += f'[[claim]]\nkind = "bracket"\nf = "q**{k}"\ng = "p"\nequals = "{value}"\n'
+    return text
+
+
+CLAIMS = read_text(brackets(20)).claims
+WORDS = ["refuted" if k % 3 == 0 else "proved" for k in range(1, 21)]
+
+
+class Here(Executor):
+    """Does the work where it is called, but loses the first results that are told by `lose(number, claims)`."""
+
+    def __init__(self, lose=lambda number, claims: False) -> None:
+        self.lose, self.number, self.most, self.out = lose, 0, 0, 0
+
+    def submit(self, fn, /, *args, **kwargs) -> Future:
+        future: Future = Future()
+        self.number += 1
+        if self.lose(self.number, args[0]):
+            future.set_exception(BrokenExecutor("its machine is gone"))
+        else:
+            future.set_result(fn(*args, **kwargs))
+        return future
+
+
+def words_of(answers) -> list[str]:
+    found = dict(answers)
+    return [found[k].status for k in sorted(found)]
+
+
+def test_the_same_on_every_executor() -> None:
+    alone = [verify(claim, seed=3) for claim in CLAIMS]
+    assert [verdict.status for verdict in alone] == WORDS
+    with ThreadPoolExecutor(3) as threads:
+        for executor in (Here(), threads):
+            for batch in (1, 7):
+                found = dict(verify_many(CLAIMS, executor=executor, batch=batch, seed=3))
+                assert [found[k].witness for k in range(20)] == [verdict.witness for verdict in alone]
+                assert words_of(found.items()) == WORDS
+
+
+def test_what_a_lost_worker_had_is_asked_again() -> None:
+    executor = Here(lose=lambda number, claims: number in (1, 3))
+    assert words_of(verify_many(CLAIMS, executor=executor, batch=6)) == WORDS
+    assert executor.number == 4 + 12  # the claims of two batches, one by one
+
+
+def test_a_claim_that_takes_its_workers_along_is_undecided() -> None:
+    executor = Here(lose=lambda number, claims: any(claim.index == 4 for claim in claims))
+    found = dict(verify_many(CLAIMS, executor=executor, batch=6))
+    assert [k for k in range(20) if found[k].status != WORDS[k]] == [4]
+    assert found[4].status == "undecided"
+    assert "its worker was lost twice (BrokenExecutor: its machine is gone)" in found[4].detail["note"]
+
+
+def test_a_pool_that_takes_nothing_more_loses_no_claim() -> None:
+    class Broken(Here):
+        def submit(self, fn, /, *args, **kwargs) -> Future:
+            if self.number >= 2:
+                raise BrokenExecutor("the pool is broken")
+            return super().submit(fn, *args, **kwargs)
+
+    found = Counter(words_of(verify_many(CLAIMS, executor=Broken(), batch=5)))
+    assert found == {"proved": 7, "refuted": 3, "undecided": 10}
+
+
+def test_claims_are_taken_as_they_are_needed() -> None:
+    taken = 0
+
+    def endless() -> Iterator[Claim]:
+        nonlocal taken
+        while True:
+            taken += 1
+            yield CLAIMS[0]
+
+    answers = verify_many(endless(), executor=Here(), batch=2)
+    assert next(answers)[1].status == "proved"
+    assert taken <= 2 * AHEAD
+    answers.close()
+
+
+def test_what_is_no_verdict_stays_in_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    def odd(claim: Claim, **options):
+        if claim.index == 1:
+            raise InputError("the domain seems empty", "claim 2")
+        if claim.index in (2, 3):
+            raise (MemoryError, ZeroDivisionError("flaw"))[claim.index - 2]
+        return verify(claim, **options)
+
+    monkeypatch.setattr(many, "verify", odd)
+    found = dict(verify_many(CLAIMS[:5], executor=Here()))
+    assert isinstance(found[1], InputError)
+    assert [found[k].detail["note"] for k in (2, 3)] == [
+        "stopped: out of memory",
+        "stopped by an internal error, ZeroDivisionError: flaw",
+    ]
+    assert [found[k].status for k in (0, 2, 3, 4)] == ["proved", "undecided", "undecided", "proved"]
+
+
+def test_certificates_travel_where_they_are_wanted() -> None:
+    import pickle
+
+    (_, plain), (_, whole) = (next(verify_many(CLAIMS, executor=Here(), certificates=word)) for word in (False, True))
+    assert plain.certificate is None
+    again = pickle.loads(pickle.dumps(whole))  # noqa: S301 - our own, just made
+    assert dict(again.certificate) == dict(whole.certificate)
+    assert again.certificate["verdict"] == "proved"
+
+
+def test_a_cluster_that_is_not_there_is_an_input_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "claims.toml"
+    file.write_text(brackets(1))
+    assert main(["verify", str(file), "--cluster", "nowhere", "--certificate", str(tmp_path)]) == 3
+    assert "verdicts alone" in capsys.readouterr().err
+    pytest.importorskip("distributed")
+    assert main(["verify", str(file), "--cluster", "no://such.place:1"]) == 3
+    assert "no scheduler of Dask answers at 'no://such.place:1'" in capsys.readouterr().err
+
+
+@pytest.mark.thorough
+@pytest.mark.filterwarnings("ignore")
+def test_a_worker_of_a_cluster_is_killed_and_nothing_lost(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    import json
+
+    distributed = pytest.importorskip("distributed")
+    file = tmp_path / "claims.toml"
+    file.write_text(brackets(400))
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, local_directory=str(tmp_path)
+    ) as cluster:
+        with distributed.Client(cluster.scheduler_address, set_as_default=False) as client:
+            pids = list(client.run(os.getpid).values())
+        killed = threading.Timer(3.0, os.kill, (pids[0], signal.SIGKILL))
+        killed.start()
+        status = main(["verify", "--json", str(file), "--cluster", cluster.scheduler_address])
+        assert not killed.is_alive()
+    record = json.loads(capsys.readouterr().out)
+    assert [claim["index"] for claim in record["claims"]] == list(range(400))
+    assert record["summary"] == {"proved": 267, "refuted": 133, "supported": 0, "undecided": 0, "errors": 0}
+    assert status == 1

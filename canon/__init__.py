@@ -64,6 +64,7 @@ if TYPE_CHECKING:
         truncated_lie_series,
     )
     from canon.mechanics.phase_space import PhaseSpace
+    from canon.mechanics.picard import picard
     from canon.mechanics.point_transformation import PointTransformation
     from canon.mechanics.poisson import (
         bracket_matrix,
@@ -105,6 +106,7 @@ if TYPE_CHECKING:
     from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
     from canon.numeric.actions.separable import staeckel_actions
     from canon.numeric.actions.staeckel_frequencies import staeckel_frequencies
+    from canon.numeric.cycloid import Descent, fastest_descent
     from canon.numeric.normal_modes import NormalModes, Williamson, normal_modes, williamson
     from canon.report.proof.of_claim import Proof, proof
     from canon.scenes.audit import audit
@@ -165,6 +167,8 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.boosts": ("BoostAndRotation", "boost", "compose_boosts", "split_boost"),
     "canon.mechanics.central_motion": ("RadialRegion", "effective_potential", "radial_regions"),
     "canon.mechanics.inertia": ("RigidBody", "composite", "point_masses", "polyhedron", "principal_moments"),
+    "canon.mechanics.picard": ("picard",),
+    "canon.numeric.cycloid": ("Descent", "fastest_descent"),
     "canon.numeric.normal_modes": ("NormalModes", "Williamson", "normal_modes", "williamson"),
     "canon.mechanics.lie_series": ("InfinitesimalTransformation", "closed_lie_series", "truncated_lie_series"),
     "canon.mechanics.separation.actions": ("separated_actions",),
@@ -211,6 +215,7 @@ __all__ = [
     "Condition",
     "Conventions",
     "DefectBound",
+    "Descent",
     "Domain",
     "Formula",
     "GeneratingFunction",
@@ -272,6 +277,7 @@ __all__ = [
     "effective_potential",
     "equations_of_motion",
     "extended_by_time",
+    "fastest_descent",
     "frequency",
     "frequency_lines",
     "group",
@@ -299,6 +305,7 @@ __all__ = [
     "orthogonal_coordinates",
     "pendulum_actions",
     "pendulum_angle",
+    "picard",
     "poincare_variables",
     "point_masses",
     "poisson_bracket",

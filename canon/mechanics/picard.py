@@ -59,5 +59,5 @@ def _integral(f: Any, time: sp.Symbol, start: Any) -> Any:
 
 
 def _listed(value: Any) -> list[Any]:
-    items = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
+    items: Any = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
     return [as_expression(item) for item in items]

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
+from flint import arb
+
 from canon.errors import InputError
 from canon.numeric.actions.balls import Ball, precision
 from canon.numeric.actions.bounded import Bounded, bounded
@@ -12,6 +14,7 @@ from canon.numeric.actions.branches import Branch, TooCoarse, signs_of
 from canon.numeric.actions.course import Course, course_of, whole
 from canon.numeric.actions.levels import Level
 from canon.numeric.actions.orbit import Orbit
+from canon.numeric.actions.rules import Quadrature
 
 if TYPE_CHECKING:
     from canon.numeric.actions.motion import Motion
@@ -51,6 +54,9 @@ def measured(
             if w is not None and not w.is_finite():
                 continue
             return _orbit(course, J, T, w, found.rule, found.nodes)
+    flat = None if angle is not None else _with_flat_end(motion, level, branch)
+    if flat is not None:
+        return flat
     raise InputError(
         f"the integrals at {level.text} do not settle: H is too rough between the turning points for any rule", "H"
     )
@@ -85,6 +91,28 @@ def _orbit(course: Course, J: Ball, T: Ball, w: Ball | None, rule: str, nodes: i
     )
 
 
+def _with_flat_end(motion: Motion, level: Level, branch: Branch) -> Orbit | None:
+    """The action alone, where the slope of V seems to vanish at a turning point though V goes on to rise beyond it."""
+    for bits in FIRST[1:3]:
+        with precision(bits):
+            course = course_of(motion.profile, branch, motion.domain, level.value())
+            flat = [end for end in (course.low, course.high) if abs(motion.profile.slope(end)) < arb(2) ** (-bits // 4)]
+            if course.rotates or not flat:
+                return None
+            found = whole(course, bits=WANTED, times=False)
+            if found.resolved:
+                where = f"{motion.profile.q} = {float(flat[0]):.10g}"
+                note = f"V is level at the turning point {where}: the period is infinite, and there is no angle"
+                return _action_alone(course, found, note)
+    return None
+
+
+def _action_alone(course: Course, found: Quadrature, note: str) -> Orbit:
+    ends = (bounded(course.low), bounded(course.high))
+    J = bounded(found.values[0])
+    return Orbit(course.branch.kind, bounded(course.E), ends, J, None, None, None, found.rule, found.nodes, note)
+
+
 def _on_separatrix(motion: Motion, level: Level, branch: Branch) -> Orbit:
     """The action alone, of the loop from the unstable point and back to it on the other side."""
     assert branch.ends is not None
@@ -100,15 +128,4 @@ def _on_separatrix(motion: Motion, level: Level, branch: Branch) -> Orbit:
     note = "on the separatrix: the period is infinite, the frequency 0, and there is no angle"
     if motion.domain.period is not None:
         note += "; J is that of libration, there and back: a rotation next to it has half of that"
-    return Orbit(
-        branch.kind,
-        bounded(course.E),
-        (bounded(course.low), bounded(course.high)),
-        bounded(found.values[0]),
-        None,
-        None,
-        None,
-        found.rule,
-        found.nodes,
-        note,
-    )
+    return _action_alone(course, found, note)

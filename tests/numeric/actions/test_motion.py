@@ -269,3 +269,33 @@ def test_a_well_isnt_named_by_the_top_of_its_barrier():
     with pytest.raises(InputError, match=r"on the barrier between two wells.* q = -1, 1 inside"):
         double.orbit("1/2", well=0)
     assert double.orbit("1/2", well="1/100").ends[0].value > 0
+
+
+@pytest.mark.parametrize(
+    ("H", "turns"),
+    [
+        ("p**2/2 - cos(q)", 1),
+        ("p**2/2 + sin(q)**2", 2),
+        ("p**2/2 + tan(q)**2", 2),
+        ("p**2/2 - cos(q) + sin(q)**2", 1),
+        ("p**2/2 + sin(q)**2*cos(q)**2", 4),
+        ("p**2/2 + cos(q)**3 - 3*cos(q)/4", 3),  # cos 3q / 4
+        ("p**2/(2*(1 + sin(q)**2)) - cos(2*q)", 2),
+        ("p**2/2 + sqrt(1 + sin(q)**2)", 2),
+    ],
+)
+def test_the_least_period(H: str, turns: int) -> None:
+    found = motion(H).domain.period
+    assert found is not None
+    assert float(found()) * turns == pytest.approx(2 * math.pi, rel=1e-15)
+
+
+@pytest.mark.slow
+def test_a_level_turning_point_has_an_action_and_no_period() -> None:
+    """V has a triple zero at q = 1: the integral of √(2 (1 − q)³ (q + 2)) from −2 to 1 is elementary."""
+    orbit = motion("p**2/2 + (q - 1)**3*(q + 2)").orbit(energy=0)
+    # 2√2 (1 − q)^(3/2) (q + 2)^(1/2): 2√2 · 3³ · B(5/2, 3/2)
+    exact = 2 * math.sqrt(2) * 27 * math.gamma(2.5) * math.gamma(1.5) / math.gamma(4)
+    assert orbit.action.value == pytest.approx(exact, rel=1e-15)
+    assert orbit.period is None
+    assert "V is level at the turning point q = 1" in orbit.note

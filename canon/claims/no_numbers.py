@@ -19,5 +19,7 @@ def sampled_only(outcome: Outcome) -> Outcome:
     if outcome.numeric is not None:
         return outcome.with_status("supported", "sampled only") if outcome.status == "proved" else outcome
     reason = EXACTLY if outcome.status == "refuted" else NOTHING_EVALUATED
+    if outcome.status == "undecided" and outcome.note:
+        reason = f"none: {outcome.note}"
     said = outcome.with_detail(numbers=outcome.detail.get("numbers", reason))
     return said if said.status == "refuted" else said.with_status("undecided")

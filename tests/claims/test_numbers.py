@@ -104,5 +104,7 @@ def test_nothing_is_supported_without_numbers():
     assert (proved.status, proved.detail["numbers"]) == ("undecided", NOTHING_EVALUATED)
     said = sampled_only(exact("proved", "linear algebra", numbers="none: names have no size"))
     assert said.detail["numbers"] == "none: names have no size"
+    noted = sampled_only(Outcome("undecided", note="an infinite range has no certified quadrature"))
+    assert noted.detail["numbers"] == "none: an infinite range has no certified quadrature"
     refuted = sampled_only(exact("refuted", "linear algebra"))
     assert (refuted.status, refuted.detail["numbers"]) == ("refuted", EXACTLY)

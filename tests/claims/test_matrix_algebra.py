@@ -82,15 +82,18 @@ def test_a_parameter_decides_for_all_of_its_values(ask, assumed, name, verdict):
     assert found.status == verdict, found
 
 
-@pytest.mark.parametrize(
-    ("assumed", "verdict"), [("nonzero", "proved"), ("real", "refuted"), ("nonnegative", "refuted")]
-)
-def test_one_algebra_for_each_sign_of_a_parameter(ask, assumed, verdict):
-    """[e, f] = k h: sl(2,R) for k of either sign, but not at k = 0."""
+def test_one_algebra_for_each_sign_of_a_parameter(ask):
+    """[e, f] = k h: sl(2,R) for k of either sign; names in capitals are understood."""
     basis = {"e": '[["0", "k"], ["0", "0"]]', "f": '[["0", "0"], ["1", "0"]]', "h": '[["1", "0"], ["0", "-1"]]'}
-    claim = stated(basis, equals='"SL(2,R)"') if assumed == "nonzero" else stated(BOOSTS, equals='"so(2,1)"')
-    (found,) = ask(claim, symbols=f'k = "{assumed}"', **LINE)
-    assert found.status == verdict
+    table = '{"e,f" = "k*h", "h,e" = "2*e", "h,f" = "-2*f"}'
+    right, wrong, constants = ask(
+        stated(basis, equals='"SL(2,R)"'),
+        stated(basis, equals='"so(3)"'),
+        stated(basis, structure=table, equals='"sl(2,R)"'),
+        symbols='k = "nonzero"',
+        **LINE,
+    )
+    assert (right.status, wrong.status, constants.status) == ("proved", "refuted", "proved")
 
 
 def test_a_parameter_that_is_no_power(ask):

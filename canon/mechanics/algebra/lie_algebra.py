@@ -167,11 +167,18 @@ class LieAlgebra:
                     total[c] += u * v * rational(_rational(w))
         return total
 
-    def in_basis(self, basis: fmpq_mat, names: Sequence[str] = ()) -> LieAlgebra:
+    def in_basis(self, basis: fmpq_mat | Sequence[Sequence[Any]], names: Sequence[str] = ()) -> LieAlgebra:
         """The subalgebra that the rows span, in that basis: a change of basis where they span everything.
+
+        **Arguments:** `basis`, rational rows, as flint's matrix or nested lists; `names` of the new basis.
 
         **Raises:** `InputError` where they are dependent or don't close under the bracket.
         """
+        if not isinstance(basis, fmpq_mat):
+            if any(len(row) != self.dimension for row in basis):
+                raise InputError(f"rows of {self.dimension} components are expected, one for each of the basis")
+            values = ([rational(_rational(exact(v))) for v in row] for row in basis)
+            basis = linear.matrix(values, self.dimension)
         given = linear.rows(basis)
         size = len(given)
         pairs = list(combinations(range(size), 2))
@@ -215,7 +222,7 @@ def _coefficients(value: Any, names: Sequence[str]) -> dict[str, Any]:
         value = read(value, Vocabulary(symbols={name: sp.Symbol(name) for name in names})).expr
     if not isinstance(value, sp.Expr):
         raise InputError(f"a linear combination of basis elements is expected, not {value!r}")
-    expression = sp.expand(value)
+    expression: Any = sp.expand(value)
     own = {symbol for symbol in expression.free_symbols if symbol.name in names}
     found = {symbol.name: expression.coeff(symbol) for symbol in own}
     rest = expression - sp.Add(*(number * symbol for symbol in own for number in [found[symbol.name]]))
@@ -226,7 +233,7 @@ def _coefficients(value: Any, names: Sequence[str]) -> dict[str, Any]:
 
 def _rational(value: Number) -> Fraction:
     if not isinstance(value, Fraction):
-        raise InputError(f"the structure constant {value} isn't rational: rescale the basis first")
+        raise InputError(f"{value} isn't rational: rescale the basis first")
     return value
 
 

@@ -123,3 +123,13 @@ def test_it_is_a_value():
     assert (again, hash(again), repr(again)) == (so3, hash(so3), repr(so3))
     one, other = (LieAlgebra.of(("a", "b"), {"a,b": row}) for row in ({"a": 1, "b": 2}, {"b": 2, "a": 1}))
     assert (one, hash(one)) == (other, hash(other))
+
+
+def test_a_change_of_basis_by_nested_lists():
+    g = structure("xyz", SO3)
+    turned = g.in_basis([[1, 1, 0], [1, -1, 0], [0, 0, Fraction(1, 2)]], "uvw")
+    assert list(turned.rows()) == [("u", "v", "-4*w"), ("u", "w", "v/2"), ("v", "w", "-u/2")]
+    with pytest.raises(InputError, match="rows of 3 components"):
+        g.in_basis([[1, 1]])
+    with pytest.raises(InputError, match="subalgebra"):
+        g.in_basis([[1, 0, 0], [0, 1, 0]])

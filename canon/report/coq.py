@@ -101,6 +101,7 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
     kernels = _used_kernels(f, data["kernels"], used)
     free = sorted(used - {kernel["name"] for kernel in kernels})
     words = identifiers([*free, *(kernel["name"] for kernel in kernels)])
+    words |= {kernel["name"]: "PI" for kernel in kernels if kernel["stands for"] == "pi"}
     made = [kernel_of(f, kernel, words) for kernel in kernels]
     words |= {kernel.name: kernel.word for kernel in made}
     fractions = Fractions(f, list(words), atoms)
@@ -113,14 +114,13 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
     residual = term(f, target, {a: _fraction(pair, words) for a, pair in atoms.items()})
     variables = [words[name] for name in free] + [kernel.word for kernel in made if kernel.word != "PI"]
     statement = [
-        f"  forall {' '.join(variables)} : R,",
+        *([f"  forall {' '.join(variables)} : R,"] if variables else []),
         *(f"  {h} ->" for h in dict.fromkeys(hypotheses)),
         f"  {residual} = 0.",
     ]
     steps = ["intros.", *(step for kernel in made for step in kernel.steps), *facts]
     shown = {a: _fraction(pair, words) for a, pair in atoms.items()}
     steps += _factored(fractions, shown, words)
-    residual = term(f, target, shown)
     if not value[0]:
         steps.append("field; nonzero.")
     else:
@@ -134,7 +134,8 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
         steps += [
             f"assert (numerator' : {over} = 0).",
             f"{{ replace ({over})\n      with ({' + '.join(terms)}) by field.\n   {rewrites} ring. }}",
-            f"replace ({residual})\n    with (({over}) / ({under})) by (field; nonzero).",
+            "match goal with |- ?residual = 0 =>",
+            f"  replace residual with (({over}) / ({under})) by (field; nonzero) end.",
             "rewrite numerator'. unfold Rdiv. apply Rmult_0_l.",
         ]
     return "\n".join(["Theorem RESIDUAL :", *statement, "Proof.", *(f"  {step}" for step in steps), "Qed.", ""])
@@ -191,7 +192,13 @@ def _denominators(
             steps.append(f"assert ({shown} <> 0) by (first [apply Rgt_not_eq; lra | apply Rlt_not_eq; lra]).")
         else:
             hypotheses.append(f"{shown} <> 0")
-    return steps, hypotheses
+    for base in (*fractions.bases, *(fractions.values[a] for a in dict.fromkeys(fractions.divisors))):
+        content, product = fractions.field.split_denominator(base[0])
+        if len(fractions.ring.terms(base[0])) > 1 and sum(product.values()) > 1:
+            shown = polynomial(fractions.table(base[0]), words)
+            factored = _product(fractions, content, product, words)
+            steps.append(f"assert ({shown} <> 0) by (replace ({shown}) with ({factored}) by field; nonzero).")
+    return list(dict.fromkeys(steps)), hypotheses
 
 
 def _factored(fractions: Fractions, leaves: dict[int, str], words: Mapping[str, str]) -> list[str]:
@@ -200,11 +207,13 @@ def _factored(fractions: Fractions, leaves: dict[int, str], words: Mapping[str, 
     for a in sorted(set(fractions.divisors) - leaves.keys()):
         over, under = fractions.values[a]
         content, product = fractions.field.split_denominator(over)
-        if not under and (len(fractions.ring.terms(over)) == 1 or (sum(product.values()) == 1 and abs(content) == 1)):
+        plain = len(fractions.ring.terms(over)) == 1 and fractions.f.ops[a][0] != "+"
+        if not under and (plain or (sum(product.values()) == 1 and abs(content) == 1)):
             continue  # `field` sees by itself what a product is made of
         name, value = f"factored'{len(steps)}", f"{_product(fractions, content, product, words)}"
         value = f"{value} / ({_product(fractions, Fraction(1), under, words)})"
-        steps.append(f"assert ({name} : {term(fractions.f, a, leaves)} = {value}) by (field; nonzero). rewrite {name}.")
+        shown = term(fractions.f, a, leaves)
+        steps.append(f"assert ({name} : {shown} = {value}) by (field; nonzero). try rewrite {name}.")
         leaves[a] = value
     return steps
 

@@ -22,6 +22,7 @@ from canon.checker.kinds import obligations
 from canon.checker.obligations import Case
 from canon.checker.points import CLOSE, Numbers, Outside, domain_of, independence, names_in, points
 from canon.checker.positive import is_positive
+from canon.checker.relations import is_proved
 from canon.checker.statement import KNOWN, Statement
 from canon.checker.witness import refutes
 
@@ -30,6 +31,8 @@ SIGNS = {
     "pos": lambda x: x > 0, "neg": lambda x: x < 0, "nonneg": lambda x: x >= 0, "nonpos": lambda x: x <= 0,
     "real": lambda x: x.imag == 0, "cplx": lambda x: True,
 }  # fmt: skip
+MEASURED = 2
+"""At so many points what takes an integral is measured."""
 Places = Sequence[tuple[dict[str, Any], dict[int, Any]]]
 
 
@@ -126,6 +129,9 @@ class _Check:
         if not places:
             raise Unknown("the checker found no point of the domain")
         relations = self._relations(data["kernels"], list(kernels), places)
+        used = {name for entry in data["residuals"] for name in entry.get("cofactors", {})} & relations.keys()
+        for name in sorted(n for n in used if not is_proved(f, n, relations[n], kernels, real=self.real)):
+            trusted.append(f"the relation of {f.text(kernels[name])[:80]} (seen to hold at {len(places)} points)")
         known = {str(text): tuple(map(core.read, value)) for text, value in data["atoms"].items()}
         atoms = self._atoms([*case.zeros, *s.surface], known, places)
         for k, (a, entry) in enumerate(zip(s.surface, data.get("surface", []), strict=False), 1):
@@ -162,6 +168,8 @@ class _Check:
         """Values that must vanish at points: what isn't seen to is wrong, and that it is so everywhere is trusted."""
         found = []
         for of, _ in places if case.measured is not None else ():
+            if len(found) == MEASURED:
+                break
             try:
                 found.append(case.measured(self.numbers, of) if case.measured is not None else [])
             except Outside:

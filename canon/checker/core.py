@@ -136,14 +136,20 @@ def identity(program: Program, entry: Mapping[str, Any], relations: Mapping[str,
 
 
 def fraction(program: Program, entry: Mapping[str, Any]) -> Polynomial:
-    """The numerator of a formula that is numerator / denominator, as rational functions of free kernels.
-
-    The two are compared at random values modulo a prime of 127 bits: an error goes unseen with a probability of about
-    degree / 2^127. Raises Rejected.
-    """
+    """The numerator of a formula that is numerator / denominator, as rational functions of free kernels."""
     over, under = (read(entry[word]) for word in ("numerator", "denominator"))
     if not over and under != ONE:
         raise Rejected("0 is written as 0/1")
+    compared(program, over, under)
+    return over
+
+
+def compared(program: Program, over: Polynomial, under: Polynomial) -> None:
+    """A formula is over / under, as rational functions of free kernels. Raises Rejected.
+
+    The two are compared at random values modulo a prime of 127 bits: an error goes unseen with a probability of about
+    degree / 2^127.
+    """
     rng, done, leaves = random.SystemRandom(), 0, [p for pair in program.leaves.values() for p in pair]
     free = {name for p in (*leaves, over, under) for name in names(p)}
     for _ in range(5 * FREE_POINTS):
@@ -157,7 +163,6 @@ def fraction(program: Program, entry: Mapping[str, Any]) -> Polynomial:
         done += 1
     if done < FREE_POINTS:
         raise Rejected("a formula of the claim has no value in the kernels")
-    return over
 
 
 def _run(program: Program, of: Mapping[str, int]) -> int:

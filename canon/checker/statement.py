@@ -33,6 +33,7 @@ class Statement:
 
     def __init__(self, tables: Mapping[str, Any], known: Mapping[str, Any], verdict: str) -> None:
         space, self.claim = tables["phase_space"], tables["claim"]
+        self.verdict = verdict
         self.known = {word: known[word] for word in KNOWN[verdict] if word in known}
         self.words = {name: [w] if isinstance(w, str) else list(w) for name, w in tables.get("symbols", {}).items()}
         self.q, self.p, self.Q, self.P = (list(space.get(side, [])) for side in "qpQP")

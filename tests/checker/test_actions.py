@@ -1,0 +1,104 @@
+"""What the checker measures: actions and frequencies of orbits, periods of angles. Evidence, and refutations."""
+
+import copy
+from functools import cache
+from typing import Any
+
+import pytest
+
+from canon.checker.check import check, checksum
+from canon.claims import document
+from canon.claims.certificate_data import certificate, statement_tables
+from canon.claims.reader import read_tables
+from canon.claims.verify import verify
+
+OSCILLATOR = """
+[phase_space]
+q = ["q"]
+p = ["p"]
+Q = ["w"]
+P = ["J"]
+[symbols]
+m = "positive"
+k = "positive"
+E = "positive"
+J = "positive"
+[hamiltonian]
+H = "p**2/(2*m) + k**2*q**2/2"
+[transformation]
+q = ["sqrt(J/(pi*k*sqrt(m)))*sin(2*pi*w)"]
+p = ["sqrt(J*k*sqrt(m)/pi)*cos(2*pi*w)"]
+"""
+ROTOR = """
+[phase_space]
+q = ["a"]
+p = ["L"]
+[symbols]
+E = "positive"
+[domain]
+where = ["E > 1"]
+[hamiltonian]
+H = "L**2/2 - cos(a)"
+"""
+KEYS = 'coordinate = "q"\nenergy = "E"\n'
+CLAIMS = {
+    "action": (OSCILLATOR, f'kind = "action"\n{KEYS}equals = "2*pi*E*sqrt(m)/k"'),
+    "wrong action": (OSCILLATOR, f'kind = "action"\n{KEYS}equals = "2001*pi*E*sqrt(m)/(1000*k)"'),
+    "frequency": (OSCILLATOR, f'kind = "frequency"\n{KEYS}equals = "k/(2*pi*sqrt(m))"'),
+    "rotation": (
+        ROTOR,
+        'kind = "action"\ncoordinate = "a"\nenergy = "E"\nbranch = "rotation"\n'
+        'equals = "4*sqrt(2*(E + 1))*elliptic_e(2/(E + 1))"',
+    ),
+    "angle": (OSCILLATOR, 'kind = "action_angle"'),
+    "wrong angle": (OSCILLATOR, 'kind = "action_angle"\nangle_period = "1/3"'),
+}
+
+
+@cache
+def made(name: str) -> Any:
+    text, keys = CLAIMS[name]
+    tables = document.parse(f"{text}\n[[claim]]\n{keys}")
+    (claim,) = read_tables(tables).claims
+    return certificate(claim, verify(claim), statement_tables(tables, 0))
+
+
+def resealed(data: Any) -> Any:
+    return {**data, "checksum": checksum(data)}
+
+
+@pytest.mark.parametrize("name", sorted(CLAIMS))
+def test_what_is_measured_is_evidence(name: str) -> None:
+    """A proof of it is confirmed in part, with what was measured; a refutation is confirmed."""
+    data = made(name)
+    answer = check(data)
+    if name.startswith("wrong"):
+        assert (data["verdict"], str(answer)) == ("refuted", "confirmed")
+        return
+    assert (data["verdict"], answer.status) == ("proved", "confirmed in part")
+    assert any("points where it was measured" in reason for reason in answer.reasons)
+
+
+@pytest.mark.parametrize(
+    ("name", "path", "text"),
+    [
+        ("action", ("claim", "equals"), "2000001*pi*E*sqrt(m)/(1000000*k)"),
+        ("action", ("claim", "kind"), "frequency"),
+        ("frequency", ("claim", "equals"), "k/(2*pi*m)"),
+        ("frequency", ("hamiltonian", "H"), "p**2/(2*m) + k**2*q**2/2 + q**4/1000000"),
+        ("rotation", ("claim", "equals"), "4*sqrt(2*(E + 1))*elliptic_k(2/(E + 1))"),
+        ("angle", ("claim", "angle_period"), "1/2"),
+        ("angle", ("hamiltonian", "H"), "p**2/(2*m) + k**2*q**2/2 + q"),
+        ("angle", ("transformation", "p"), ["sqrt(J*k*sqrt(m)/pi)*cos(2*pi*w)*2"]),
+    ],
+)
+def test_what_is_not_so_is_rejected(name: str, path: tuple[str, str], text: Any) -> None:
+    data = copy.deepcopy(made(name))
+    data["tables"][path[0]][path[1]] = text
+    assert check(resealed(data)).status == "rejected"
+
+
+def test_a_refutation_of_something_true_is_rejected() -> None:
+    for wrong, right in (("wrong action", "action"), ("wrong angle", "angle")):
+        answer = check(resealed({**made(wrong), "tables": made(right)["tables"]}))
+        assert answer.status in ("rejected", "not confirmed")

@@ -14,6 +14,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.devices import spread
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method, Time
 from canon.numeric.precision import double
@@ -102,7 +103,7 @@ def integrate(
     **Arguments:** `problem`, a `Splitting` or what else the method takes; `state`, a tuple of slots (see
     `canon.numeric.integrators`); `steps` of the whole run at least: it is rounded up to a multiple of samples − 1.
     `compensated`: whether the rounding of the additions is kept; left out, in runs of a million steps and more.
-    `batched`: the last axis of every array counts orbits.
+    `batched`: the last axis of every array counts orbits; they are divided among the devices of jax.
 
     **Returns:** a finished `Run`. It ended early where the state (with orbits: of every orbit) stopped being finite:
     then `completed` < `samples`, and what was stored until then is there.
@@ -154,11 +155,18 @@ def advance(problem: Any, method: Method, run: Run, *, chunks: int | None = None
     last = run.chunks if chunks is None else min(run.done + chunks, run.chunks)
     with double():
         program = _program(problem, method, run.compensated, batched)
-        done, carry, stored = program(
-            run.carry, run.stored, run.done, last, run.per_sample, run.per_chunk, run.step, run.t0
-        )
+        carry, stored = _spread(run) if batched else (run.carry, run.stored)
+        done, carry, stored = program(carry, stored, run.done, last, run.per_sample, run.per_chunk, run.step, run.t0)
         done = int(done)
     return replace(run, done=done, carry=carry, stored=stored, ended=done < last)
+
+
+def _spread(run: Run) -> tuple[Any, Any]:
+    """The orbits of an ensemble, divided among the devices of jax."""
+    import jax
+
+    count = max(np.shape(x)[-1] for x in jax.tree.leaves(run.stored))
+    return spread(run.carry, count), spread(run.stored, count)
 
 
 def pieces(problem: Any, method: Method, run: Run, *, chunks: int = 1, batched: bool = False) -> Iterator[Run]:

@@ -20,6 +20,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.numeric.counter import key_of, rows_of
+from canon.numeric.devices import along_last
 from canon.numeric.emit import run
 from canon.numeric.membership import Membership
 from canon.numeric.points import Points
@@ -186,11 +187,15 @@ def _compiled(program: Program, scale: float, admits: Membership | None) -> tupl
     import jax
     import jax.numpy as jnp
 
-    block = BLOCK if _on_processor() else BLOCK_OF_A_GPU
+    devices = len(jax.devices())
+    block = (BLOCK if _on_processor() else BLOCK_OF_A_GPU) * devices
     loop = _quick(program, scale, admits)
 
     def generate(start: Any, key: Any, low: Any, lengths: Any) -> Any:
-        return loop(rows_of(start + jnp.arange(block, dtype=np.uint64), low, lengths, key), jnp)
+        index = start + jnp.arange(block, dtype=np.uint64)
+        if devices > 1:  # each device generates its own points, and compares them
+            index = jax.lax.with_sharding_constraint(index, along_last(devices, 1))
+        return loop(rows_of(index, low, lengths, key), jnp)
 
     return block, jax.jit(generate), jax.jit(lambda rows: loop(list(rows), jnp))
 

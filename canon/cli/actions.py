@@ -48,7 +48,11 @@ def declare(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--q", metavar="Q", help="a claim file's coordinate, with --p: the orbit through this point")
     parser.add_argument("--p", metavar="P", help="the momentum there")
     parser.add_argument(
-        "--parameter", metavar="NAME=VALUE", action="append", default=[], help="a value of a claim file's parameter"
+        "--parameter",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="a value of a claim file's parameter, or of a momentum that is constant",
     )
 
 
@@ -106,17 +110,13 @@ def _check_named(named: dict[str, Any]) -> None:
 
 
 def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
-    from canon.claims.numbers import hamiltonian_with
+    from canon.claims.numbers import one_degree_with
     from canon.errors import InputError
     from canon.scenes.actions import actions_of
     from canon.scenes.values import number
 
     values = parameter_values(arguments.parameter)
-    title, space, H = hamiltonian_with(arguments.file, values)
-    if space.n != 1:
-        raise InputError(
-            f"actions of a claim file are of one degree of freedom, not of {space.n}: state a scene", "[phase_space]"
-        )
+    title, q, p, H = one_degree_with(arguments.file, values)
     point = [getattr(arguments, word) for word in ("q", "p")]
     if named and point != [None, None]:
         raise InputError("either a point is given, or an energy", "--q")
@@ -124,7 +124,7 @@ def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
         raise InputError("no orbit is named: give --energy, a distance from a minimum or separatrix, or --q and --p")
     _check_named(named)
     at = () if named else tuple(float(number(text, f"--{word}")) for word, text in zip("qp", point, strict=True))
-    return actions_of(title, H, space.q, space.p, at[:1], at[1:], named)
+    return actions_of(title, H, (q,), (p,), at[:1], at[1:], named)
 
 
 def parameter_values(texts: Sequence[str]) -> dict[str, Any]:

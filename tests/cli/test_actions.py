@@ -122,3 +122,20 @@ def test_what_is_refused(well: str, arguments: list[str], message: str, capsys: 
     assert message in capsys.readouterr().err
     assert main(["actions", *(well if word == "WELL" else word for word in arguments), "--json"]) == 3
     assert message in json.loads(capsys.readouterr().out)["errors"][0]["message"]
+
+
+def test_a_claim_file_with_cyclic_coordinates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The radial action of Kepler's problem, sec-14.5-f: J = 2π(a √(m/−2E) − M)."""
+    path = tmp_path / "radial.toml"
+    text = WELL.replace('["x"]', '["r", "phi"]', 1).replace('["p"]', '["p", "M"]', 1).replace('f = "x"', 'f = "r"')
+    H, known = 'H = "p**2/2 + M**2/(2*r**2) - k/r"', 'k = "positive"\nr = "positive"'
+    path.write_text(text.replace('H = "p**2/2 + k*x**2/2"', H).replace('k = "positive"', known))
+    options = ["actions", str(path), "--energy", "-1/2", "--parameter", "k=1", "--json"]
+    assert main([*options, "--parameter", "M=1/2"]) == 0
+    (degree,) = json.loads(capsys.readouterr().out)["degrees"]
+    assert degree["action"]["value"] == pytest.approx(math.pi, rel=1e-15)
+    assert main(options) == 3
+    assert "no value is given for M" in json.loads(capsys.readouterr().out)["errors"][0]["message"]
+    path.write_text(path.read_text().replace("- k/r", "- k/r + phi"))
+    assert main([*options, "--parameter", "M=1/2"]) == 3
+    assert "r, phi occur in H" in json.loads(capsys.readouterr().out)["errors"][0]["message"]

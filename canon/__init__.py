@@ -106,8 +106,11 @@ if TYPE_CHECKING:
     from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
     from canon.numeric.actions.separable import staeckel_actions
     from canon.numeric.actions.staeckel_frequencies import staeckel_frequencies
+    from canon.numeric.chains import chain_frequencies
     from canon.numeric.cycloid import Descent, fastest_descent
+    from canon.numeric.lie_sum import LieSum, lie_sum, nested_bracket
     from canon.numeric.normal_modes import NormalModes, Williamson, normal_modes, williamson
+    from canon.numeric.values import value_at
     from canon.report.proof.of_claim import Proof, proof
     from canon.scenes.audit import audit
     from canon.verdict import Verdict
@@ -141,6 +144,9 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.numeric.actions.motion": ("Motion", "motion"),
     "canon.numeric.actions.orbit": ("Orbit",),
     "canon.numeric.actions.pendulum": ("pendulum_actions", "pendulum_angle"),
+    "canon.numeric.chains": ("chain_frequencies",),
+    "canon.numeric.lie_sum": ("LieSum", "lie_sum", "nested_bracket"),
+    "canon.numeric.values": ("value_at",),
     "canon.mechanics.phase_space": ("PhaseSpace",),
     "canon.mechanics.subject": ("Subject",),
     "canon.mechanics.transformation": ("Transformation",),
@@ -228,6 +234,7 @@ __all__ = [
     "Invariance",
     "Lagrangian",
     "LieAlgebra",
+    "LieSum",
     "Lines",
     "MapRepair",
     "MatrixAlgebra",
@@ -264,6 +271,7 @@ __all__ = [
     "casimir",
     "central_actions",
     "certify",
+    "chain_frequencies",
     "characteristic_function",
     "closed_lie_series",
     "closure",
@@ -297,9 +305,11 @@ __all__ = [
     "legendre",
     "levi_civita",
     "lie_series",
+    "lie_sum",
     "loop_invariant",
     "matrix_algebra",
     "motion",
+    "nested_bracket",
     "normal_form",
     "normal_modes",
     "orthogonal_coordinates",
@@ -327,6 +337,7 @@ __all__ = [
     "surface_invariant",
     "symplectify",
     "truncated_lie_series",
+    "value_at",
     "verify",
     "verify_many",
     "williamson",

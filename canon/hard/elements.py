@@ -27,9 +27,9 @@ def _node_pair(m: Any, x: Number, y: Number, z: Number, u: Number, v: Number, w:
 def _our_node_pair(*state: Any) -> Any:
     import jax.numpy as jnp
 
-    from canon.numeric.poincare_variables import poincare_variables
+    from canon.numeric.poincare_pairs import poincare_pairs
 
-    coordinates, momenta = poincare_variables(jnp.stack(state[:3]), jnp.stack(state[3:]), 1.0)
+    coordinates, momenta = poincare_pairs(jnp.stack(state[:3]), jnp.stack(state[3:]), 1.0)
     return jnp.stack([momenta[2], coordinates[2]])
 
 
@@ -59,7 +59,7 @@ def _from_pole(m: Any, x: Number, y: Number, z: Number, u: Number, v: Number, w:
 def _our_from_pole(*state: Any) -> Any:
     import jax.numpy as jnp
 
-    from canon.numeric.poincare_variables import tilt
+    from canon.numeric.poincare_pairs import tilt
 
     return tilt(jnp.stack(state[:3]), jnp.stack(state[3:]))[1]
 
@@ -91,9 +91,9 @@ def _longitude(m: Any, x: Number, y: Number, z: Number, u: Number, v: Number, w:
 def _our_longitude(*state: Any) -> Any:
     import jax.numpy as jnp
 
-    from canon.numeric.poincare_variables import poincare_variables
+    from canon.numeric.poincare_pairs import poincare_pairs
 
-    whole = poincare_variables(jnp.stack(state[:3]), jnp.stack(state[3:]), 1.0)[0][0]
+    whole = poincare_pairs(jnp.stack(state[:3]), jnp.stack(state[3:]), 1.0)[0][0]
     return jnp.arctan2(jnp.sin(whole), jnp.cos(whole))
 
 

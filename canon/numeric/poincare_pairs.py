@@ -17,7 +17,7 @@ from typing import Any
 from canon.numeric.compensated import sum_of_products
 
 
-def poincare_variables(x: Any, v: Any, mu: Any) -> tuple[Any, Any]:
+def poincare_pairs(x: Any, v: Any, mu: Any) -> tuple[Any, Any]:
     """(coordinates, momenta), (3, …) each, of position and velocity (3, …) on an ellipse; nan where it is none.
 
     Per unit of mass: with x the coordinates and v the momenta the transformation is canonical.

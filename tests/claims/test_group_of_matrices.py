@@ -11,7 +11,9 @@ I = sp.I
 
 
 def decided(matrix, names, equals, inverse=None, structure=None):
-    return verify(group(SPACE, matrix=matrix, first=names, inverse=inverse, equals=equals, structure=structure))
+    return verify(
+        group(SPACE, matrix=matrix, first=names, inverse=inverse, equals=equals, structure=structure), budget=60
+    )
 
 
 def blocks(a, b, c, d):

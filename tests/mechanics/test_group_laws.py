@@ -101,8 +101,8 @@ LAWS = [
 def test_law(law, size, name, other):
     A, B = (sp.symbols(f"{letter}1:{size + 1}", real=True) for letter in "ab")
     composition = law(list(A), list(B))
-    assert verify(group(SPACE, composition, A, B, equals=name)).status == "proved"
-    assert verify(group(SPACE, composition, A, B, equals=other)).status == "refuted"
+    assert verify(group(SPACE, composition, A, B, equals=name), budget=60).status == "proved"
+    assert verify(group(SPACE, composition, A, B, equals=other), budget=60).status == "refuted"
 
 
 @pytest.mark.parametrize("law", [euclidean, lorentz])
@@ -110,6 +110,6 @@ def test_a_thousandth_in_a_law_is_caught(law):
     A, B = (sp.symbols(f"{letter}1:7", real=True) for letter in "ab")
     composition = law(list(A), list(B))
     composition[-1] += A[0] * B[1] / 1000
-    assert verify(group(SPACE, composition, A, B, equals="u(1)^6")).status == "refuted"
-    found = verify(group(SPACE, composition, A, B, structure={"a1,a2": {"a3": -2}}))
+    assert verify(group(SPACE, composition, A, B, equals="u(1)^6"), budget=60).status == "refuted"
+    found = verify(group(SPACE, composition, A, B, structure={"a1,a2": {"a3": -2}}), budget=60)
     assert "associativity" in found.detail["fails"]

@@ -45,10 +45,15 @@ def execute(arguments: argparse.Namespace) -> int:
         for case in chosen:
             print(f"{case.family}: {case.name} ({case.states})")
         return 0
-    from canon.hard.run import rows
+    from canon.hard.run import Row, run
     from canon.report.hard_table import closing_lines, hard_csv, hard_record, hard_table
+    from canon.report.waiting import progress
 
-    found = list(rows(chosen))
+    found = list[Row]()
+    with progress("hard cases") as watch:
+        for case in chosen:
+            found.append(run(case))
+            watch(len(found) / len(chosen))
     if arguments.json:
         print(json.dumps(hard_record(found), ensure_ascii=False, allow_nan=False))
     elif arguments.csv:

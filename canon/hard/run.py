@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 import warnings
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from typing import Final
@@ -123,11 +123,6 @@ def run(case: HardCase) -> Row:
         held = holds(ours[k], exact)
         bounds += [] if held is None else [held]
     return Row(case, tuple(found), all(bounds) if bounds else None, seconds)
-
-
-def rows(cases: Iterable[HardCase]) -> Iterator[Row]:
-    """The rows of cases, one after another."""
-    return (run(case) for case in cases)
 
 
 def installed(peer: str) -> bool:

@@ -53,7 +53,7 @@ def _screened(m: Any, k: Number, E: Number, b: Number) -> Quantities:
         # the root of `room` goes as w at the turning point, so that this is smooth there
         return 2 * w / m.sqrt(room) if room > 0 else m.mpf(0)
 
-    whole = m.quad(integrand, [m.mpf(k) / 8 for k in range(9)], method="gauss-legendre")
+    whole = m.quad(integrand, [m.mpf(k) / 32 for k in range(33)], method="gauss-legendre")
     return ((m.pi - 2 * b / r0 * whole,),)
 
 

@@ -64,8 +64,9 @@ def closing_lines(rows: Sequence[Row]) -> list[str]:
     naive = sum(row.naive_fails for row in rows)
     failing = sum(bool(row.failing) for row in rows)
     verdicts = ", ".join(f"{count} {word}" for word, count in counts.items() if count)
+    count = "1 case" if len(rows) == 1 else f"{len(rows)} cases"
     lines.append(
-        f"{len(rows)} cases: {verdicts}; the naive formula loses digits in {naive}, a peer in {failing}; "
+        f"{count}: {verdicts}; the naive formula loses digits in {naive}, a peer in {failing}; "
         f"{sum(row.seconds for row in rows):.1f} s for ours"
     )
     return lines

@@ -55,6 +55,11 @@ def test_an_antiderivative_must_be_smooth_inside(status, F, expected):
     assert found == (expected if expected == "proved" else "refuted")  # the quadrature refutes what the jump suggests
 
 
+def test_a_pole_under_a_concave_function(status):
+    claim = _claim("-2*q/(1/2 - q**2)", "q", "0", "1", "0", "log(abs(1/2 - q**2))")
+    assert status(claim, symbols=SYMBOLS) == "undecided"
+
+
 def test_arbitrary_functions(status):
     claim = _claim("D(V(q), q)", "q", "a", "b", "V(b) - V(a)", "V(q)")
     assert status(claim, symbols=SYMBOLS) == "undecided"  # which of a and b is the larger?

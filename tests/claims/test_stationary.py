@@ -33,6 +33,7 @@ def _claim(L: str, path: str, *keys: str, extremum: str = "", to: str = "T") -> 
         ("-m*v**2/2", "k + B*t", "maximum", "proved"),
         ("m*v**2/2 - m*g*q", "B + k*t - g*t**2/2", "minimum", "proved"),
         ("m*v**2/2 - m*g*q", "B + k*t - g*t**2", "minimum", "refuted"),
+        ("m*v**2/2 - m*w*(q**2/2 + t*q*v)", "B*t", "minimum", "proved"),  # with a total derivative
         ("sqrt(1 + v**2)", "B + k*t", "minimum", "proved"),
         ("n(t)*sqrt(1 + v**2)", "B", "minimum", "proved"),  # straight through any layers
         ("m*v**2/2 + m*w**2*q**2/2", "A*exp(w*t) + B*exp(-w*t)", "minimum", "proved"),
@@ -54,6 +55,7 @@ def test_one_coordinate(status, L, path, extremum, expected):
         ("minimum", (MIDDLE, ZEROS), LONG, "refuted"),
         ("neither", (MIDDLE, ZEROS), LONG, "proved"),
         ("neither", (MIDDLE,), SHORT, "refuted"),
+        ("neither", (MIDDLE, ZEROS), SHORT, "undecided"),  # the zeros lie outside
     ],
 )
 def test_the_oscillator_up_to_half_a_period(status, extremum, keys, domain, expected):

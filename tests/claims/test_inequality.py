@@ -44,7 +44,7 @@ def test_on_the_plane(status, lhs, relation, rhs, expected):
     [
         ("sin(x)", "<", "x + 1/100", "proved", "cover"),
         ("sin(x) + cos(y)", "<", "2", "proved", "signs"),
-            ("sin(x) + cos(y)", "<", "19/10", "proved", "cover by 1 "),
+        ("sin(x) + cos(y)", "<", "19/10", "proved", "cover by 1 "),
         ("sin(x) + cos(y)", "<", "184/100", "refuted", "ball"),
         ("x*(1 - x)", "<=", "1/4", "proved", "signs"),
         ("x*(1 - x)", "<=", "249999/1000000", "refuted", "ball"),

@@ -130,7 +130,7 @@ def main() -> None:
     target = TARGETS[sys.argv.pop(1)]
     if target is arguments:
         sys.stdout = sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
-    atheris.Setup([*sys.argv, "-timeout=5", "-rss_limit_mb=2048"], target)
+    atheris.Setup([*sys.argv, "-timeout=20", "-rss_limit_mb=2048"], target)
     atheris.Fuzz()
 
 

@@ -87,18 +87,21 @@ def main() -> int:
         start = time.monotonic()
         whole = verdicts(subprocess.run(command(folder, options.jobs), capture_output=True, text=True).stdout)
         seconds = time.monotonic() - start
-        stops, code = 0, -1
+        stops, code, longest, before = 0, -1, options.longest, 0
         while code < 0 or code == 130:
             resumed = command(folder, options.jobs, "--resume", str(kept))
             process = subprocess.Popen(
                 resumed, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=heard
             )
             try:
-                output, _ = process.communicate(timeout=rng.uniform(1.0, options.longest))
+                output, _ = process.communicate(timeout=rng.uniform(1.0, longest))
             except subprocess.TimeoutExpired:
                 process.send_signal(signal.SIGKILL if stops % 2 else signal.SIGINT)
                 output, _ = process.communicate()
                 stops += 1
+                written = kept.read_bytes().count(b"\n") if kept.exists() else 0
+                longest *= 1.0 if written > before else 1.5  # so long that something is done beside reading the files
+                before = written
             code = process.returncode
         again = verdicts(output)
         lines = kept.read_bytes().count(b"\n")

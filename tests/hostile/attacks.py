@@ -159,20 +159,8 @@ FILES: Final = {
     "a formula is a table": (_HEAD + _CLAIM.replace('"1"', "{a = 1}")).encode(),
     "recursive definition": (_HEAD + '[definitions]\na = "a + q"\n' + _CLAIM.replace('"1"', '"a"')).encode(),
     "mutual definitions": (_HEAD + '[definitions]\na = "b"\nb = "a"\n' + _CLAIM.replace('"1"', '"a"')).encode(),
-    "definitions that double": (
-        _HEAD + '[definitions]\na0 = "q + sin(p)"\n'
-        + _numbered(200, 'a{k} = "(a{before} + cos(a{before}))*sin(a{before})"\n') + _CLAIM.replace('"1"', '"a199"')
-    ).encode(),
-    "definitions that square": (
-        _HEAD + '[definitions]\na0 = "q + 1/3"\n' + _numbered(200, 'a{k} = "a{before}**2 + p"\n')
-        + _CLAIM.replace('"1"', '"a199"')
-    ).encode(),
     "definitions that are high powers": (
         _HEAD + '[definitions]\na0 = "2"\n' + _numbered(50, 'a{k} = "a{before}**99"\n') + _CLAIM.replace('"1"', '"a49"')
-    ).encode(),
-    "definitions that are derived": (
-        _HEAD + '[definitions]\na0 = "sin(q*p)"\n' + _numbered(200, 'a{k} = "bracket(a{before}, a{before}*q**2)"\n')
-        + _CLAIM.replace('"1"', '"a199"')
     ).encode(),
     "names that shadow, and are then called": (
         '[phase_space]\nq = ["sin"]\np = ["p"]\n' + _CLAIM.replace('"q"', '"sin(p)"')
@@ -189,23 +177,9 @@ FILES: Final = {
     "deep lists of claims": ("[[" + "claim." * 900 + "claim]]\n").encode() * 50,
     "10 MB of one string": b'title = "' + b"a" * 9_999_000 + b'"',
     "1 MB of words": ("a" * 999_000).encode(),
-    "1 MB of quoted dots": ('"a".' * 249_000).encode(),
-    "1 MB of digits": b"a = " + b"9" * 999_000,
-    "1 MB of names": (
-        "[phase_space]\nq = [" + ",".join(f'"q{k:06d}"' for k in range(45_000)) + "]\np = ["
-        + ",".join(f'"p{k:06d}"' for k in range(45_000)) + "]\n" + _CLAIM
-    ).encode(),
     "a thousand names": (
         "[phase_space]\nq = [" + ",".join(f'"q{k:06d}"' for k in range(1000)) + "]\np = ["
         + ",".join(f'"p{k:06d}"' for k in range(1000)) + "]\n" + _CLAIM
-    ).encode(),
-    "dear conditions": (
-        _HEAD + "[domain]\nwhere = [" + _filled('"bracket(sin(q*sin(q*p)),exp(q*p)*sin(p)) > 0",', 40_000)
-        + "]\n" + _CLAIM
-    ).encode(),
-    "1 MB of one formula": (_HEAD + _CLAIM.replace('"1"', '"' + _filled("q+") + 'q"')).encode(),
-    "1 MB of components": (
-        _HEAD + 'Q = ["Q"]\nP = ["P"]\n[transformation]\nQ = [' + _filled('"q",') + ']\nP = ["p"]\n' + _CLAIM
     ).encode(),
     "a basis of a thousand": (
         _HEAD + '[[claim]]\nkind = "algebra"\nequals = "so(3)"\n[claim.basis]\n' + _numbered(1000, 's{k} = "q"\n')
@@ -215,6 +189,32 @@ FILES: Final = {
 """Bytes that are no claim file, nor a scene."""
 
 LARGE: Final = {
+    "1 MB of one formula": (_HEAD + _CLAIM.replace('"1"', '"' + _filled("q+") + 'q"')).encode(),
+    "1 MB of quoted dots": ('"a".' * 249_000).encode(),
+    "1 MB of names": (
+        "[phase_space]\nq = [" + ",".join(f'"q{k:06d}"' for k in range(45_000)) + "]\np = ["
+        + ",".join(f'"p{k:06d}"' for k in range(45_000)) + "]\n" + _CLAIM
+    ).encode(),
+    "1 MB of components": (
+        _HEAD + 'Q = ["Q"]\nP = ["P"]\n[transformation]\nQ = [' + _filled('"q",') + ']\nP = ["p"]\n' + _CLAIM
+    ).encode(),
+    "1 MB of digits": b"a = " + b"9" * 999_000,
+    "dear conditions": (
+        _HEAD + "[domain]\nwhere = [" + _filled('"bracket(sin(q*sin(q*p)),exp(q*p)*sin(p)) > 0",', 40_000)
+        + "]\n" + _CLAIM
+    ).encode(),
+    "definitions that are derived": (
+        _HEAD + '[definitions]\na0 = "sin(q*p)"\n' + _numbered(200, 'a{k} = "bracket(a{before}, a{before}*q**2)"\n')
+        + _CLAIM.replace('"1"', '"a199"')
+    ).encode(),
+    "definitions that double": (
+        _HEAD + '[definitions]\na0 = "q + sin(p)"\n'
+        + _numbered(200, 'a{k} = "(a{before} + cos(a{before}))*sin(a{before})"\n') + _CLAIM.replace('"1"', '"a199"')
+    ).encode(),
+    "definitions that square": (
+        _HEAD + '[definitions]\na0 = "q + 1/3"\n' + _numbered(200, 'a{k} = "a{before}**2 + p"\n')
+        + _CLAIM.replace('"1"', '"a199"')
+    ).encode(),
     "deep headers, many": "".join("[" + "a." * 11 + f"b{k}]\n" for k in range(30_000)).encode(),
     "deep keys, many": "".join("a." * 11 + f"b{k} = 1\n" for k in range(26_000)).encode(),
     "deep keys in a deep table": ("[" + "b." * 11 + "b]\n").encode()

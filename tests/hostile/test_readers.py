@@ -128,7 +128,10 @@ def test_the_corpus_has_files_of_every_size() -> None:
     assert sum(BIGGEST * 0.8 < size <= BIGGEST for size in sizes) > 20
 
 
-@pytest.mark.parametrize("command", ["verify", "simulate", "algebra", "actions"])
+@pytest.mark.parametrize(
+    "command",
+    ["verify", "simulate", *(pytest.param(word, marks=pytest.mark.thorough) for word in ("algebra", "actions"))],
+)
 def test_the_commands_say_it_in_a_line(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     attacks = {
         "bytes.toml": FILES["Latin-1"],
@@ -176,7 +179,10 @@ def sealed(certificate: dict, /, **changed) -> dict:
     return data
 
 
-@pytest.mark.parametrize("name", DEFINITIONS)
+DEFINED = [pytest.param(name, marks=LATER if "of" in name else []) for name in DEFINITIONS]
+
+
+@pytest.mark.parametrize("name", DEFINED)
 def test_a_certificate_cant_keep_the_checker_busy(name: str, certificate: dict) -> None:
     tables = copy.deepcopy(certificate["tables"])
     tables["definitions"], tables["claim"]["equals"] = DEFINITIONS[name], "a59"

@@ -11,6 +11,7 @@ from typing import Any
 import jax
 import jax.numpy as jnp
 import numpy as np
+import pytest
 
 from canon.numeric.integrate import advance, start
 from canon.numeric.integrators import separable
@@ -48,6 +49,7 @@ def found() -> dict[str, Any]:
     }
 
 
+@pytest.mark.thorough
 def test_eight_devices_find_what_one_does(tmp_path: Path) -> None:
     flags = "--xla_force_host_platform_device_count=8"
     environment = {**os.environ, "XLA_FLAGS": flags, "PYTHONPATH": os.pathsep.join(sys.path)}

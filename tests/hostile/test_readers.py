@@ -34,6 +34,9 @@ COSTLY = ("dear definitions",)
 DEAR = ("derivatives nested", "brackets nested", "derivative of a tower", "denested roots", "commas")
 """What is refused only when it has been built in part; looked at once."""
 
+LATER = [pytest.mark.thorough]
+COMMANDS = ["verify", "simulate", *(pytest.param(word, marks=LATER) for word in ("algebra", "actions"))]
+DEFINED = [pytest.param(name, marks=LATER if "of" in name else []) for name in DEFINITIONS]
 SCENE = """
 [system]
 q_names = ["q"]
@@ -128,10 +131,7 @@ def test_the_corpus_has_files_of_every_size() -> None:
     assert sum(BIGGEST * 0.8 < size <= BIGGEST for size in sizes) > 20
 
 
-@pytest.mark.parametrize(
-    "command",
-    ["verify", "simulate", *(pytest.param(word, marks=pytest.mark.thorough) for word in ("algebra", "actions"))],
-)
+@pytest.mark.parametrize("command", COMMANDS)
 def test_the_commands_say_it_in_a_line(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     attacks = {
         "bytes.toml": FILES["Latin-1"],
@@ -177,9 +177,6 @@ def sealed(certificate: dict, /, **changed) -> dict:
     data = {**copy.deepcopy(certificate), **changed}
     data["checksum"] = checksum(data)
     return data
-
-
-DEFINED = [pytest.param(name, marks=LATER if "of" in name else []) for name in DEFINITIONS]
 
 
 @pytest.mark.parametrize("name", DEFINED)

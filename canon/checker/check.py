@@ -122,7 +122,8 @@ class _Check:
         kernels = {str(k["name"]): f.read(k["stands for"], {}) for k in data["kernels"]}
         positive = [a for a, _ in case.positive]
         targets = [*case.zeros, *chain(*case.nonzeros), *case.independent, *positive]
-        leaves = names_in(s, [*targets, *kernels.values(), *domain_of(s), *map(s.pull, case.images.values())])
+        images = [s.pull(a) for a in case.images.values()]
+        leaves = names_in(s, [*targets, *kernels.values(), *domain_of(s), *images, *case.mentions])
         if clash := kernels.keys() & (leaves & {*s.words, *s.coordinates, s.time, *s.names}):
             raise Rejected(f"the name {min(clash)} of a kernel is one of the claim's")
         places = self._places(case, kernels, leaves - kernels.keys() - case.images.keys(), targets)

@@ -193,9 +193,10 @@ class Formulas:
             return self.node("f", op[1], tuple(n + (j == k) for j, n in enumerate(op[2])), parts)
         if op[1] == "power":
             return self.mul(a, self.node("f", "log", (), parts[:1]) if k else self.over(parts[1], parts[0]))
-        if k >= len(SLOPES[op[1]]):
+        slopes = SLOPES.get(f"{op[1]}/{len(parts)}", SLOPES[op[1]])
+        if k >= len(slopes):
             raise Unknown(f"the derivative of {op[1]} by its argument {k + 1}")
-        return self.read(SLOPES[op[1]][k], dict(zip("uv", parts, strict=False)))
+        return self.read(slopes[k], dict(zip("uv", parts, strict=False)))
 
     def bracket(self, a: int, b: int, pairs: Sequence[tuple[str, str]]) -> int:
         """Poisson's bracket."""

@@ -7,6 +7,7 @@ _SWELL = (
     "(jacobi_sn(u, v)*jacobi_cn(u, v)*jacobi_dn(u, v) - (1 - v)*u*jacobi_sn(u, v)**2"
     " - jacobi_epsilon(u, v)*jacobi_cn(u, v)**2)/(2*(1 - v))"
 )
+_LEAN = "elliptic_e(u, v)/(2*v*(1 - v)) - elliptic_f(u, v)/(2*v) - sin(u)*cos(u)/(2*(1 - v)*sqrt(1 - v*sin(u)**2))"
 SLOPES = {
     "sin": ["cos(u)"], "cos": ["-sin(u)"], "exp": ["exp(u)"], "log": ["1/u"], "tan": ["1 + tan(u)**2"],
     "cot": ["-1 - cot(u)**2"], "sec": ["sec(u)*tan(u)"], "csc": ["-csc(u)*cot(u)"], "asin": ["1/sqrt(1 - u**2)"],
@@ -15,7 +16,8 @@ SLOPES = {
     "asinh": ["1/sqrt(u**2 + 1)"], "acosh": ["1/(sqrt(u - 1)*sqrt(u + 1))"], "atanh": ["1/(1 - u**2)"],
     "abs": ["abs(u)/u"], "sign": ["0"], "lambertw": ["lambertw(u)/(u*(1 + lambertw(u)))"], "gamma": [],
     "elliptic_k": ["elliptic_e(u)/(2*u*(1 - u)) - elliptic_k(u)/(2*u)"],
-    "elliptic_e": ["(elliptic_e(u) - elliptic_k(u))/(2*u)"], "elliptic_f": ["1/sqrt(1 - v*sin(u)**2)"],
+    "elliptic_e": ["(elliptic_e(u) - elliptic_k(u))/(2*u)"], "elliptic_f": ["1/sqrt(1 - v*sin(u)**2)", _LEAN],
+    "elliptic_e/2": ["sqrt(1 - v*sin(u)**2)", "(elliptic_e(u, v) - elliptic_f(u, v))/(2*v)"],
     "jacobi_sn": ["jacobi_cn(u, v)*jacobi_dn(u, v)", f"jacobi_cn(u, v)*{_TURN}"],
     "jacobi_cn": ["-jacobi_sn(u, v)*jacobi_dn(u, v)", f"-jacobi_sn(u, v)*{_TURN}"],
     "jacobi_dn": ["-v*jacobi_sn(u, v)*jacobi_cn(u, v)", f"-jacobi_sn(u, v)*{_SINK}"],

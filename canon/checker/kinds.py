@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from canon.checker import actions, algebras, matrices
+from canon.checker import actions, algebras, calculus, dimensions, matrices
 from canon.checker import obligations as mechanics
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.obligations import Case
@@ -115,9 +115,11 @@ KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {
     **mechanics.KINDS,
     **matrices.KINDS,
     **actions.KINDS,
+    **calculus.KINDS,
     "algebra": algebras.algebra,
     "matrix_algebra": algebras.matrix_algebra,
     "group": algebras.group,
+    "dimension": dimensions.dimension,
     "euler_lagrange": euler_lagrange,
     "noether": noether,
     "hamilton_jacobi": hamilton_jacobi,

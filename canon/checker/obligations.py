@@ -21,7 +21,7 @@ class Case:
     reals, whatever the parameters are; `positive`, formulas that must be positive throughout the domain (or, with
     False, nowhere negative). `found` is what exact arithmetic says of the rest of the claim, if anything, and
     `measured` gives further values that must vanish at a point, to so many `digits`: they are evidence, never a proof.
-    Where one of the groups `outside` is independent, the claim fails.
+    Where one of the groups `outside` is independent, the claim fails. Names that stand in `mentions` get values too.
     """
 
     zeros: list[int]
@@ -35,6 +35,7 @@ class Case:
     measured: Callable[[Any, Mapping[str, Any]], list[Any]] | None = None
     digits: int = 20
     outside: list[list[int]] = field(default_factory=list)
+    mentions: list[int] = field(default_factory=list)
 
     def shown(self, verdict: str) -> list[int]:
         """What a certificate of this verdict has to show to be 0; of a refutation without a point, its grounds."""

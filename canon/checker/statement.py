@@ -15,7 +15,7 @@ TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("
 
 NAMING = (
     "parameter", "velocities", "accelerations", "coordinates", "constants", "energy", "order", "first", "second",
-    "fixed",
+    "fixed", "variable",
 )  # fmt: skip
 """The keys of claims that declare names."""
 LARGEST = 12

@@ -22,15 +22,15 @@ from canon.checker.points import (
 )
 from canon.checker.statement import Statement
 
-TRIES, FEW = 20, 2
+TRIES, FEW = 20, (0, 10, 20)
 
 
 def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, real: bool) -> None:
     """Some case fails at the witness; what it leaves open may have any value of the domain. Raises Rejected."""
     f, rng = s.f, random.Random(1)
     numbers, unmeasured = Numbers(real=real), False
-    for case, k in ((x, k) for x in cases for k in range(TRIES if x.measured is None else FEW)):
-        targets = [*case.zeros, *case.independent, *(a for a, _ in case.positive), *domain_of(s)]
+    for case, k in ((x, k) for x in cases for k in (range(TRIES) if x.measured is None else FEW)):
+        targets = [*case.zeros, *case.independent, *(a for a, _ in case.positive), *domain_of(s), *case.mentions]
         names = (names_in(s, targets) | {n for n in witness if n not in f.functions}) - case.images.keys()
         given = {n: x if n in f.functions else numbers.read(x) for n, x in witness.items()}
         of = completed(s, numbers, given, names, rng, Fraction(1, 2**k))  # ever nearer to 0, should that be needed
@@ -44,6 +44,7 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
             except Outside:
                 unmeasured |= case.measured is not None
                 break
+        unmeasured |= case.measured is not None and not all(sizes)  # it may fail by less than can be measured
         if len(sizes) == 2 and all(size > 10.0**-CLOSE for size in sizes) and abs(sizes[1] / sizes[0] - 1) < 1e-9:
             return
     if unmeasured:

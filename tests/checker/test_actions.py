@@ -102,3 +102,39 @@ def test_a_refutation_of_something_true_is_rejected() -> None:
     for wrong, right in (("wrong action", "action"), ("wrong angle", "angle")):
         answer = check(resealed({**made(wrong), "tables": made(right)["tables"]}))
         assert answer.status in ("rejected", "not confirmed")
+
+
+PLAIN = '[phase_space]\nq = ["q"]\np = ["p"]\n[symbols]\na = "positive"\nx = "real"\n'
+MORE = {
+    "integral": 'kind = "integral"\nf = "exp(-a*x)"\nvariable = "x"\nfrom = "0"\nto = "infinity"\nequals = "1/a"',
+    "wrong integral": 'kind = "integral"\nf = "x**2"\nvariable = "x"\nfrom = "0"\nto = "a"\nequals = "a**3/2"',
+    "limit": 'kind = "limit"\nf = "sin(a*x)/x"\nvariable = "x"\nto = "0"\nequals = "a"',
+    "path": 'kind = "stationary"\nL = "v**2/2 - a*q"\nvelocities = ["v"]\npath = ["-a*t**2/2 + t"]\nfrom = "0"\n'
+    'to = "1"',
+    "energy": 'kind = "dimension"\nfunctions = ["a*p**2", "p*q"]\ndimensions = { a = "L/M", p = "M", q = "L" }\n'
+    'equals = "M*L"',
+    "no energy": 'kind = "dimension"\nfunctions = ["a*p + p*q"]\ndimensions = { a = "L/M", p = "M", q = "L" }\n'
+    'equals = "M*L"',
+}
+
+
+@pytest.mark.parametrize(
+    ("name", "status", "other"),
+    [
+        ("integral", "confirmed in part", {"equals": "1001/(1000*a)"}),
+        ("wrong integral", "confirmed", {"equals": "a**3/3"}),
+        ("limit", "confirmed in part", {"equals": "2*a"}),
+        ("path", "confirmed", {"path": ["-a*t**2 + t"]}),
+        ("energy", "confirmed", {"functions": ["a*p**2", "p"]}),
+        ("no energy", "confirmed", {"functions": ["a*p**2"]}),
+    ],
+)
+def test_integrals_limits_and_paths(name: str, status: str, other: dict[str, Any]) -> None:
+    tables = document.parse(f"{PLAIN}[[claim]]\n{MORE[name]}")
+    (claim,) = read_tables(tables).claims
+    data = certificate(claim, verify(claim), statement_tables(tables, 0))
+    assert check(data).status == status
+    data["tables"]["claim"] |= other
+    assert check(resealed(data)).status in (
+        ("rejected",) if name != "wrong integral" else ("rejected", "not confirmed")
+    )

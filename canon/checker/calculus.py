@@ -1,0 +1,124 @@
+"""What claims about integrals, limits and variations ask for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from itertools import pairwise
+from typing import Any
+
+from canon.checker.functions import Unknown
+from canon.checker.obligations import Case
+from canon.checker.points import Numbers, Outside
+from canon.checker.statement import Statement
+
+PRECISE, DIGITS = 32, 10
+STEPS = (40, 60, 80)
+"""Of a limit, so far towards it: at distances 2^-k, or at 2^k."""
+
+
+def _end(s: Statement, text: Any) -> int | str:
+    """An end of an interval: a formula, or "infinity" with its sign."""
+    return text if text in ("infinity", "-infinity") else s.f.read(text, s.names)
+
+
+def integral(s: Statement) -> Case:
+    """∫ f over the variable between the ends is `equals`: measured, and by an antiderivative that is stated, shown."""
+    f, claim, x = s.f, s.claim, str(s.claim["variable"])
+    s.declared |= {x}
+    inside, equals = f.read(claim["f"], s.names), s.key("equals")
+    ends = [_end(s, claim[word]) for word in ("from", "to")]
+    s.written += [end for end in ends if isinstance(end, int)]
+
+    def measured(numbers: Numbers, of: Mapping[str, Any]) -> list[Any]:
+        own = Numbers(PRECISE, real=numbers.real)
+        found = own.values(f, [equals, *(end for end in ends if isinstance(end, int))], of)
+        a, b = (found[e] if isinstance(e, int) else own.mp.inf * (1 if e == "infinity" else -1) for e in ends)
+        point = {**of}
+
+        def value(q: Any) -> Any:
+            point[x] = q
+            try:
+                return own.values(f, [inside], point)[inside]
+            except Outside:  # an end, or beyond what can be told from it
+                return own.mp.mpf(0)
+
+        total, error = own.mp.quad(value, _pieces(own, a, b), error=True, maxdegree=7)
+        size = abs(found[equals])
+        if not error < max(size, own.mp.mpf(10) ** -6) * own.mp.mpf(10) ** (-DIGITS - 1):
+            raise Outside
+        return [(total - found[equals]) / size if size > 10.0**-6 else total - found[equals]]
+
+    return Case([], measured=measured, digits=DIGITS, mentions=[inside])
+
+
+def _pieces(numbers: Numbers, a: Any, b: Any) -> list[Any]:
+    mp = numbers.mp
+    if mp.isfinite(a) and mp.isfinite(b):
+        return [a, (a + b) / 2, b]
+    if mp.isfinite(a):
+        return [a, a + 1, b]
+    return [a, b - 1, b] if mp.isfinite(b) else [a, -1, 1, b]
+
+
+def limit(s: Statement) -> Case:
+    """f tends to `equals`: measured at points that come nearer and nearer."""
+    f, claim, x = s.f, s.claim, str(s.claim["variable"])
+    s.declared |= {x}
+    inside, to, equals = f.read(claim["f"], s.names), _end(s, claim["to"]), _end(s, claim["equals"])
+    s.written += [end for end in (to, equals) if isinstance(end, int)]
+    sides = {"+": [1], "-": [-1]}.get(str(claim.get("side")), [1, -1] if isinstance(to, int) else [1])
+
+    def measured(numbers: Numbers, of: Mapping[str, Any]) -> list[Any]:
+        own = Numbers(120, real=numbers.real)
+        mp = own.mp
+        found = own.values(f, [end for end in (to, equals) if isinstance(end, int)], of)
+        worst = mp.mpf(0)
+        for side in sides:
+            values = []
+            for k in STEPS:
+                near = mp.mpf(2) ** -k * side
+                far = mp.mpf(2) ** (k // 4) * (-1 if to == "-infinity" else 1)
+                at = found[to] + near if isinstance(to, int) else far
+                values.append(own.values(f, [inside], {**of, x: at})[inside])
+            worst = max(worst, _distance(own, values, found[equals] if isinstance(equals, int) else str(equals)))
+        return [worst]
+
+    return Case([], measured=measured, digits=3, mentions=[inside])
+
+
+def _distance(numbers: Numbers, values: list[Any], equals: Any) -> Any:
+    """0 where values come nearer to their limit, each to half of the distance at most; else what they are off by."""
+    mp = numbers.mp
+    if isinstance(equals, str):
+        grown = [v if equals == "infinity" else -v for v in values]
+        return mp.mpf(0) if all(b > a for a, b in pairwise(grown)) and grown[-1] > 1 else mp.mpf(1)
+    off = [abs(v - equals) for v in values]
+    scale = 1 + abs(equals)
+    if off[-1] < scale * mp.mpf(10) ** -4 or all(2 * b <= a for a, b in pairwise(off)):
+        return mp.mpf(0)
+    steps = [abs(b - a) for a, b in pairwise(values)]
+    if 2 * steps[-1] <= steps[-2] and off[-1] > 4 * steps[-1]:  # it tends to something else
+        return off[-1] / scale
+    raise Outside  # slowly, as a logarithm does, or not at all: nothing can be said
+
+
+def stationary(s: Statement) -> Case:
+    """Lagrange's equations hold along the path; what is said of the second variation is not looked at."""
+    second = any(word in s.claim for word in ("extremum", "field", "conjugate"))
+    if second and s.verdict == "refuted":
+        raise Unknown("a second variation")
+    f, t, v = s.f, s.time, list(s.claim["velocities"])
+    texts = s.claim["path"]
+    path = [f.read(text, s.names) for text in (texts if isinstance(texts, list) else [texts])]
+    s.written += path
+    s.declared |= {*v, t}
+    L = f.read(s.claim["L"], s.names)
+    along = dict(zip((*s.q, *v), (*path, *(f.slope(x, t) for x in path)), strict=True))
+    zeros = []
+    for q, w in zip(s.q, v, strict=True):
+        momentum = f.substitute(f.slope(L, w), along)
+        zeros.append(f.sub(f.slope(momentum, t), f.substitute(f.slope(L, q), along)))
+    return Case(zeros, trusted="what is said of the second variation" if second else "")
+
+
+KINDS: dict[str, Callable[[Statement], Case]] = {"integral": integral, "limit": limit, "stationary": stationary}

@@ -1,0 +1,111 @@
+"""What claims about dimensions ask for: exponents of basic quantities, followed through each formula exactly."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from canon.checker.formulas import Formulas
+from canon.checker.functions import Unknown
+from canon.checker.obligations import Case
+from canon.checker.statement import Statement
+
+Dimension = dict[str, Fraction]
+SAME = ("abs", "sqrt")
+FREE = ("sign", "atan2")
+"""Functions of dimensioned arguments whose value is a number."""
+
+
+class Mixed(ValueError):
+    """A sum of different dimensions, or a function of something that is no number."""
+
+
+def dimension(s: Statement) -> Case:
+    """Each of the functions has the dimension that is stated; names that are left out are numbers."""
+    claim, f = s.claim, s.f
+    table: dict[str, Any] = dict(claim["dimensions"])
+    names = {name: _read(text) for name, text in table.items() if isinstance(text, str)}
+    functions = {
+        name: (_read(rows[0]), [_read(x) for x in rows[1:]]) for name, rows in table.items() if isinstance(rows, list)
+    }
+    if any(f.ops[a][0] == "f" and any(f.ops[a][2]) for a in f.reach(*s.keys("functions"))):
+        raise Unknown("dimensions of derivatives of declared functions")
+    wanted, values = _read(claim["equals"]), s.keys("functions")
+    if s.verdict == "refuted":
+        return Case(_scaled(s, values, names, wanted) if not functions else [])
+    try:
+        found = all(_of(f, a, names, functions) == wanted for a in values)
+    except Mixed:
+        found = False
+    if not found:  # x - x + 1 is a number too: what isn't seen here may be so
+        raise Unknown("a dimension that doesn't follow step by step")
+    return Case([], found=True)
+
+
+def _scaled(s: Statement, values: list[int], names: Mapping[str, Dimension], wanted: Dimension) -> list[int]:
+    """f of names that are multiplied by the units' scales, less the scale of the dimension times f."""
+    f = s.f
+    units = sorted({unit for dimension in (*names.values(), wanted) for unit in dimension})
+    s.words |= {f"#{unit}": ["positive"] for unit in units}
+
+    def scale(dimension: Dimension) -> int:
+        return f.mul(*(f.power(f.node("s", f"#{unit}"), f.number(e)) for unit, e in dimension.items()))
+
+    images = {name: f.mul(scale(dimension), f.node("s", name)) for name, dimension in names.items()}
+    return [f.sub(f.substitute(a, images), f.mul(scale(wanted), a)) for a in values]
+
+
+def _read(text: Any) -> Dimension:
+    """The exponents of "M*L**2/T**2"; of "1" there are none."""
+    f = Formulas()
+    return _of(f, f.read(text, {}), None, {})
+
+
+def _of(
+    f: Formulas,
+    target: int,
+    names: Mapping[str, Dimension] | None,
+    functions: Mapping[str, tuple[Dimension, list[Dimension]]],
+) -> Dimension:
+    """The dimension of a formula; without `names` each name stands for itself. Raises Mixed."""
+    out: dict[int, Dimension] = {}
+    for a in f.reach(target):
+        op, x = f.ops[a], [out[b] for b in f.parts(a)]
+        if op[0] == "n":
+            out[a] = {}
+        elif op[0] == "s":
+            out[a] = {op[1]: Fraction(1)} if names is None else names.get(op[1], {})
+        elif op[0] == "+":
+            nothing = [f.value(b) == 0 for b in f.parts(a)]
+            if x[0] != x[1] and not any(nothing):
+                raise Mixed
+            out[a] = x[1] if nothing[0] else x[0]
+        elif op[0] == "*":
+            out[a] = _product(x[0], x[1], Fraction(1))
+        elif op[0] == "^":
+            out[a] = _product({}, x[0], Fraction(op[2]))
+        elif op[1] == "power":
+            exponent = f.value(op[3][1])
+            if exponent is None and (x[0] or x[1]):
+                raise Mixed
+            out[a] = {} if exponent is None else _product({}, x[0], exponent)
+        elif op[1] in functions:
+            value, arguments = functions[op[1]]
+            if x != arguments:
+                raise Mixed
+            out[a] = value
+        elif op[1] in SAME:
+            out[a] = x[0]
+        else:
+            if (any(x) and op[1] not in FREE) or (op[1] == "atan2" and x[0] != x[1]):
+                raise Mixed
+            out[a] = {}
+    return out[target]
+
+
+def _product(a: Dimension, b: Dimension, exponent: Fraction) -> Dimension:
+    total = {**a}
+    for name, e in b.items():
+        total[name] = total.get(name, Fraction(0)) + e * exponent
+    return {name: e for name, e in total.items() if e}

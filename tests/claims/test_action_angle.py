@@ -219,3 +219,20 @@ def test_the_same_claim_made_in_python():
     assert verify(pair.action_angle((q**2 + p**2) / 2, 2 * sp.pi)).status == "proved"
     assert verify(pair.action_angle((q**2 + p**2) / 2)).status == "refuted"
     assert verify(pair.action_angle(q**2 + p**2 + q, 2 * sp.pi)).status == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "expected"),
+    [
+        ("elliptic_k(-n)*sqrt(1 + n)", "elliptic_k(n/(1 + n))", "proved"),
+        ("elliptic_e(-n)", "elliptic_e(n/(1 + n))*sqrt(1 + n)", "proved"),
+        ("elliptic_e(x)", "elliptic_e(x/(x - 1))*sqrt(1 - x)", "proved"),
+        ("elliptic_k(x)", "elliptic_k(x/(x - 1))*sqrt(1 - x)", "refuted"),
+        ("elliptic_e(x)", "elliptic_e(x/(x - 1))*sqrt(1 - x)*1001/1000", "refuted"),
+        ("2*elliptic_k(-3)", "elliptic_k(3/4)", "proved"),
+    ],
+)
+def test_complete_integrals_of_a_negative_parameter(status, lhs, rhs, expected):
+    """DLMF 19.7.2: what the actions of a bead on a parabola in closed form and by its angle differ by."""
+    claim = f'kind = "identity"\nlhs = "{lhs}"\nrhs = "{rhs}"'
+    assert status(claim, symbols='n = "positive"\nx = "real"') == expected

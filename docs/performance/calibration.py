@@ -26,7 +26,7 @@ from canon.scenes.simulate import simulate
 from canon.scenes.systems import load_system, system_names
 
 
-def row(name: str, accuracy: float, longer: float) -> dict[str, object]:
+def row(name: str, accuracy: float, longer: float, patience: float) -> dict[str, object]:
     """One system's forecast and truth, over so many times its example's duration."""
     scene = read_scene_text(scene_text(load_system(name)))
     duration = longer * scene.settings.duration
@@ -35,7 +35,7 @@ def row(name: str, accuracy: float, longer: float) -> dict[str, object]:
     result = simulate(scene)
     trials, exact = result.planned.trials, result.problem.exact
     told = forecast_of(trials, None if exact else result.choice.method.traits.order)
-    found = reference_of(scene, seconds=60)
+    found = reference_of(scene, seconds=patience)
     start = (np.array(scene.q), np.array(scene.p))
     true = distance((result.q[-1], result.p[-1]), (found.q, found.p), start)
     return {
@@ -64,6 +64,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--accuracy", type=float, default=1e-9)
     parser.add_argument("--longer", type=float, default=1.0, help="times the duration of each system's example")
+    parser.add_argument("--patience", type=float, default=60.0, help="seconds that a reference by series may take")
     parser.add_argument("--json")
     arguments = parser.parse_args()
     rows, refused = [], []
@@ -71,7 +72,7 @@ def main() -> None:
     print("|---|---|--:|--:|--:|--:|--:|--:|")
     for name in system_names():
         try:
-            found = row(name, arguments.accuracy, arguments.longer)
+            found = row(name, arguments.accuracy, arguments.longer, arguments.patience)
         except CanonError as reason:
             refused.append((name, str(reason)))
             continue

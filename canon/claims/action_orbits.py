@@ -110,6 +110,14 @@ def why_not(question: Question, setting: Setting, branch: str, here: Example | N
         if error.where not in PLACES:  # not a fault of what is claimed
             return None
         return InputError(here.prefix + error.message, _place(question, error.where))
+    if inside is not None and orbits.domain.period is None:
+        left, right = (end.value for end in found.ends)
+        if not left <= float(inside) <= right:
+            return InputError(
+                f"{here.prefix}{setting.q} = {well} is not inside an orbit: the nearest one runs from {left:.6g} "
+                f"to {right:.6g}",
+                "key 'well'",
+            )
     if rate and found.period is None:
         return InputError(
             f"{here.prefix}E = {here.number(level)} is exactly that of the separatrix: the period is infinite there, "

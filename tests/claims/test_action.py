@@ -118,6 +118,11 @@ def test_a_coefficient_of_p_squared_that_vanishes_in_the_range_is_no_oscillator(
         ("p**2/2 + q**2/2 - q**3/3", _claim("1", branch='"rotation"'), "H isn't periodic in q"),
         ("p**2/2 + q**4/4 - q**2/2", _claim("4/3", fixed='{E = "0"}'), "2 wells have orbits at E = 0"),
         ("p**2/2 + (1-exp(-q))**2", _claim("1", fixed='{E = "1"}'), "not bounded.*from 0 to 1"),
+        (
+            "p**2/2 + q**2/2",
+            _claim("2*pi", fixed='{E = "1"}', well='"7"'),
+            "7 is not inside .* from -1.41421 to 1.41421",
+        ),
         ("p**2/2 + cos(q) + cos(2*q)/3", _claim("1", branch='"rotation"', period='"1"'), "1 is not a period of H"),
         ("(p - 3)**2/2", _claim("1", branch='"rotation"', period='"1"'), "both branches of the rotation have p > 0"),
         (

@@ -32,7 +32,9 @@ def claim_files(names: Iterable[str]) -> tuple[list[ClaimFile], list[Missing]]:
     found: list[ClaimFile] = []
     missing: list[Missing] = []
     for name in names:
-        if os.path.isdir(name):
+        if "\0" in name:
+            missing.append(Missing(name, "no file's name has the character NUL in it"))
+        elif os.path.isdir(name):
             below, unreadable = _below(name)
             if not below and not unreadable:
                 missing.append(Missing(name, "no claim file (*.toml) in this folder or below it"))

@@ -19,6 +19,7 @@ from properties.soundness.cases import Case, case
 
 BUDGET = 3.0
 HARD_LIMIT = 60
+"""Seconds of a processor after which a case is given up."""
 MEMORY = 6 << 30
 
 
@@ -52,8 +53,8 @@ def _alarm(*_: Any) -> None:
 
 def run_one(seed: int) -> Record:
     """The case of a seed, decided and judged."""
-    signal.signal(signal.SIGALRM, _alarm)
-    signal.alarm(HARD_LIMIT)
+    signal.signal(signal.SIGPROF, _alarm)
+    signal.setitimer(signal.ITIMER_PROF, HARD_LIMIT)
     found = None
     try:
         found = case(seed)
@@ -63,7 +64,7 @@ def run_one(seed: int) -> Record:
         family = found.family if found else "oracle"
         return Record(seed, family, None, "crash", cause=f"{type(error).__name__}: {error}"[:300], text=text)
     finally:
-        signal.alarm(0)
+        signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def judged(seed: int, found: Case) -> Record:

@@ -140,4 +140,14 @@ CASES = (
         tuple((1.0, 0.3, 3.0, 1.0, 1 + d, 0.0, 0.0) for d in (1e-6, 1e-11, 1e-15)),
         driven=False,
     ),
+    _case(
+        "heavily overdamped",
+        "position and velocity long after the fast decay, free and driven",
+        (
+            (1.0, 0.3, 3.4, 0.36, 27.0, 0.0, 0.0),
+            (1.0, 0.3, 80.0, 5.7, 65.0, 0.0, 0.0),
+            (1.0, 0.3, 14.0, 0.38, 23.0, 0.4, 0.36),
+            (1.0, 0.3, 140.0, 0.26, 18.0, 0.4, 0.22),
+        ),
+    ),
 )

@@ -7,7 +7,8 @@ of 1 − V/E − b²/r². With W(u) = V(r₀/u)/E, A = 1 − u² and B = b²/r�
 
 the first form keeps its digits where χ is small, the second where the particle comes straight back. χ > 0 is repulsion,
 χ < 0 attraction. Landau and Lifshitz, Mechanics, §18; Goldstein, Classical Mechanics, 3.10. For V = k/r Rutherford's
-formulas: tan(χ/2) = k/(2Eb), dσ/dΩ = (k/4E)²/sin⁴(χ/2).
+formulas: tan(χ/2) = k/(2Eb), dσ/dΩ = (k/4E)²/sin⁴(χ/2). Conditioning: χ and π − χ are each known to a part of
+themselves; far out in a screened potential they answer to b as V does, by b/λ.
 """
 
 from __future__ import annotations

@@ -3,7 +3,8 @@
 With old arguments x and new ones y of F the equations are v = ±∂F/∂x and w = ±∂F/∂y; given (x, v) the first is solved
 for y, and the second gives w. The steps are damped so that the next correction shrinks, a test that doesn't depend on
 the units of the equations (Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.3). The Jacobian of the
-map follows from the second derivatives of F at the solution.
+map follows from the second derivatives of F at the solution. Conditioning: what F's second derivatives amplify is
+stated with each image, as `errors` and `condition`.
 """
 
 from __future__ import annotations

@@ -151,6 +151,9 @@ def oscillator_reference(
         (1.0, 0.3, 7.0, 1.0, 1 + 1e-12, 0.4, 0.7, 0.3),
         (1.0, 0.3, 7.0, 1.0, 1e-9, 0.4, 1.0, 0.3),
         (1.0, 0.3, 7.0, 1.0, 3.0, 0.4, 0.0, 0.3),  # overdamped, pushed
+        (1.0, 0.3, 80.0, 5.7, 65.0, 0.0, 0.0, 0.0),  # long after the fast decay, whose exponential underflows
+        (1.0, 0.3, 140.0, 0.26, 18.0, 0.4, 0.22, 0.3),
+        (1.0, 0.3, 0.5, 4.0, 10.0, 0.4, 0.7, 0.3),
         (1.0, 0.3, 3.0, -1.0, 0.2, 0.4, 5.0, 0.3),  # inverted
         (1.0, 0.3, 0.01, 1.0, 0.2, 0.4, 5.0, 0.3),
         (1.0, 0.3, 2.0, 0.0, 0.0, 0.4, 0.0, 0.0),  # free, pushed
@@ -194,6 +197,18 @@ def test_charges_in_uniform_fields(name: str) -> None:
         assert np.abs(np.array(back) - [X, V]).max() < 1e-14
         # the nonrelativistic flow is the limit of a large c, but for terms of (v/c)²
         assert np.abs(np.array(EINSTEIN(X, V, e, w, 1e7, 3.0)) - np.array(slow)).max() < 1e-11
+
+
+@pytest.mark.parametrize(("speed", "t"), [(6e-3, 97.0), (0.0, -1e4), (1e-9, 1e6)])
+def test_a_charge_that_is_pushed_for_long(speed: float, t: float) -> None:
+    """Hyperbolic motion: y = (u_y/e) arsinh(et/√(1 + u_y²)), c = 1. Landau and Lifshitz (1975), § 20."""
+    zero = np.zeros(3)
+    with mp.workdps(40), double():
+        x, u = EINSTEIN(zero, np.array([0.0, speed, 0.0]), np.array([9.0, 0.0, 0.0]), zero, 1.0, t)
+        v = mp.mpf(speed)
+        exact = v / 9 * mp.asinh(9 * mp.mpf(t) / mp.sqrt(1 + v * v))
+        assert float(u[0]) == pytest.approx(9 * t, rel=5e-15)  # sinh of a proper time that is rounded
+        assert float(x[1]) == pytest.approx(float(exact), rel=2e-15)
 
 
 def test_uniform_acceleration() -> None:

@@ -6,7 +6,8 @@ momentum p at the bottom, or at any other point, it is (C − P)(C + P) with C =
 
 Librations there and back have J = 16√(Ik) [E(m) − m_1 K(m)], rotations over one turn J = 8√(Ik) √m E(1/m): on the
 separatrix 16√(Ik) and 8√(Ik). Lawden (1989), Elliptic Functions and Applications, 3.8 and 5.1; Abramowitz and Stegun
-17.6.
+17.6. Conditioning: all three are known to a part of themselves, by m_1 next to the separatrix and by m next to the
+bottom.
 """
 
 from __future__ import annotations

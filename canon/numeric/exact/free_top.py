@@ -2,8 +2,9 @@
 
 With M_i scaled by the square roots of the differences of 1/I, Euler's equations are those of `rotor`. The precession
 about the angular momentum is an elliptic integral of the third kind, taken about the body's axis that M never points
-along. Differences of moments of inertia are factored. Landau and Lifshitz (1976), Mechanics, § 37; van Zon and
-Schofield (2007), J. Comput. Phys. 225, 145; Whittaker (1937), 69.
+along. Differences of moments of inertia are factored. Conditioning: near the middle axis errors of the state grow as
+those of an unstable rotation do; moments that nearly coincide know their differences only. Landau and Lifshitz (1976),
+Mechanics, § 37; van Zon and Schofield (2007), J. Comput. Phys. 225, 145; Whittaker (1937), 69.
 """
 
 from __future__ import annotations

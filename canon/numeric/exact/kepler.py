@@ -2,6 +2,8 @@
 
 With dt = r ds and β = 2μ/r − v², t = r_0 G_1 + η_0 G_2 + μ G_3 and r = r_0 + η_0 G_1 + ζ_0 G_2, where η = x·v,
 ζ_0 = μ − β r_0 and G_k = s^k c_k(β s²). Nothing is singular at e = 1 or at E = 0, and e = 0 is no special case.
+Conditioning: that of the motion. N periods cost log₁₀ 3πN digits of the place on the orbit, as the energy is known to a
+rounding; from the pericentre of a slim orbit the energy, a difference, is known to 1 − e only.
 Danby (1988), Fundamentals of Celestial Mechanics, 6.9; Mikkola (1997), Celest. Mech. Dyn. Astron. 67, 145.
 """
 

@@ -1,7 +1,9 @@
 """The harmonic oscillator, damped and driven: one formula at and near resonance and critical damping.
 
 q̈ + 2γ q̇ + ω² q = f cos(Ωt + β). The free motion uses Stumpff's functions of (ω² − γ²)t², which do not care for its
-sign; the forced one is a divided difference of exp(zt) at iΩ and the two roots, whichever of them coincide.
+sign, and far from critical damping its two decays, of which the slow one is ω² over the fast one; the forced motion is
+a divided difference of exp(zt) at iΩ and the two roots, whichever of them coincide. Conditioning: that of the motion
+itself; a phase of so many radians is off by as many roundings of its frequency and time.
 Landau and Lifshitz (1976), Mechanics, §§ 22, 25, 26; McCurdy, Ng and Parlett (1984), Math. Comput. 43, 501.
 """
 
@@ -13,6 +15,9 @@ from typing import Any, Final
 from canon.numeric.exact.stumpff import stumpff
 
 CLOSE: Final = 1.0
+APART: Final = 4.0
+"""(γ² − ω²)t² beyond which the two decays are taken one by one."""
+
 _TERMS: Final = 18
 
 
@@ -39,13 +44,30 @@ def oscillator(
     slide = t * c1
     free = decay * (q * c0 + (v + damping * q) * slide)
     velocity = decay * (v * c0 - (damping * v + omega2 * q) * slide)
+    slow, fast, apart = _decays(omega2, damping, t)
+    one, other = (v - fast * q) * jnp.exp(slow * t), (v - slow * q) * jnp.exp(fast * t)
+    free = jnp.where(apart, (one - other) / (slow - fast), free)
+    velocity = jnp.where(apart, (slow * one - fast * other) / (slow - fast), velocity)
     if isinstance(force, float) and force == 0.0:
         return free, velocity
     root = jnp.sqrt(jnp.asarray(damping**2 - omega2, dtype=complex))
-    high, low, wave = root - damping, -root - damping, 1j * drive
+    high, low, wave = jnp.where(apart, slow, root - damping), jnp.where(apart, fast, -root - damping), 1j * drive
     push = force * jnp.exp(1j * phase)
     second = divided_exponential(wave, high, low, t)
-    return free + jnp.real(push * second), velocity + jnp.real(push * (decay * slide + wave * second))
+    first = jnp.where(apart, jnp.real(_first(high, low, t)), decay * slide)
+    return free + jnp.real(push * second), velocity + jnp.real(push * (first + wave * second))
+
+
+def _decays(omega2: Any, damping: Any, t: Any) -> tuple[Any, Any, Any]:
+    """The roots of z² + 2γz + ω², the smaller as a quotient, where their exponentials are `apart`; else −1 and −2."""
+    import jax.numpy as jnp
+
+    square = damping**2 - omega2
+    apart = square * t * t > APART
+    root = jnp.sqrt(jnp.where(apart, square, 1.0))
+    fast = -damping - jnp.where(damping >= 0, root, -root)
+    fast = jnp.where(apart, fast, -2.0)
+    return jnp.where(apart, omega2 / fast, -1.0), fast, apart
 
 
 def divided_exponential(a: Any, b: Any, c: Any, t: Any) -> Any:
@@ -70,11 +92,15 @@ def _first(a: Any, b: Any, t: Any) -> Any:
 
     half = (a - b) * t / 2
     small = jnp.abs(half) < 0.1
+    far = jnp.abs(jnp.real(half)) > 1  # nothing cancels, and the sine would overflow
+    wide = (jnp.exp(a * t) - jnp.exp(b * t)) / jnp.where(far, a - b, 1.0)
+    half = jnp.where(far, 1.0, half)
     away = jnp.where(small, 1.0, half)
     square = jnp.where(small, half, 0.0) ** 2
     series = 1 + square / 6 * (1 + square / 20 * (1 + square / 42 * (1 + square / 72 * (1 + square / 110))))
     # one exponential is taken out, so that nothing overflows where both decay
-    return jnp.exp((a + b) * t / 2) * t * jnp.where(small, series, jnp.sinh(away) / away)
+    close = jnp.exp((a + b) * t / 2) * t * jnp.where(small, series, jnp.sinh(away) / away)
+    return jnp.where(far, wide, close)
 
 
 def _series(a: Any, b: Any, c: Any, t: Any, near: Any) -> Any:

@@ -2,7 +2,9 @@
 
 With S = sin(q/2), C = cos(q/2), P = p/(2√(Ik)) and time in units of √(I/k), Ṡ = PC, Ċ = −SP and Ṗ = −SC. The
 complementary parameter m_1 = (C − P)(C + P) says on which side of the separatrix the motion is without subtracting
-energies. Whittaker (1937), Analytical Dynamics, 44; Lawden (1989), Elliptic Functions and Applications, 5.1.
+energies. Conditioning: near the separatrix errors of the state grow as e^t while the pendulum is near the top, where
+the angle is to be counted from there. Whittaker (1937), Analytical Dynamics, 44; Lawden (1989), Elliptic Functions and
+Applications, 5.1.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """A relativistic charge in uniform, constant electric and magnetic fields of any kind and direction.
 
 dU/dτ = F U for U = (γc, u), u = γv, has a polynomial in F as its solution, by the eigenvalues ±κ and ±iω of F; all its
-coefficients are sums of positive terms, also where κ or ω or both vanish. The proper time of a time t comes from
-t(τ) = ∫γ dτ by Newton's method. Landau and Lifshitz (1975), The Classical Theory of Fields, §§ 20–25; Gordon and Hafizi
-(2021), Comput. Phys. Commun. 258, 107628.
+coefficients are sums of positive terms, also where κ or ω or both vanish. The proper time of a time t comes from t(τ) =
+∫γ dτ by Newton's method. Conditioning: a turn by so many radians is off by as many roundings. Landau and Lifshitz
+(1975), The Classical Theory of Fields, §§ 20–25; Gordon and Hafizi (2021), Comput. Phys. Commun. 258, 107628.
 """
 
 from __future__ import annotations
@@ -60,8 +60,12 @@ def relativistic_charge(x: Any, u: Any, e: Any, w: Any, c: Any, t: Any) -> tuple
         count, tau, low, high, _ = loop
         path, velocity = moved(tau)
         miss = path[0] / c - t
-        low, high = jnp.where(miss <= 0, tau, low), jnp.where(miss > 0, tau, high)
-        new = tau - miss * c / velocity[0]
+        after = jnp.where(jnp.isfinite(miss), miss > 0, t > 0)  # too far where it overflows
+        low, high = jnp.where(after, low, tau), jnp.where(after, tau, high)
+        # beyond the root t(τ) grows as an exponential, and its logarithm as a line
+        ratio = path[0] / (c * t)
+        off = jnp.where(ratio > 1, t * ratio * jnp.log(jnp.where(ratio > 1, ratio, 1.0)), miss)
+        new = tau - off * c / velocity[0]
         new = jnp.where((new >= low) & (new <= high), new, (low + high) / 2)
         return count + 1, new, low, high, jnp.any(jnp.abs(new - tau) > 4e-16 * jnp.abs(tau))
 

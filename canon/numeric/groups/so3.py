@@ -1,4 +1,8 @@
-"""SO(3): rotations of space by vectors, and back."""
+"""SO(3): rotations of space by vectors, and back.
+
+Conditioning: the vector of a rotation is known to the roundings of the matrix, relative to itself next to 0 and next to
+π alike; a vector of so many radians is rounded to as many roundings of a turn.
+"""
 
 from __future__ import annotations
 

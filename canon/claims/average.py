@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from canon.claims.definite import Unproved, is_positive, range_of
+from canon.claims.definite import Unproved, holds, is_positive, range_of
 from canon.claims.integral import integral_is
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
 from canon.decide.derivative import derivative, poisson_bracket
-from canon.decide.region import Region
+from canon.decide.region import Region, Requirement
 from canon.decide.tape import Node
 from canon.errors import InputError
 from canon.expression import Formula
@@ -110,8 +110,11 @@ def _along(question: Question) -> Outcome:
         span = range_of(question, u, question.key("from"), question.key("to"), (claimed, *motion.values()))
     except Unproved as reason:
         return Outcome("undecided", note=str(reason))
-    solved = _solves(question, motion, u, span.inside)
     clock: Any = motion[space.t].expr if u != space.t else u
+    growth = question.load(sp.diff(clock, u))
+    if not holds(question, Requirement("positive", (growth,), ""), span.inside, span):
+        return Outcome("undecided", note=f"it isn't shown that {space.t} grows with {u} all along the stretch")
+    solved = _solves(question, motion, u, span.inside)
     images = {s: m.expr for s, m in motion.items()}
     written: Any = f.expr
     integrand = as_formula(written.subs(images, simultaneous=True) * sp.diff(clock, u))

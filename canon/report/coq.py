@@ -59,7 +59,10 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
         if certificate["verdict"] == "refuted":
             body = [_refutation(statement, cases[0].zeros, certificate["witness"])]
         else:
-            pairs = zip(cases, certificate["cases"], strict=True)
+            pairs = list(zip(cases, certificate["cases"], strict=True))
+            for case in cases:
+                if case.measured is not None or case.positive or not (case.zeros or case.nonzeros):
+                    raise Unknown("what is claimed is no identity")
             body = [text for case, data in pairs for text in _proofs(statement, case.zeros, data)]
     except (Unknown, Unreadable, TooCostly, KeyError, TypeError, ValueError) as reason:
         raise InputError(f"this certificate can't be put in Coq: {reason}") from None

@@ -101,6 +101,8 @@ def test_other_functions_are_any_number_with_their_relation() -> None:
         ('kind = "bracket"\nf = "1j*x"\ng = "p"\nequals = "1j"', "", "complex"),
         ('kind = "bracket"\nf = "x"\ng = "p"\nequals = "0"', '[domain]\non = ["x*p"]', "surface"),
         ('kind = "identity"\nlhs = "sin(x)"\nrhs = "x"', "", "rational function"),
+        ('kind = "inequality"\nlhs = "x**2 + 1"\nrelation = ">"\nrhs = "0"', "", "no identity"),
+        ('kind = "matrix_algebra"\nbasis = { A = [["0", "1"], ["-1", "0"]] }\nequals = "u(1)"', "", "no identity"),
         (
             'kind = "identity"\nlhs = "asin(sin(x))"\nrhs = "pi - x"',
             '[domain]\nwhere = ["pi/2 < x < 3*pi/2"]',

@@ -5,12 +5,11 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import sys
 import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
 
-from canon.cli.parser import BAD_INPUT
+from canon.cli.refusal import refused
 from canon.cli.simulate import picture
 
 if TYPE_CHECKING:
@@ -70,7 +69,7 @@ def execute(arguments: argparse.Namespace) -> int:
 
             plot_portrait(found, arguments.plot)
     except InputError as error:
-        return _refuse(arguments, error)
+        return refused("actions", arguments.file, error, as_json=arguments.json)
     from canon.report.action_record import action_lines, action_record
 
     if arguments.json:
@@ -139,13 +138,3 @@ def parameter_values(texts: Sequence[str]) -> dict[str, Any]:
             raise InputError(f"{text!r} sets nothing: write a name and its value, as k=1", "--parameter")
         values[name.strip()] = number(value.strip(), f"--parameter {name.strip()}")
     return values
-
-
-def _refuse(arguments: argparse.Namespace, error: Any) -> int:
-    if arguments.json:
-        record = {"format": 1, "errors": [{"file": arguments.file, "where": error.where, "message": error.message}]}
-        print(json.dumps(record, ensure_ascii=False, indent=1))
-    else:
-        place = ", ".join(part for part in (arguments.file, error.where) if part)
-        print(f"canon actions: {place}: {error.message}", file=sys.stderr)
-    return BAD_INPUT

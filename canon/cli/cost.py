@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from canon.cli.actions import parameter_values
-from canon.cli.parser import BAD_INPUT, Parser, count, positive, seconds
+from canon.cli.parser import Parser, count, positive, seconds
+from canon.cli.refusal import refused
 from canon.cli.simulate import check_folder, picture, read_scene_or_system
 
 if TYPE_CHECKING:
@@ -94,7 +95,7 @@ def execute(arguments: argparse.Namespace) -> int:
         with _watched(arguments.json) as watch:
             studies = _STUDIES[arguments.what](arguments, watch)
     except InputError as error:
-        return _refuse(arguments, error)
+        return refused("cost", arguments.file, error, as_json=arguments.json)
     _write(studies, arguments)
     _print(studies, arguments)
     return 0
@@ -176,16 +177,6 @@ class _watched:  # noqa: N801 - a context manager that reads as a word
     def __exit__(self, *exception: object) -> None:
         if self.shown:
             print("\r\033[K", end="", file=sys.stderr, flush=True)
-
-
-def _refuse(arguments: argparse.Namespace, error: Any) -> int:
-    if arguments.json:
-        record = {"format": 1, "errors": [{"file": arguments.file, "where": error.where, "message": error.message}]}
-        print(json.dumps(record, ensure_ascii=False, indent=1))
-    else:
-        place = ", ".join(part for part in (arguments.file, error.where) if part)
-        print(f"canon cost: {place}: {error.message}", file=sys.stderr)
-    return BAD_INPUT
 
 
 def _write(studies: list[Study], arguments: argparse.Namespace) -> None:

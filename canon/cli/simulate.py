@@ -13,7 +13,8 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
-from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, positive, seconds
+from canon.cli.parser import NOT_WRITTEN, positive, seconds
+from canon.cli.refusal import refused
 
 if TYPE_CHECKING:
     from canon.scenes.scene import Scene
@@ -84,7 +85,7 @@ def execute(arguments: argparse.Namespace) -> int:
             scene = replace(scene, settings=replace(scene.settings, budget=left))
         result = _run(scene, arguments)
     except InputError as error:
-        return _refuse(arguments, error)
+        return refused("simulate", arguments.scene, error, as_json=arguments.json)
     faults = _write(result, arguments)
     _print(result, arguments)
     for fault in faults:
@@ -195,16 +196,6 @@ class _watched:  # noqa: N801 - a context manager that reads as a word
     def __exit__(self, *exception: object) -> None:
         if self.bar is not None:
             self.bar.close()
-
-
-def _refuse(arguments: argparse.Namespace, error: Any) -> int:
-    if arguments.json:
-        record = {"format": 1, "errors": [{"file": arguments.scene, "where": error.where, "message": error.message}]}
-        print(json.dumps(record, ensure_ascii=False, indent=1))
-    else:
-        place = ", ".join(part for part in (arguments.scene, error.where) if part)
-        print(f"canon simulate: {place}: {error.message}", file=sys.stderr)
-    return BAD_INPUT
 
 
 def _write(result: Result, arguments: argparse.Namespace) -> list[str]:

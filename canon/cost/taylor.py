@@ -19,10 +19,11 @@ import sympy as sp
 from flint import arb, arb_series
 
 from canon.errors import BudgetExceeded, InputError
-from canon.numeric.actions.balls import exact_number, precision
+from canon.numeric.actions.balls import exact_number, precision, product, program_of
 
 Series = Any  # flint.arb_series; the package has no type stubs
 Rule = Callable[[list[Series]], Series]
+Program = Callable[[Sequence[Series]], list[Series]]
 
 FINE: Final = (34, 26)
 """Digits of the two runs: what they differ by is the error of the second, and the first is far better."""
@@ -49,7 +50,7 @@ def flow(
     **Raises:** `NoSeries` for a formula that has none here; `BudgetExceeded` after the deadline, or where steps become
     too short.
     """
-    rule = _program(rates, (*symbols, clock))
+    rule = program_of(rates, (*symbols, clock), _rule)
     order = math.ceil(1.15 * digits) + 4
     begin, end = span
     with precision(math.ceil((digits + GUARD) * math.log2(10))), _cap(order):
@@ -97,7 +98,7 @@ def _cap(order: int) -> Iterator[None]:
         flint.ctx.cap = before
 
 
-def _series(rule: Callable[[list[Series]], list[Series]], x: list[Any], t: Any, order: int) -> list[list[Any]]:
+def _series(rule: Program, x: list[Any], t: Any, order: int) -> list[list[Any]]:
     """Coefficients 0 … order of the solution through x at t, each from those before it."""
     coefficients = [[value] for value in x]
     for k in range(order):
@@ -129,29 +130,6 @@ def _sum(coefficients: list[Any], h: Any) -> Any:
     return total.mid()
 
 
-def _program(rates: Sequence[Any], symbols: Sequence[Any]) -> Callable[[list[Series]], list[Series]]:
-    """The rates as functions of series, every subexpression once."""
-    steps: list[Rule] = []
-    places: dict[Any, int] = {symbol: k for k, symbol in enumerate(symbols)}
-
-    def place(part: Any) -> int:
-        if part not in places:
-            step = _rule(part, [place(argument) for argument in part.args])
-            places[part] = len(symbols) + len(steps)
-            steps.append(step)
-        return places[part]
-
-    last = [place(rate) for rate in rates]
-
-    def program(values: list[Series]) -> list[Series]:
-        row = list(values)
-        for step in steps:
-            row.append(step(row))
-        return [row[k] for k in last]
-
-    return program
-
-
 def _rule(part: Any, at: list[int]) -> Rule:
     if isinstance(part, (sp.Rational, sp.Float)):
         exact = exact_number(part)
@@ -163,7 +141,7 @@ def _rule(part: Any, at: list[int]) -> Rule:
     if isinstance(part, sp.Add):
         return lambda row: sum((row[k] for k in at[1:]), start=row[at[0]])
     if isinstance(part, sp.Mul):
-        return lambda row: _product([row[k] for k in at])
+        return lambda row: product([row[k] for k in at])
     if isinstance(part, sp.Pow):
         return _power(part, at)
     if part.func in _DIRECT:
@@ -172,13 +150,6 @@ def _rule(part: Any, at: list[int]) -> Rule:
     if isinstance(part, (sp.sinh, sp.cosh, sp.tanh)):
         return _hyperbolic(part.func, at[0])
     raise NoSeries(f"{part.func} has no Taylor series here")
-
-
-def _product(values: list[Series]) -> Series:
-    value = values[0]
-    for factor in values[1:]:
-        value = value * factor
-    return value
 
 
 def _power(part: Any, at: list[int]) -> Rule:

@@ -99,7 +99,7 @@ def test_an_integrator_that_does_not_fit_is_refused():
 
 
 def test_spectral_nodes_beat_polygons():
-    study = cost_of_loop(read_scene_text(OWN + "[run]\nduration = 3"), cap=0.2, counts=(32, 64, 128))
+    study = cost_of_loop(read_scene_text(OWN + "[run]\nduration = 3"), cap=30.0, counts=(32, 64, 128))
     spectral, polygon = ({point.work: point.error for point in study.of(method)} for method in ("spectral", "polygon"))
     assert spectral[128] < 1e-8 < 1e-5 < polygon[128]
     assert measured_order(study, "polygon") == pytest.approx(2, abs=0.1)

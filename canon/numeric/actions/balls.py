@@ -61,25 +61,41 @@ def ball_function(expression: Any, symbols: Sequence[sp.Symbol]) -> BallFunction
 
     **Raises:** `InputError` for a name that is none of the symbols, or a function that has no such form.
     """
-    steps: list[BallFunction] = []
+    program = program_of([sp.sympify(expression)], symbols, _step)
+
+    def function(*values: Ball) -> Ball:
+        return program([value if isinstance(value, (arb, arb_series)) else arb(value) for value in values])[0]
+
+    return function
+
+
+def program_of(
+    expressions: Sequence[Any], symbols: Sequence[Any], step_of: Callable[[Any, list[int]], Callable[[list[Any]], Any]]
+) -> Callable[[Sequence[Any]], list[Any]]:
+    """The formulas' values from those of the symbols, every subexpression computed once.
+
+    **Arguments:** `step_of(part, places)` makes of a formula's head, whose arguments stand at these places, the function
+    from all values so far to its own.
+    """
+    steps: list[Callable[[list[Any]], Any]] = []
     places: dict[Any, int] = {symbol: k for k, symbol in enumerate(symbols)}
 
     def place(part: Any) -> int:
         if part not in places:
-            step = _step(part, [place(argument) for argument in part.args])
+            step = step_of(part, [place(argument) for argument in part.args])
             places[part] = len(symbols) + len(steps)
             steps.append(step)
         return places[part]
 
-    last = place(sp.sympify(expression))
+    last = [place(expression) for expression in expressions]
 
-    def function(*values: Ball) -> Ball:
-        row = [value if isinstance(value, (arb, arb_series)) else arb(value) for value in values]
+    def program(values: Sequence[Any]) -> list[Any]:
+        row = list(values)
         for step in steps:
             row.append(step(row))
-        return row[last]
+        return [row[k] for k in last]
 
-    return function
+    return program
 
 
 def _step(part: Any, at: list[int]) -> BallFunction:
@@ -93,7 +109,7 @@ def _step(part: Any, at: list[int]) -> BallFunction:
     if isinstance(part, sp.Add):
         return lambda row: sum((row[k] for k in at[1:]), start=row[at[0]])
     if isinstance(part, sp.Mul):
-        return lambda row: _product([row[k] for k in at])
+        return lambda row: product([row[k] for k in at])
     if isinstance(part, sp.Pow):
         return _power(part, at)
     if isinstance(part, sp.exp):
@@ -110,7 +126,8 @@ def _step(part: Any, at: list[int]) -> BallFunction:
     raise InputError(f"{part.func} has no numerical form in actions")
 
 
-def _product(values: list[Ball]) -> Ball:
+def product(values: Sequence[Any]) -> Any:
+    """The product of one factor or more, of whatever kind."""
     value = values[0]
     for factor in values[1:]:
         value = value * factor

@@ -154,7 +154,7 @@ class Search:
         begun = time.process_time()
         try:
             if run.compensated not in self.compiled:
-                interruptible(lambda: advance(self.task.problem, self.task.method, run, chunks=0))
+                interruptible(lambda: self.warmed(run))
                 self.compiled.add(run.compensated)
                 self.compile_seconds += time.process_time() - begun
                 begun = time.process_time()
@@ -168,6 +168,13 @@ class Search:
         self.agreed.append(agreement(run, before) if before else 0)
         self.trials.append(Trial(run.total, distance(run, before) if before else np.inf, time.process_time() - begun))
         return run
+
+    def warmed(self, run: Run) -> None:
+        """Compile the program, and call it with what it is given at first and with what it returns: jax tells the two
+        apart, and what it learns of them would else be counted as time of the first run.
+        """
+        for _ in range(2):
+            run = advance(self.task.problem, self.task.method, run, chunks=0)
 
     def advanced(self) -> None:
         """Take the current run to its end, in pieces short enough to be watched and stopped."""

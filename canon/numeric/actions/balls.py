@@ -74,8 +74,8 @@ def program_of(
 ) -> Callable[[Sequence[Any]], list[Any]]:
     """The formulas' values from those of the symbols, every subexpression computed once.
 
-    **Arguments:** `step_of(part, places)` makes of a formula's head, whose arguments stand at these places, the function
-    from all values so far to its own.
+    **Arguments:** `step_of(part, places)` makes of a formula's head, whose arguments stand at these places, the
+    function from all values so far to its own.
     """
     steps: list[Callable[[list[Any]], Any]] = []
     places: dict[Any, int] = {symbol: k for k, symbol in enumerate(symbols)}

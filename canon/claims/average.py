@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from canon.claims.definite import Unproved, holds, is_positive, range_of
+from canon.claims.along_a_range import Unproved, holds, is_positive, range_of
 from canon.claims.integral import integral_is
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from canon.budget import BudgetExceeded
+from canon.claims.along_a_range import Range, Unproved, range_of
 from canon.claims.approach import Limit
-from canon.claims.definite import Range, Unproved, antiderivative, at_points, exact_value, range_of
+from canon.claims.definite import antiderivative, at_points, exact_value
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.show import with_value
 from canon.decide.tape import Node

@@ -13,7 +13,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from canon.budget import BudgetExceeded
-from canon.claims.definite import Range, Unproved, holds, is_positive, range_of, stays_in_domain
+from canon.claims.along_a_range import Range, Unproved, holds, is_positive, range_of, stays_in_domain
 from canon.claims.determinant import determinant
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.velocities import Motion, motion

@@ -92,20 +92,18 @@ def _from_pericentre(start: Any, other: Any, mu: Any, span: Any, s: Any, where: 
     axis = [(sum((v[j] * L[i][j] for j in range(count)), -mu * x[i] / r)) / epsilon for i in range(count)]
     across = [sum((axis[i] * L[i][j] for i in range(count)), 0.0 * r) for j in range(count)]
 
-    def at(s: Any) -> tuple[Any, Any, Any, Any, Any]:
-        """(c_0, G_1, G_2, r, t) at s after the pericentre."""
+    def at(s: Any) -> tuple[Any, Any, Any, Any]:
+        """(c_0, G_1, G_2, t) at s after the pericentre."""
         psi = beta * s * s
         c0, c1, c2, c3 = stumpff_quickly(jnp.where(where, jnp.where(jnp.abs(psi) <= QUICK_BELOW, psi, jnp.nan), -1.0))
-        g2 = s * s * c2
-        return c0, s * c1, g2, nearest + epsilon * g2, nearest * s + epsilon * s * s * s * c3
+        return c0, s * c1, s * s * c2, nearest * s + epsilon * s * s * s * c3
 
     first = jnp.arcsinh(root * eta / epsilon) / root
-    time = at(first)[4] + span
-    last = jax.lax.stop_gradient(first + s)
-    for _ in range(2):
-        _, _, _, after, reached = at(last)
-        last = last - (reached - time) / after
-    c0, g1, g2, after, _ = at(last)
+    c0, g1, g2, reached = at(jax.lax.stop_gradient(first + s))
+    # a last step of Newton's, to first order, carries the derivatives too
+    left = (at(first)[3] + span - reached) / (nearest + epsilon * g2)
+    c0, g1, g2 = c0 - beta * left * g1, g1 + left * c0, g2 + left * g1
+    after = nearest + epsilon * g2
     along, speed = nearest - mu * g2, -mu * g1 / after
     place = [jnp.where(where, along * P + g1 * W, old) for P, W, old in zip(axis, across, other[0], strict=True)]
     velocity = [

@@ -200,7 +200,7 @@ def _denominators(
         if len(fractions.ring.terms(base[0])) > 1 and sum(product.values()) > 1:
             shown = polynomial(fractions.table(base[0]), words)
             factored = _product(fractions, content, product, words)
-            steps.append(f"assert ({shown} <> 0) by (replace ({shown}) with ({factored}) by field; nonzero).")
+            steps.append(f"try assert ({shown} <> 0) by (replace ({shown}) with ({factored}) by field; nonzero).")
     return list(dict.fromkeys(steps)), hypotheses
 
 

@@ -9,7 +9,6 @@ to all orders. The coefficients are exact for all values of the other names at w
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from math import comb, lcm
 from typing import Literal
@@ -17,6 +16,7 @@ from typing import Literal
 import sympy as sp
 
 from canon.decide.derivative import derivative, substitute
+from canon.decide.power_series import Series, SeriesArithmetic
 from canon.decide.tape import ONE, Node, Tape, Unsupported
 
 Sign = Literal["zero", "pos", "neg"]
@@ -38,24 +38,12 @@ class Ramified(Exception):
         self.root = root
 
 
-@dataclass(frozen=True)
-class Series:
-    """Σ c_i s^(start + i) + o(s^(start + len(c) − 1)); without coefficients, o(s^(start − 1))."""
-
-    start: int
-    coefficients: tuple[Node, ...]
-
-    @property
-    def end(self) -> int:
-        """The first power of which nothing is known."""
-        return self.start + len(self.coefficients)
-
-
 class Expander:
     """Expansions of nodes in a symbol, with so many terms each, where `sign_of` tells the signs of coefficients."""
 
     def __init__(self, tape: Tape, s: Node, sign_of: SignOf, terms: int) -> None:
         self.tape, self.s, self.sign_of, self.terms = tape, s, sign_of, terms
+        self.series = SeriesArithmetic(tape, terms)
         self.log = tape.symbol(sp.Dummy("log_s", real=True))
         self.waves: set[Node] = set()
         self.known: dict[Node, Series] = {}
@@ -90,20 +78,20 @@ class Expander:
     def _step(self, i: Node) -> Series:
         tape, op = self.tape, self.tape.ops[i]
         if i == self.s:
-            return self._padded(1, (tape.one,))
+            return self.series.exact(1, (tape.one,))
         if self.s not in tape.support(i):
-            return self._padded(0, (i,))
+            return self.series.exact(0, (i,))
         if tape.is_complex(i):
             raise Unexpanded("complex values")
         if op[0] == "+":
-            total = self._padded(0, (tape.number(op[1]),))
+            total = self.series.exact(0, (tape.number(op[1]),))
             for a, c in op[2]:
-                total = self.add(total, self._scaled(self.known[a], c))
+                total = self.series.add(total, self.series.scaled(self.known[a], c))
             return total
         if op[0] == "*":
-            total = self._padded(0, (tape.one,))
+            total = self.series.exact(0, (tape.one,))
             for a, e in op[1]:
-                total = self.mul(total, self._integer_power(self.known[a], e))
+                total = self.series.mul(total, self._integer_power(self.known[a], e))
             return total
         if op[0] == "r":
             return self.power(self.known[op[1]], Fraction(op[2], op[3]))
@@ -112,37 +100,12 @@ class Expander:
             return self._function(op[1], op[2], arguments)
         return self._arbitrary(op[1], op[2], op[3], arguments)
 
-    def _padded(self, start: int, coefficients: Sequence[Node]) -> Series:
-        return Series(start, (*coefficients, *([self.tape.zero] * (self.terms - len(coefficients)))))
-
-    def _scaled(self, f: Series, factor: Fraction) -> Series:
-        return Series(f.start, tuple(self.tape.scaled(c, factor) for c in f.coefficients))
-
-    def add(self, f: Series, g: Series) -> Series:
-        """f + g."""
-        start, end = min(f.start, g.start), min(f.end, g.end, min(f.start, g.start) + self.terms)
-        return Series(start, tuple(self.tape.plus(self.at(f, k), self.at(g, k)) for k in range(start, end)))
-
-    def at(self, f: Series, power: int) -> Node:
-        """The coefficient of a power below the end."""
-        return f.coefficients[power - f.start] if power >= f.start else self.tape.zero
-
-    def mul(self, f: Series, g: Series) -> Series:
-        """f · g."""
-        tape, count = self.tape, min(len(f.coefficients), len(g.coefficients))
-        out = []
-        for k in range(count):
-            pairs = ((f.coefficients[i], g.coefficients[k - i]) for i in range(k + 1))
-            kept = [(a, b) for a, b in pairs if tape.zero not in (a, b)]
-            out.append(tape.plus(*(tape.times(a, b) for a, b in kept)) if kept else tape.zero)
-        return Series(f.start + g.start, tuple(out))
-
     def _integer_power(self, f: Series, exponent: int) -> Series:
         if exponent < 0:
             return self.power(f, Fraction(exponent))
-        total = self._padded(0, (self.tape.one,))
+        total = self.series.exact(0, (self.tape.one,))
         for _ in range(exponent):
-            total = self.mul(total, f)
+            total = self.series.mul(total, f)
         return total
 
     def power(self, f: Series, exponent: Fraction) -> Series:
@@ -155,30 +118,14 @@ class Expander:
         if start.denominator > 1:
             raise Ramified(start.denominator)
         first = f.coefficients[0]
-        rest = self._rest(f, tape.power(first, -1))
+        rest = self.series.rest(f, tape.power(first, -1))
         coefficients, factor = [tape.one], Fraction(1)
         for k in range(1, self.terms):
             factor = factor * (exponent - k + 1) / k
             coefficients.append(tape.number(factor))
-        inner = self._composed(coefficients, rest)
+        inner = self.series.composed(coefficients, rest)
         lead = tape.root(first, exponent) if exponent.denominator > 1 else tape.power(first, int(exponent))
         return Series(int(start), tuple(tape.times(lead, c) for c in inner.coefficients))
-
-    def _rest(self, f: Series, factor: Node) -> Series:
-        """The series without its first term, which is of order 0, times a factor: what tends to 0."""
-        return Series(1, tuple(self.tape.times(factor, c) for c in f.coefficients[1:]))
-
-    def _composed(self, coefficients: Sequence[Node], u: Series) -> Series:
-        """Σ a_k u^k for u = O(s), by Horner's rule; the tail is of the order of the first term left out."""
-        total = Series(0, (coefficients[-1],))
-        for a in reversed(coefficients[:-1]):
-            product = self.mul(self._padded_to(total, u), u) if u.coefficients else Series(1, ())
-            total = Series(0, (a, *product.coefficients))
-        return Series(0, total.coefficients[: self.terms])
-
-    def _padded_to(self, f: Series, u: Series) -> Series:
-        """A partial sum of Horner's rule, exact to the order that is needed of it: its further terms don't matter."""
-        return Series(f.start, (*f.coefficients, *([self.tape.zero] * (len(u.coefficients) - len(f.coefficients)))))
 
     # -- functions ----------------------------------------------------------------------------
 
@@ -186,7 +133,7 @@ class Expander:
         tape, u = self.tape, arguments[0]
         if name == "abs":
             f, sign = self.leading(u)
-            return f if sign == "pos" else self._scaled(f, -ONE)
+            return f if sign == "pos" else self.series.scaled(f, -ONE)
         if name == "atan2":
             return self._atan2(*arguments)
         if name == "log":
@@ -196,13 +143,13 @@ class Expander:
             if u.start < 0:
                 if sign == "pos":
                     raise Unexpanded("an exponential beyond every power")
-                return self._padded(0, ())  # smaller than every power
+                return self.series.exact(0, ())  # smaller than every power
         if name == "atan":
             return self._atan(u)
         if name in ("sin", "cos") and self._may_grow(u):
             wave = tape.symbol(sp.Dummy("wave", real=True))
             self.waves.add(wave)
-            return self._padded(0, (wave,))
+            return self.series.exact(0, (wave,))
         if any(f.start < 0 and self._stripped(f)[0].start < 0 for f in arguments):
             raise Unexpanded(f"{name} of something that grows beyond all bounds")
         moving = [k for k, a in enumerate(nodes) if self.s in tape.support(a)]
@@ -243,7 +190,7 @@ class Expander:
         if self.wild(centre):
             raise Unexpanded(f"{name} of a logarithm or an oscillation")
         if name in ("elliptic_k", "elliptic_e") and self.sign_of(centre) == "zero":
-            return self._composed(self._elliptic(name), self._rest(u, tape.one))
+            return self.series.composed(self._elliptic(name), self.series.rest(u, tape.one))
         if name in ("asin", "acos"):
             margin = tape.minus(tape.one, tape.power(centre, 2))
             if self.sign_of(margin) == "zero":
@@ -259,7 +206,7 @@ class Expander:
                     slope = derivative(tape, slope, place)
                 except Unsupported as reason:
                     raise Unexpanded(str(reason)) from None
-        return self._composed(coefficients, self._rest(u, tape.one))
+        return self.series.composed(coefficients, self.series.rest(u, tape.one))
 
     def _plain(self, node: Node) -> Node:
         """The number that a sine or cosine of a multiple of π/2, or its negative, is; else the node as it is."""
@@ -278,12 +225,15 @@ class Expander:
 
     def _arc(self, name: str, u: Series) -> Series:
         """asin or acos at ±1: asin u = atan(u/√(1 − u²)) on both sides of which |u| < 1."""
-        root = self.power(self.add(self._padded(0, (self.tape.one,)), self._scaled(self.mul(u, u), -ONE)), HALF)
-        arc = self._atan(self.mul(u, self.power(root, -ONE)))
+        root = self.power(
+            self.series.add(self.series.exact(0, (self.tape.one,)), self.series.scaled(self.series.mul(u, u), -ONE)),
+            HALF,
+        )
+        arc = self._atan(self.series.mul(u, self.power(root, -ONE)))
         if name == "asin":
             return arc
-        quarter = self._padded(0, (self.tape.scaled(self.tape.constant("pi"), HALF),))
-        return self.add(quarter, self._scaled(arc, -ONE))
+        quarter = self.series.exact(0, (self.tape.scaled(self.tape.constant("pi"), HALF),))
+        return self.series.add(quarter, self.series.scaled(arc, -ONE))
 
     def _elliptic(self, name: str) -> list[Node]:
         """The coefficients at m = 0 of K or E (DLMF 19.5.1, 19.5.2)."""
@@ -314,9 +264,9 @@ class Expander:
             raise Unexpanded("the logarithm of something that isn't positive")
         first = f.coefficients[0]
         coefficients = [tape.zero, *(tape.number(Fraction((-1) ** (k + 1), k)) for k in range(1, self.terms))]
-        inner = self._composed(coefficients, self._rest(f, tape.power(first, -1)))
+        inner = self.series.composed(coefficients, self.series.rest(f, tape.power(first, -1)))
         lead = tape.add([(tape.call("log", first), 1), (self.log, f.start)])
-        return self.add(self._padded(0, (lead,)), inner)
+        return self.series.add(self.series.exact(0, (lead,)), inner)
 
     def _atan(self, u: Series) -> Series:
         tape = self.tape
@@ -327,17 +277,17 @@ class Expander:
             return self._taylor(call, place, u, "atan")
         turned = self._taylor(call, place, self.power(u, -ONE), "atan")
         quarter = tape.scaled(tape.constant("pi"), HALF if sign == "pos" else -HALF)
-        return self.add(self._padded(0, (quarter,)), self._scaled(turned, -ONE))
+        return self.series.add(self.series.exact(0, (quarter,)), self.series.scaled(turned, -ONE))
 
     def _atan2(self, y: Series, x: Series) -> Series:
         tape = self.tape
         x, sign = self.leading(x)
-        found = self._atan(self.mul(y, self.power(x, -ONE)))
+        found = self._atan(self.series.mul(y, self.power(x, -ONE)))
         if sign == "pos":
             return found
         _, above = self.leading(y)
         half = tape.scaled(tape.constant("pi"), 1 if above == "pos" else -1)
-        return self.add(found, self._padded(0, (half,)))
+        return self.series.add(found, self.series.exact(0, (half,)))
 
     def _arbitrary(
         self, name: str, orders: tuple[int, ...], nodes: tuple[Node, ...], arguments: Sequence[Series]

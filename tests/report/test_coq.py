@@ -29,6 +29,7 @@ CLAIMS = [
     ("transformations", "linear-symplectic-family", 0),
     ("transformations", "henon-map", 0),
     ("course", "angular-momentum", 4),
+    ("course", "angular-momentum", 12),
     ("course", "kepler-so4", 0),
     ("brackets", "jacobi-identity-examples", 0),
     ("errata", "valence", 0),

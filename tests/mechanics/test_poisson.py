@@ -1,6 +1,8 @@
 import sympy as sp
 
 from canon import PhaseSpace, bracket_matrix, jacobi_sum, lagrange_bracket, lagrange_matrix, poisson_bracket
+from canon.mechanics import poisson
+from canon.mechanics.poisson import standard_j
 
 SPACE = PhaseSpace("x y z", "px py pz")
 X, Y, Z = SPACE.q
@@ -30,7 +32,25 @@ def test_lagrange_brackets_invert_poisson_brackets(vanishes):
     space = PhaseSpace("q", "p", new=("Q", "P"))
     (Q,), (P,) = space.Q, space.P
     q, p = P * sp.exp(Q), Q + P**3
-    poisson = poisson_bracket(*(f.xreplace({Q: space.q[0], P: space.p[0]}) for f in (q, p)), space)
+    values = poisson_bracket(*(f.xreplace({Q: space.q[0], P: space.p[0]}) for f in (q, p)), space)
     lagrange = lagrange_bracket(Q, P, [q], [p])
-    assert vanishes(lagrange - poisson.xreplace({space.q[0]: Q, space.p[0]: P}))
+    assert vanishes(lagrange - values.xreplace({space.q[0]: Q, space.p[0]: P}))
     assert lagrange_matrix([Q, P], [q], [p]).matrix[0, 1] == lagrange
+
+
+def test_the_brackets_of_the_coordinates_are_j():
+    plane = PhaseSpace("x y", "px py")
+    matrix = bracket_matrix([*plane.q, *plane.p], plane)
+    assert matrix.matrix == standard_j(2) == sp.Matrix([[0, 0, 1, 0], [0, 0, 0, 1], [-1, 0, 0, 0], [0, -1, 0, 0]])
+    assert matrix.residual(standard_j(2)) == sp.zeros(4)
+    assert matrix.residual(sp.eye(4)) == standard_j(2) - sp.eye(4)
+    assert bracket_matrix([X, PX], SPACE)._repr_latex_() == (
+        r"$\begin{array}{c|cc} \{\cdot,\cdot\} & x & px \\ \hline x & 0 & 1 \\ px & -1 & 0 \end{array}$"
+    )
+
+
+def test_the_sum_of_jacobi_is_cyclic(monkeypatch):
+    """It is 0 in any case: what it is a sum of is seen with a bracket that means nothing."""
+    B = sp.Function("B")
+    monkeypatch.setattr(poisson, "poisson_bracket", lambda f, g, space: B(f, g))
+    assert jacobi_sum(X, Y, Z, SPACE) == B(X, B(Y, Z)) + B(Y, B(Z, X)) + B(Z, B(X, Y))

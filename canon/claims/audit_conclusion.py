@@ -50,6 +50,8 @@ def conclude(run: AuditRun, samples: int, start: float) -> AuditReport:
         doubts.append(f"brackets exceed their bounds at {run.failing} points, by less than rounding tells")
     elif run.failing and run.failing < run.audited:
         notes.append(f"brackets exceed their bounds at {run.failing} of {run.audited} points")
+    if run.bent_point is not None and _mostly_bent(run):
+        doubts.append(_bends(run))
     if run.unresolved:
         vague = f"bounds are too large to tell anything at {run.unresolved} of {run.audited} points"
         (doubts if run.unresolved > (1 - ENOUGH) * run.audited else notes).append(vague)
@@ -57,7 +59,7 @@ def conclude(run: AuditRun, samples: int, start: float) -> AuditReport:
         doubts.append(f"only {run.audited} of {samples} points could be audited")
     assert run.valence is not None
     if failures and not defects["symplectic"].exceeds and run.valence:
-        notes.append(f"all brackets agree with valence {run.valence:.12g} instead of {run.subject.scale:g}")
+        notes.append(f"all brackets agree with valence {_apart(run.valence, run.subject.scale)}")
     return AuditReport(
         verdict="refuted" if witness else "undecided" if failures or doubts else "supported",
         map=run.subject.kind or f"{run.map.kind} function of {run.map.form}",
@@ -89,6 +91,14 @@ def conclude(run: AuditRun, samples: int, start: float) -> AuditReport:
     )
 
 
+def _apart(valence: float, scale: float) -> str:
+    """A valence beside the one that was expected, so that they can be told apart."""
+    if f"{valence:.12g}" != f"{scale:.12g}":
+        return f"{valence:.12g} instead of {scale:.12g}"
+    sign = "+" if valence > scale else "−"
+    return f"{scale:.12g} {sign} {abs(valence - scale):.2g} instead of {scale:.12g}"
+
+
 def _bent(run: AuditRun, point: tuple[float, ...]) -> str:
     """What to say of a point at which the map fails because it has no derivative there; nothing elsewhere."""
     assert run.map is not None
@@ -114,12 +124,21 @@ def _gaps(run: AuditRun, samples: int) -> list[str]:
         found.append(
             f"the map is not differentiable at {run.rough} points, for instance at {run.place(run.rough_point)}"
         )
-    if run.bent_point is not None:
-        found.append(
-            f"the map seems not to be differentiable at {run.bent} of {run.looked_at} points that were looked at, "
-            f"for instance at {run.place(run.bent_point)}: its differences to the two sides differ"
-        )
+    if run.bent_point is not None and not _mostly_bent(run):
+        found.append(_bends(run))
     return found
+
+
+def _mostly_bent(run: AuditRun) -> bool:
+    """Whether the map has no derivative at most points, so that the derivatives found there are none."""
+    return 2 * run.bent > run.looked_at
+
+
+def _bends(run: AuditRun) -> str:
+    return (
+        f"the map seems not to be differentiable at {run.bent} of {run.looked_at} points that were looked at, "
+        f"for instance at {run.place(run.bent_point)}: its differences to the two sides differ"
+    )
 
 
 def _confirmed(run: AuditRun, name: str) -> Mapping[str, Any] | None:

@@ -29,6 +29,8 @@ def _check(
     where: str,
 ) -> None:
     """Raise unless there is a formula for each target, in the variables of the other side alone."""
+    if formulas and not targets:
+        raise InputError("the phase space has no new variables: name them, as in PhaseSpace('q', 'p', new=('Q', 'P'))", where)
     if len(formulas) != len(targets):
         raise InputError(f"{len(formulas)} formulas for {len(targets)} variables", where)
     check_symbols(formulas, space.vocabulary, where)

@@ -124,13 +124,13 @@ def _complex_values(mapped: PointMap, points: Array) -> Array:
     """Values at complex points, nan where the function raises."""
     if mapped.many is not None:
         try:
-            return np.asarray(mapped.many(points))
+            return np.array(mapped.many(points.copy()))
         except Exception:  # then point by point, to see where
             pass
     values = np.full(points.shape, complex(np.nan, np.nan))
     for k, point in enumerate(points):
         try:
-            values[k] = mapped.one(point)
+            values[k] = mapped.one(point.copy())
         except Exception:  # a user's function may raise anything when it is given complex numbers
             continue
     return values

@@ -1,8 +1,8 @@
 """Any map of phase space as something with derivatives: a Jacobian at each point, and how far its entries may be off.
 
 A map that jax can trace has forward-mode derivatives, and a running bound on their rounding. What only numpy can
-evaluate has complex-step derivatives where the function continues analytically, and extrapolated central differences
-elsewhere; their errors are estimates, and are called so.
+evaluate, or jax without derivatives (a `custom_vjp`, a call to Python), has complex-step derivatives where the function
+continues analytically, and extrapolated central differences elsewhere; their errors are estimates, and are called so.
 """
 
 from __future__ import annotations
@@ -81,20 +81,24 @@ def differentiable(
     numbers.
     """
     program = traced(function, points.shape[1]) if callable(function) else None
-    if program is not None:
+    if program is not None and program.has_derivatives(points.shape[1]):
         return _of_jax(program, points, rounded_numbers)
+    if program is not None:
+        import jax
+
+        function = jax.jit(function)
     mapped = point_map(function, points)
     unit = UNIT_32 if mapped.single else UNIT
     trial = points[mapped.usable[:TRIAL_POINTS]]
     M, E = central_differences(mapped.evaluate, trial, lengths, unit)
     common: dict[str, Any] = {
         "dimension": points.shape[1],
-        "kind": "numpy",
+        "kind": "numpy" if program is None else "jax",
         "errors": "estimate",
         "evaluate": mapped.evaluate,
         "unit": unit,
         "form": mapped.form,
-        "steady": mapped.steady,
+        "steady": mapped.steady and (program is None or program.steady),
         "said": mapped.said,
     }
     stepped = complex_step(mapped, trial)

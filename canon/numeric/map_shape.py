@@ -31,7 +31,8 @@ class _WrongShape(Exception):
 class PointMap:
     """A function as a map of phase points: `one` of a single point, `evaluate` of points (N, 2n), nan where it raises.
 
-    `single` says that it computes in float32, `steady` that a second evaluation gave what the first gave; `usable` are
+    A function may change its argument in place, or return the same array each time: it is given copies, and what it
+    returns is copied. `single` says that it computes in float32, `steady` that a second evaluation gave what the first gave; `usable` are
     the indices of the tried points at which it has a value; `form` says how it takes points; `many` evaluates them at
     once, if it can; `said` tells what it raised first.
     """
@@ -86,13 +87,13 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
         with double():
             if many is not None:
                 try:
-                    return np.asarray(many(z), dtype=float)
+                    return np.array(many(z.copy()), dtype=float)
                 except Exception as reason:  # then point by point, to see where
                     first.append(f"{type(reason).__name__}: {reason}")
             values = np.full(z.shape, np.nan)
             for k, point in enumerate(z):
                 try:
-                    values[k] = one(point)
+                    values[k] = one(point.copy())
                 except Exception as reason:  # a user's function may raise anything
                     first.append(f"{type(reason).__name__}: {reason}")
             del first[1:]
@@ -173,7 +174,7 @@ def _tried(one: Callable[[Any], Any], trial: Array) -> tuple[list[Any], Exceptio
     with double():
         for point in trial:
             try:
-                results.append(np.asarray(one(point.copy())))
+                results.append(np.array(one(point.copy())))
             except Exception as reason:  # a user's function may raise anything
                 results.append(None)
                 first = first or reason

@@ -46,6 +46,19 @@ class Traced:
     single: bool
     source: Source | None = None
 
+    def has_derivatives(self, size: int) -> bool:
+        """Whether jax can differentiate the program in forward mode: not through calls to Python, or a `custom_vjp`."""
+        if self.source is not None:
+            return True
+        import jax
+
+        with double():
+            try:
+                jax.eval_shape(jax.jacfwd(self.one), np.zeros(size))
+            except Exception:  # jax raises what it likes here
+                return False
+        return True
+
 
 def traced(function: Callable[..., Any], size: int) -> Traced | None:
     """The function's program, in the first form in which jax can trace it; None where there is none.

@@ -53,7 +53,8 @@ def assert_hamiltonian_flow(
 
     def at(times: Array) -> Array:
         with double():
-            return np.array([np.asarray(flow(z, float(t)), dtype=float) for z, t in zip(points, times, strict=True)])
+            pairs = zip(points, times, strict=True)
+            return np.array([np.array(flow(z.copy(), float(t)), dtype=float) for z, t in pairs])
 
     began = np.abs(at(np.zeros(len(points))) - points) / lengths
     allowed = ULPS * UNIT * (1 + np.abs(points) / lengths) + tolerance

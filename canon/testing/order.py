@@ -68,10 +68,10 @@ def assert_order(
             )
         for level in range(refinements + 1):
             count = steps * 2**level
-            z: Any = point
+            z: Any = point.copy()  # a step may change it in place
             for _ in range(count):
                 z = step(z, duration / count)
-            ends.append(np.asarray(z, dtype=float))
+            ends.append(np.array(z, dtype=float))
     if not np.all(np.isfinite(ends)):
         raise AssertionError(f"{name_of(step)} does not stay finite over the duration {duration:g}")
     if exact is None:
@@ -108,7 +108,7 @@ def _is_affine(step: Callable[[Array, float], Any], point: Array, h: float) -> b
     rng = np.random.default_rng(0)
     for _ in range(3):
         a, b = rng.uniform(0.3, 1.0, (2, *point.shape)) * np.maximum(np.abs(point), 0.1)
-        corners = [np.asarray(step(z, h), dtype=float) for z in (point, point + a, point + b, point + a + b)]
+        corners = [np.array(step(z, h), dtype=float) for z in (point.copy(), point + a, point + b, point + a + b)]
         second = corners[3] - corners[2] - corners[1] + corners[0]
         size = max(float(np.abs(corner).max()) for corner in corners)
         if not np.all(np.isfinite(second)) or float(np.abs(second).max()) > AFFINE * size:

@@ -481,3 +481,81 @@ def test_what_depends_on_hidden_state_is_not_refuted() -> None:
     assert "hidden state" in report.doubts[0]
     with pytest.raises(AuditFailed):
         report.require()
+
+
+def test_a_map_that_works_in_place_is_given_copies() -> None:
+    buffer = np.empty(2)
+
+    def point(z: Array) -> Array:
+        z[1] -= H * np.sin(z[0])
+        z[0] += H * z[1]
+        return z
+
+    def pair(q: Array, p: Array) -> tuple[Array, Array]:
+        p -= H * np.sin(q)
+        q += H * p
+        return q, p
+
+    def rows(z: Array) -> Array:
+        z[..., 1] -= H * np.sin(z[..., 0])
+        z[..., 0] += H * z[..., 1]
+        return z
+
+    def reused(z: Array) -> Array:
+        buffer[:] = symplectic_euler(z)
+        return buffer
+
+    for step in (point, pair, rows, reused):
+        report = audit(step, dimension=2, samples=50)
+        assert report.verdict == "supported", (step.__name__, str(report))
+        assert report.brackets["{Q,P}"].largest < 1e-13
+    reports = [audit(lambda z, step=step: step(z) * (1 + 1e-9), dimension=2, samples=50) for step in (point, reused)]
+    assert all(report.failures for report in reports)
+
+
+def test_hidden_state_in_a_buffer_is_noticed() -> None:
+    buffer, calls = np.empty(2), [0]
+
+    def drifting(z: Array) -> Array:
+        calls[0] += 1
+        buffer[:] = symplectic_euler(z) + 1e-6 * calls[0]
+        return buffer
+
+    assert any("hidden state" in doubt for doubt in audit(drifting, dimension=2, samples=20).doubts)
+
+
+def test_jax_functions_without_forward_derivatives_are_evaluated() -> None:
+    @jax.custom_vjp
+    def sine(x: Any) -> Any:
+        return jnp.sin(x)
+
+    sine.defvjp(lambda x: (sine(x), x), lambda x, slope: (slope * jnp.cos(x),))
+
+    def backward_only(z: Any, h: float = H) -> Any:
+        p = z[1] - h * sine(z[0])
+        return jnp.stack([z[0] + H * p, p])
+
+    def called(z: Any) -> Any:
+        return jax.pure_callback(lambda x: symplectic_euler(np.asarray(x)), jax.ShapeDtypeStruct((2,), z.dtype), z)
+
+    for map in (backward_only, called):
+        report = audit(map, dimension=2, samples=5)
+        assert (report.verdict, report.derivatives, report.errors) == ("supported", "complex step", "estimate")
+    assert audit(lambda z: backward_only(z) * (1 + 1e-6), dimension=2, samples=5).failures
+
+
+def test_a_map_without_derivatives_nearly_everywhere_is_in_doubt() -> None:
+    seen: dict[tuple[float, ...], float] = {}
+
+    def numbered(z: Array) -> Array:
+        """Each point has an offset of its own, the same at every call."""
+        return np.array([z[0] + seen.setdefault(tuple(z), 1e-3 * len(seen)), z[1]])
+
+    report = audit(numbered, dimension=2, samples=20)
+    assert report.verdict == "undecided"
+    assert any("not to be differentiable at 20 of 20 points" in doubt for doubt in report.doubts)
+
+
+def test_a_valence_close_to_the_expected_one_is_told_apart_from_it() -> None:
+    report = audit(lambda z: jnp.array([1 + 1e-13, 1.0]) * z, dimension=2, samples=20)
+    assert "all brackets agree with valence 1 + 1e-13 instead of 1" in report.notes

@@ -90,6 +90,19 @@ def test_orders_are_measured(step: Any, order: int) -> None:
         assert_order(step, order + 1, start=[0.7, 0.3])
 
 
+def test_a_step_that_works_in_place_is_given_copies() -> None:
+    start = np.array([0.7, 0.3])
+
+    def kick_and_drift(z: Array, h: float = 0.1) -> Array:
+        z[1] -= h * np.sin(z[0])
+        z[0] += h * z[1]
+        return z
+
+    assert assert_order(kick_and_drift, 1, start=start) == pytest.approx(1, abs=0.25)
+    assert start.tolist() == [0.7, 0.3]
+    assert_symplectic(kick_and_drift, dimension=2, samples=20)
+
+
 def test_an_order_below_the_plateau_is_not_guessed() -> None:
     with pytest.raises(InputError, match="above the rounding plateau"):
         assert_order(rk4, 4, start=[0.7, 0.3], duration=1e-3)

@@ -23,6 +23,12 @@ def energy(z: Array) -> Any:
 
 def test_the_flow_of_a_function_and_of_a_formula() -> None:
     assert_hamiltonian_flow(turn, energy, dimension=2, samples=10)
+
+    def in_place(z: Array, t: float) -> Array:
+        z[:] = turn(z, t)
+        return z
+
+    assert_hamiltonian_flow(in_place, energy, dimension=2, samples=10)
     space = PhaseSpace("q", "p", positive="w")
     q, p, w = space.symbols("q p w")
     oscillator = Hamiltonian(space, p**2 / 2 + w**2 * q**2 / 2)

@@ -30,7 +30,8 @@ def _check(
 ) -> None:
     """Raise unless there is a formula for each target, in the variables of the other side alone."""
     if formulas and not targets:
-        raise InputError("the phase space has no new variables: name them, as in PhaseSpace('q', 'p', new=('Q', 'P'))", where)
+        said = "the phase space has no new variables: name them, as in PhaseSpace('q', 'p', new=('Q', 'P'))"
+        raise InputError(said, where)
     if len(formulas) != len(targets):
         raise InputError(f"{len(formulas)} formulas for {len(targets)} variables", where)
     check_symbols(formulas, space.vocabulary, where)

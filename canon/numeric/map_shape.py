@@ -32,9 +32,9 @@ class PointMap:
     """A function as a map of phase points: `one` of a single point, `evaluate` of points (N, 2n), nan where it raises.
 
     A function may change its argument in place, or return the same array each time: it is given copies, and what it
-    returns is copied. `single` says that it computes in float32, `steady` that a second evaluation gave what the first gave; `usable` are
-    the indices of the tried points at which it has a value; `form` says how it takes points; `many` evaluates them at
-    once, if it can; `said` tells what it raised first.
+    returns is copied. `single` says that it computes in float32, `steady` that a second evaluation gave what the first
+    gave; `usable` are the indices of the tried points at which it has a value; `form` says how it takes points; `many`
+    evaluates them at once, if it can; `said` tells what it raised first.
     """
 
     one: Callable[[Any], Any]

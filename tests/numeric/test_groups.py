@@ -107,17 +107,24 @@ def test_boosts_of_any_size():
 
 @pytest.mark.slow
 def test_flows_of_quadratic_hamiltonians():
+    import jax.numpy as jnp
+
     rng = np.random.default_rng(1)
     S = rng.normal(size=(2, 4, 4)) * np.array([0.02, 0.6])[:, None, None]
     S = S + S.swapaxes(1, 2)
 
+    without = np.array([np.diag([-2.0, 1.0, -0.5, 1.0]), -np.eye(4)])  # negative eigenvalues: no principal logarithm
+
     def there_and_back(S):
         M = symplectic.exp(S)
-        return M, symplectic.generator(S), symplectic.log(M)
+        logs = symplectic.log(jnp.concatenate([M, without]))
+        return M, symplectic.generator(S), logs[:2], logs[2:]
 
-    for given, M, A, back in zip(S, *compiled(there_and_back, S), strict=True):
+    *found, nothing = compiled(there_and_back, S)
+    for given, M, A, back in zip(S, *found, strict=True):
         assert error(M, reference(A)) < FEW
         assert error(back, given) < 8 * FEW
+    assert np.isnan(nothing).all()
 
 
 @pytest.mark.slow

@@ -12,6 +12,9 @@ ROOTS: Final = 4
 NEWTON_STEPS: Final = 12
 NODES: Final = 12
 
+KNOWN: Final = 1e-6
+"""So much of M's largest entry the exponential of its logarithm may be off; it is all where the roots fail."""
+
 
 def generator(S: Any) -> Any:
     """J S (…, 2n, 2n) for a symmetric S: ż = J S z are Hamilton's equations of H = zᵀ S z / 2, z = (q, p)."""
@@ -29,6 +32,9 @@ def exp(S: Any) -> Any:
 
 def log(M: Any) -> Any:
     """The symmetric S (…, 2n, 2n) with exp(J S) = M, for a symplectic M without eigenvalues on the negative real axis.
+
+    nan where exp(J S) doesn't give M back: for other M, which may have no real logarithm at all, and where M is so
+    ill conditioned that its rounded entries don't know S.
 
     Square roots by Newton's iteration in product form, with M^(1/2^k) − 1 kept to full relative precision by
     (M − 1)/(M^(1/2) + 1), then Gauss' quadrature of the integral of (M − 1)/(1 + x (M − 1)).
@@ -50,7 +56,9 @@ def log(M: Any) -> Any:
     total = jnp.tensordot(jnp.asarray(weights / 2, dtype=M.dtype), parts, 1)
     J = jnp.asarray(unit_form(M.shape[-1] // 2), dtype=M.dtype)
     S = -J @ (2.0**ROOTS * total)
-    return (S + jnp.swapaxes(S, -1, -2)) / 2
+    S = (S + jnp.swapaxes(S, -1, -2)) / 2
+    gap = jnp.abs(exp(jax.lax.stop_gradient(S)) - M).max((-2, -1), keepdims=True)
+    return jnp.where(gap <= KNOWN * jnp.abs(M).max((-2, -1), keepdims=True), S, jnp.nan)
 
 
 def _square_root(M: Any) -> Any:

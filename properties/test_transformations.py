@@ -9,7 +9,7 @@ from canon.claims.verify import verify
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.transformation import Transformation
 from canon.testing import GROUP_LAWS, Law, assert_law, canonical_maps, phase_spaces
-from canon.testing.checking import elementary_maps
+from canon.testing.checking import elementary_maps, single_factors
 
 
 @pytest.mark.parametrize("law", GROUP_LAWS, ids=lambda law: law.name)
@@ -19,7 +19,11 @@ def test_law(law: Law):
     def holds(data: st.DataObject):
         space = data.draw(phase_spaces(max_degrees=2))
         most = 3 - len(law.takes) // 2
-        kinds = {"map": canonical_maps(space, max_factors=most), "elementary map": elementary_maps(space)}
+        kinds = {
+            "map": canonical_maps(space, max_factors=most),
+            "elementary map": elementary_maps(space),
+            "factor": single_factors(space),
+        }
         maps = [_moved(data.draw(kinds[kind]), space, k) for k, kind in enumerate(law.takes)]
         assert_law(law, space, *maps)
 

@@ -135,6 +135,8 @@ def _mostly_bent(run: AuditRun) -> bool:
 
 
 def _bends(run: AuditRun) -> str:
+    """Where the map bends, and at how many points."""
+    assert run.bent_point is not None
     return (
         f"the map seems not to be differentiable at {run.bent} of {run.looked_at} points that were looked at, "
         f"for instance at {run.place(run.bent_point)}: its differences to the two sides differ"

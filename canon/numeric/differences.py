@@ -34,6 +34,9 @@ KINK: Final = 1e-3
 """A kink's slopes differ by at least this part of their size: less is taken for curvature."""
 
 TINY_STEP: Final = 1e-30
+TINIEST: Final = 1e-250
+STRETCHES: Final = (1.1, 1.3)
+"""Of the complex step, for other roundings: no powers of 2."""
 ULPS: Final = 8
 
 
@@ -107,16 +110,21 @@ def kinks(evaluate: Callable[[Array], Array], points: Array, lengths: Array, uni
     return found
 
 
-def complex_step(mapped: PointMap, points: Array) -> Array:
-    """Im f(z + ih e_k)/h at points (N, 2n), exact to rounding for an analytic f; nan where f does not take that."""
+def complex_step(mapped: PointMap, points: Array, lengths: Array, stretch: float = 1.0) -> Array:
+    """Im f(z + ih e_k)/h at points (N, 2n), exact to rounding for an analytic f; nan where f does not take that.
+
+    h is tiny beside the length (2n,) over which a variable ranges: momenta of an electron in SI units are tiny, too.
+    Another `stretch` of h, one that is no power of 2, gives the same derivatives with other roundings.
+    """
+    steps = np.maximum(TINY_STEP * np.where(lengths > 0, lengths, 1.0) * stretch, TINIEST)
     count, size = points.shape
     M = np.empty((count, size, size))
     with double(), warnings.catch_warnings():
         warnings.simplefilter("error")
         for k in range(size):
             moved = points.astype(complex)
-            moved[:, k] += 1j * TINY_STEP
-            M[:, :, k] = np.imag(_complex_values(mapped, moved)) / TINY_STEP
+            moved[:, k] += 1j * steps[k]
+            M[:, :, k] = np.imag(_complex_values(mapped, moved)) / steps[k]
     return M
 
 
@@ -136,21 +144,26 @@ def _complex_values(mapped: PointMap, points: Array) -> Array:
     return values
 
 
-def neighbours(jacobian: Callable[[Array], Array], unit: float) -> Callable[[Array], tuple[Array, Array]]:
+def neighbours(jacobian: Callable[[Array, float], Array], unit: float) -> Callable[[Array], tuple[Array, Array]]:
     """The Jacobian with an estimate of its error: how much it differs at two points a few roundings away.
 
-    That shows how the conditioning of the program at the point amplifies rounding; `ULPS` roundings of the entry itself
-    are added.
+    `jacobian` takes points and the stretch of a step, by which its roundings may differ where the map is linear, so
+    that they don't depend on the point. That shows how the conditioning of the program at the point amplifies rounding,
+    and how many roundings there are. Two draws may agree by chance: an entry is granted what its like at half of the
+    points differ by, as a part of its size. `ULPS` roundings of the entry itself are added.
     """
 
     def linearise(points: Array) -> tuple[Array, Array]:
-        M = jacobian(points)
+        M = jacobian(points, 1.0)
         rng = np.random.default_rng(0)
         spread = np.zeros_like(M)
         with np.errstate(all="ignore"):
-            for _ in range(2):
+            for stretch in STRETCHES:
                 moved = points * (1 + 4 * unit * rng.choice([-1.0, 1.0], points.shape))
-                spread = np.maximum(spread, np.abs(jacobian(moved) - M))
+                spread = np.maximum(spread, np.abs(jacobian(moved, stretch) - M))
+            part = spread / np.abs(M)
+            part[~np.isfinite(part)] = 0.0
+            spread = np.maximum(spread, np.median(part, axis=0) * np.abs(M))
         return M, ULPS * unit * np.abs(M) + SAFETY * spread
 
     return linearise

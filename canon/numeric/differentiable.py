@@ -101,11 +101,11 @@ def differentiable(
         "steady": mapped.steady and (program is None or program.steady),
         "said": mapped.said,
     }
-    stepped = complex_step(mapped, trial)
+    stepped = complex_step(mapped, trial, lengths)
     if not mapped.single and np.all(np.abs(stepped - M) <= 4 * E + 1e-9 * np.abs(M)):
         return Differentiable(
             method="complex step",
-            linearise=neighbours(lambda z: complex_step(mapped, z), unit),
+            linearise=neighbours(lambda z, stretch: complex_step(mapped, z, lengths, stretch), unit),
             **common,
         )
     return Differentiable(
@@ -207,4 +207,4 @@ def _compiled(one: Callable[[Any], Any], size: int, unit: float) -> tuple[Callab
             return call(z, values, FEW)[0]
         return call(z)[0][:, :, 0]
 
-    return evaluate, linearise if bounded else neighbours(lambda z: call(z)[0][:, :, 1:], unit), bounded
+    return evaluate, linearise if bounded else neighbours(lambda z, _: call(z)[0][:, :, 1:], unit), bounded

@@ -559,3 +559,28 @@ def test_a_map_without_derivatives_nearly_everywhere_is_in_doubt() -> None:
 def test_a_valence_close_to_the_expected_one_is_told_apart_from_it() -> None:
     report = audit(lambda z: jnp.array([1 + 1e-13, 1.0]) * z, dimension=2, samples=20)
     assert "all brackets agree with valence 1 + 1e-13 instead of 1" in report.notes
+
+
+def pendulum_steps(count: int, units: tuple[float, float], stretch: float = 1.0) -> Callable[[Array], Array]:
+    """Many leapfrog steps of a pendulum in units of q and p of their own."""
+
+    def map(z: Array) -> Array:
+        q, p = z[0] / units[0], z[1] / units[1]
+        for _ in range(count):
+            p = p - H / 2 * np.sin(q)
+            q = stretch * (q + H * p)
+            p = p - H / 2 * np.sin(q)
+        return np.array([q * units[0], p * units[1]])
+
+    return map
+
+
+@pytest.mark.parametrize(("count", "units"), [(300, (1.0, 1.0)), (3, (1e-10, 1e-25))])
+def test_roundings_of_many_steps_and_tiny_units_are_no_alarm(count: int, units: tuple[float, float]) -> None:
+    domain = [(-unit, unit) for unit in units]
+    report = audit(pendulum_steps(count, units), dimension=2, domain=domain, samples=500)
+    assert (report.verdict, report.derivatives) == ("supported", "complex step"), str(report)
+    assert report.brackets["{Q,P}"].bound < 1e-12
+    mutant = audit(pendulum_steps(count, units, 1 + 1e-12), dimension=2, domain=domain, samples=50)
+    assert mutant.worst.label == "{Q1,P1}"
+    assert mutant.worst.size == pytest.approx(count * 1e-12, rel=0.1)

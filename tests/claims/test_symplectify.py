@@ -128,7 +128,7 @@ def test_types_are_mixed_where_that_is_better() -> None:
     assert repair.types[0] in (1, 4)
     assert repair.types[1] in (2, 3)
     assert repair.after.verdict == "supported"
-    assert repair.before.worst.size > 1e-6
+    assert repair.before.brackets["{Q,P}"].largest > 1e-6
     assert repair.after.worst.size < 1e-11
     assert repair.order == 2
     assert repair.largest < 1e-5

@@ -115,6 +115,10 @@ def symplectify(
     near = nearby(mapped.evaluate, lambda z: mapped.linearise(z)[0], padded=mapped.kind == "jax")
     start = _centre(centre, where, near)
     usable, jacobians = _regular(points, near, lengths)
+    if np.all(np.linalg.det(jacobians) < 0):
+        raise InputError(
+            "no symplectic map is near this one: its determinant is negative at every sample, theirs is 1", "map"
+        )
     chosen = _chosen(type, jacobians, len(names) // 2)
     repaired, notes = _resolved(near, Pattern(chosen.types), start, usable, lengths)
     images = repaired(points)

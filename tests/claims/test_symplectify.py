@@ -113,6 +113,11 @@ def test_every_type_may_meet_a_caustic() -> None:
         symplectify(twisted, dimension=2)
 
 
+def test_a_map_that_turns_the_orientation_has_no_symplectic_neighbour() -> None:
+    with pytest.raises(InputError, match="its determinant is negative at every sample, theirs is 1"):
+        symplectify(lambda z: np.array([z[1], z[0]]), dimension=2, samples=10)
+
+
 def coupled(z: Array) -> Array:
     """Two oscillators, one turned by a right angle, with a kick that is no gradient by 1e-4."""
     x, y, u, v = z

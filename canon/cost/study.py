@@ -14,6 +14,9 @@ from typing import Any, Final
 
 ABOVE: Final = 30.0
 """So many times the floor is an error that isn't rounding."""
+SETTLED: Final = 0.3
+"""The last error is more than this part of those two points before it, where rounding is met: twice as much work and
+twice again takes even a method of order 1 below that."""
 FALLEN: Final = 0.9
 """An error is less than this part of the one before, if it has fallen."""
 
@@ -85,7 +88,7 @@ def measured_order(study: Study, method: str) -> float | None:
     """
     points = [p for p in study.of(method) if p.work and p.error and math.isfinite(p.error)]
     errors = [p.error or 0.0 for p in points]
-    settled = len(errors) > 2 and errors[-1] > FALLEN * min(errors[:-1])
+    settled = len(errors) > 2 and errors[-1] > SETTLED * min(errors[:-2])
     floor = max(study.floor, min(errors) if settled else 0.0)
     above = [(math.log(p.work or 1), math.log(p.error or 1)) for p in points if ABOVE * floor < (p.error or 0.0) < 0.1]
     slopes = [(a - b) / (y - x) for (x, a), (y, b) in pairwise(above) if b < a + math.log(FALLEN)]

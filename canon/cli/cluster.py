@@ -21,7 +21,7 @@ def answers_of(address: str, entries: Sequence[Entry], settings: Settings) -> It
     **Raises:** `InputError` where Dask isn't installed, or nobody answers there.
     """
     try:
-        from distributed import Client
+        from distributed import Client  # pyright: ignore[reportMissingImports]
     except ImportError:
         raise InputError("clusters need Dask: pip install 'canon-mechanics[cluster]'", "--cluster") from None
     from canon.claims.many import verify_many

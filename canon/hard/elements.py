@@ -42,7 +42,7 @@ def _rebound_node_pair(*state: float) -> Quantities:
 
 
 def _rebound_orbit(x: float, y: float, z: float, u: float, v: float, w: float) -> Any:
-    import rebound
+    import rebound  # pyright: ignore[reportMissingImports]
 
     sim = rebound.Simulation()
     sim.add(m=1.0)

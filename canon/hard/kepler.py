@@ -69,7 +69,7 @@ def ours(x: Any, y: Any, u: Any, v: Any, t: Any) -> tuple[Any, Any]:
 
 def rebound_wh(x: float, y: float, u: float, v: float, t: float) -> Quantities:
     """REBOUND's Wisdom–Holman integrator: one step is Kepler's motion."""
-    import rebound
+    import rebound  # pyright: ignore[reportMissingImports]
 
     sim = _simulation(rebound, x, y, u, v)
     sim.integrator = "whfast"
@@ -80,7 +80,7 @@ def rebound_wh(x: float, y: float, u: float, v: float, t: float) -> Quantities:
 
 def rebound_ias15(x: float, y: float, u: float, v: float, t: float) -> Quantities:
     """REBOUND's IAS15, by its own choice of steps."""
-    import rebound
+    import rebound  # pyright: ignore[reportMissingImports]
 
     sim = _simulation(rebound, x, y, u, v)
     sim.integrator = "ias15"
@@ -181,8 +181,8 @@ def _our_bounded_action(points: Sequence[Point]) -> list[Answer]:
 
 def galpy_isochrone(r: float, p: float, L: float, b: float) -> Quantities:
     """galpy's actions of the isochrone."""
-    from galpy.actionAngle import actionAngleIsochrone
-    from galpy.potential import IsochronePotential
+    from galpy.actionAngle import actionAngleIsochrone  # pyright: ignore[reportMissingImports]
+    from galpy.potential import IsochronePotential  # pyright: ignore[reportMissingImports]
 
     actions = actionAngleIsochrone(ip=IsochronePotential(amp=1.0, b=b))
     return ((2 * math.pi * float(actions(r, p, L / r, 0.0, 0.0)[0]),),)

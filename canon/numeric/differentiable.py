@@ -38,6 +38,11 @@ MOST_ENTRIES: Final = 2**22
 """So many entries of Jacobians are computed at once, so that memory does not grow with the dimension."""
 
 FEW: Final = 16
+BLOCK: Final = 128
+"""Points at once where errors are estimated: such functions are long, and each point is computed three times."""
+
+USELESS: Final = 1e-2
+"""A bound that is this part of the derivatives leaves two digits: an estimate tells more."""
 
 
 @dataclass(frozen=True)
@@ -128,6 +133,9 @@ def _of_jax(traced: Traced, points: Array, rounded_numbers: bool) -> Differentia
         program = None
         evaluate, linearise, bounded = _compiled(traced.one, size, unit)
     trial = points[:TRIALS]
+    if bounded and _says_nothing(linearise, trial[:TRIAL_POINTS]):
+        program = None
+        evaluate, linearise, bounded = _compiled(traced.one, size, unit, bounds=False)
     if not np.isfinite(evaluate(trial)).all(axis=1).any():
         raise InputError(f"the map has no finite value at any of {len(trial)} points tried, as at {shown(trial[0])}")
     return Differentiable(
@@ -169,8 +177,23 @@ def _run_directly(program: Program, rounded_numbers: bool) -> tuple[Callable[[Ar
     return evaluate, linearise, True
 
 
-def _compiled(one: Callable[[Any], Any], size: int, unit: float) -> tuple[Callable[[Array], Array], Linearise, bool]:
-    """Values and Jacobian of a jax function, compiled once, for blocks of points of a fixed length."""
+def _says_nothing(linearise: Linearise, points: Array) -> bool:
+    """Whether a bound is larger than the derivatives wherever these are finite: over thousands of steps it grows as if
+    every rounding had pushed the same way.
+    """
+    M, E = linearise(points)
+    finite = np.isfinite(M).all(axis=(1, 2))
+    with np.errstate(all="ignore"):
+        useful = E.max(axis=(1, 2)) < USELESS * np.abs(M).max(axis=(1, 2))
+    return bool(finite.any() and not (finite & useful).any())
+
+
+def _compiled(
+    one: Callable[[Any], Any], size: int, unit: float, *, bounds: bool = True
+) -> tuple[Callable[[Array], Array], Linearise, bool]:
+    """Values and Jacobian of a jax function, compiled once, for blocks of points of a fixed length; without `bounds`
+    errors are estimated from neighbours.
+    """
     import jax
     import jax.numpy as jnp
 
@@ -183,6 +206,8 @@ def _compiled(one: Callable[[Any], Any], size: int, unit: float) -> tuple[Callab
 
     with double():
         try:
+            if not bounds:
+                raise Unbounded("asked for")
             program, bounded = with_rounding(both, jnp.zeros(size)), True
         except Unbounded:
             program, bounded = lambda z: (both(z),), False
@@ -207,4 +232,20 @@ def _compiled(one: Callable[[Any], Any], size: int, unit: float) -> tuple[Callab
             return call(z, values, FEW)[0]
         return call(z)[0][:, :, 0]
 
-    return evaluate, linearise if bounded else neighbours(lambda z, _: call(z)[0][:, :, 1:], unit), bounded
+    def stretched(z: Array, stretch: float) -> Array:
+        return call(z, lambda part: slopes(part, stretch), min(block, BLOCK))[0]
+
+    if bounded:
+        return evaluate, linearise, True
+    with double():
+        slopes: Any = jax.jit(jax.vmap(lambda z, s: (_slopes(one, z, s),), in_axes=(0, None)))
+    return evaluate, neighbours(stretched, unit), False
+
+
+def _slopes(one: Callable[[Any], Any], z: Any, stretch: Any) -> Any:
+    """M (2n, 2n) from tangents that are longer than 1: of a linear map, too, it is rounded otherwise."""
+    import jax
+    import jax.numpy as jnp
+
+    columns = jax.vmap(lambda v: jax.jvp(one, (z,), (v,))[1])(stretch * jnp.eye(z.shape[0], dtype=z.dtype))
+    return columns.T / stretch

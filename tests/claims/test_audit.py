@@ -584,3 +584,24 @@ def test_roundings_of_many_steps_and_tiny_units_are_no_alarm(count: int, units: 
     mutant = audit(pendulum_steps(count, units, 1 + 1e-12), dimension=2, domain=domain, samples=50)
     assert mutant.worst.label == "{Q1,P1}"
     assert mutant.worst.size == pytest.approx(count * 1e-12, rel=0.1)
+
+
+def test_a_thousand_steps_in_jax_have_estimates_where_bounds_say_nothing():
+    import jax
+    import jax.numpy as jnp
+
+    def flow(z, off=0.0):
+        def step(_, z):
+            q, p = z
+            p = p - 0.05 * jnp.sin(q)
+            q = q + 0.1 * p
+            return q, p - 0.05 * jnp.sin(q)
+
+        q, p = jax.lax.fori_loop(0, 1000, step, (z[0], z[1]))
+        return jnp.stack([q * (1 + off), p])
+
+    report = audit(flow, dimension=2, samples=20)
+    assert report.verdict.status == "supported"
+    assert report.symplectic.bound < 1e-9
+    assert "estimated errors" in str(report)
+    assert audit(lambda z: flow(z, 1e-9), dimension=2, samples=20).failures

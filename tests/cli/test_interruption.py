@@ -41,6 +41,9 @@ def test_they_hold_in_a_process_of_their_own() -> None:
         text=True,
         timeout=600,
         check=False,
+        preexec_fn=lambda: signal.signal(
+            signal.SIGINT, signal.SIG_DFL
+        ),  # a shell's background jobs begin with it ignored
     )
     assert done.returncode == 0, done.stdout
     assert "5 passed, 1 skipped" in done.stdout

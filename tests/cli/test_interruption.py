@@ -1,15 +1,9 @@
-"""Ctrl-C: compiled code is left at once, what is done is reported, and nothing is raised where it could be lost.
-
-These tests are run in a process of their own, as a command is: in one in which thousands of other tests have run, with
-all that libraries in C have done to it, a signal sent from a thread has been seen to be lost.
-"""
+"""Ctrl-C: compiled code is left at once, what is done is reported, and nothing is raised where it could be lost."""
 
 from __future__ import annotations
 
 import os
 import signal
-import subprocess
-import sys
 import threading
 import time
 from functools import partial
@@ -26,34 +20,17 @@ SOON = 10.0
 """Seconds in which what takes `LONG` must have been left, on a machine that is busy with other things."""
 
 
-ALONE = os.environ.get("CANON_TESTED_ALONE") == "1"
-
-
-def test_they_hold_in_a_process_of_their_own() -> None:
-    if ALONE:
-        pytest.skip("this is that process")
-    clean = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST")}
-    done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", __file__],
-        env={**clean, "CANON_TESTED_ALONE": "1"},
-        cwd=Path(__file__).parents[2],
-        capture_output=True,
-        text=True,
-        timeout=600,
-        check=False,
-        preexec_fn=lambda: signal.signal(
-            signal.SIGINT, signal.SIG_DFL
-        ),  # a shell's background jobs begin with it ignored
-    )
-    assert done.returncode == 0, done.stdout
-    assert "5 passed, 1 skipped" in done.stdout
+@pytest.fixture(autouse=True)
+def terminal():
+    """Ctrl-C as in a terminal: a shell's background jobs begin with it ignored, and then `heeding` leaves it so."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture
-def release():
+def release(terminal: None):
     """An event for which "compiled" code waits; what was left behind ends with the test."""
-    if not ALONE:
-        pytest.skip("run by test_they_hold_in_a_process_of_their_own")
     event = threading.Event()
     yield event
     event.set()
@@ -80,6 +57,12 @@ def test_what_is_done_is_reported(release: threading.Event) -> None:
     assert heeding(work) == ["first", "interrupted"]
     assert time.monotonic() - start < SOON
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+def test_what_begins_with_ctrl_c_ignored_goes_on() -> None:
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    assert heeding(lambda: press() or "done") == "done"
+    assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN
 
 
 def test_work_that_does_not_listen_is_left(release: threading.Event) -> None:

@@ -49,12 +49,13 @@ def cost_of_scene(
     cap: float = 1.0,
     measures: Sequence[str] = ("energy", "symplecticity", "loop"),
     patience: float = 20.0,
+    most_steps: int = MOST_STEPS,
     watch: Watch | None = None,
 ) -> Study:
     """Error at the end against seconds, of integrators with steps that are halved until rounding or the cap is met.
 
     **Arguments:** `integrators`, by name; left out, the usual ones that fit. `cap`, seconds that one run may take;
-    `patience`, those that the reference may.
+    `patience`, those that the reference may; `most_steps`, beyond which no run is made.
     `measures`: "energy", the relative error of H; "symplecticity", max |M J Mᵀ − J| of one step; "loop", the relative
     change of ∮ p dq of a small loop. Each is left out where it has no meaning.
 
@@ -70,7 +71,8 @@ def cost_of_scene(
         if watch:
             watch(method.name)
         orders[method.name] = method.traits.order
-        curve = list(_curve(scene, method, value, (found.q, found.p), cap, measures, max(found.off, 2.0**-52)))
+        floor = max(found.off, 2.0**-52)
+        curve = list(_curve(scene, method, value, (found.q, found.p), cap, measures, floor, most_steps))
         points += curve
         if not curve:
             messages.append(f"{method.name}: no number of steps within {cap:g} s gets to the end")
@@ -116,7 +118,7 @@ def _words(value: Any) -> str:
 
 def _curve(
     scene: Scene, method: Any, value: Any, exact: tuple[np.ndarray, np.ndarray], cap: float, measures: Sequence[str],
-    floor: float,
+    floor: float, most_steps: int,
 ) -> Iterator[Point]:  # fmt: skip
     """Points with twice the steps each, until errors no longer fall or a run would take too long."""
     settings = scene.settings
@@ -125,7 +127,7 @@ def _curve(
     begun = time.perf_counter()
     integrate(value, method, state, duration=settings.duration, steps=steps, t0=settings.start)
     compiling = time.perf_counter() - begun
-    while steps <= MOST_STEPS:
+    while steps <= most_steps:
 
         def run(steps: int = steps) -> Any:
             return integrate(value, method, state, duration=settings.duration, steps=steps, t0=settings.start)

@@ -73,7 +73,7 @@ def test_taylor_series_say_where_they_end():
 @pytest.fixture(scope="module")
 def pendulum():
     scene = read_scene_or_system("pendulum")
-    return cost_of_scene(scene, integrators=["verlet", "rk4"], cap=0.02)
+    return cost_of_scene(scene, integrators=["verlet", "rk4"], cap=60.0, most_steps=8192)
 
 
 def test_integrators_show_the_order_that_they_claim(pendulum):
@@ -84,10 +84,7 @@ def test_integrators_show_the_order_that_they_claim(pendulum):
 def test_only_the_symplectic_one_is_symplectic(pendulum):
     coarse = {method: pendulum.of(method)[0].measures for method in pendulum.methods}
     assert coarse["verlet"]["symplecticity"] < 1e-14 < 1e-9 < coarse["rk4"]["symplecticity"]
-    # a loop is carried along only where that is cheap, which on a busy machine it isn't
-    loops = {method: coarse[method]["loop"] for method in coarse}
-    assert loops["verlet"] is None or loops["verlet"] < 1e-6
-    assert loops["rk4"] is None or loops["rk4"] > 1e-6
+    assert coarse["verlet"]["loop"] < 1e-6 < coarse["rk4"]["loop"]
 
 
 def test_the_reference_is_none_of_what_is_measured(pendulum):

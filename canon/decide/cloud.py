@@ -16,8 +16,9 @@ import numpy as np
 from canon.budget import Budget
 from canon.decide.arbitrary import ChosenFunction
 from canon.decide.floating import Rounded, evaluate_many
+from canon.decide.proposal import Coordinate
 from canon.decide.region import Requirement
-from canon.decide.search import Coordinate, Finder, Sample
+from canon.decide.search import Finder, Sample
 from canon.decide.tape import Node
 
 Array = Any  # numpy arrays of floats or complex numbers

@@ -18,9 +18,10 @@ from canon.decide.arbitrary import rational
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
 from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
+from canon.decide.proposal import Coordinate
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
-from canon.decide.search import Coordinate, Finder, Sample, samples
+from canon.decide.search import Finder, Sample, samples
 from canon.decide.signs import classify, sign_of, sign_of_rest
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower, combine

@@ -18,7 +18,8 @@ from canon.decide.enclosure import OutOfDomain, evaluate, precision
 from canon.decide.tape import Node, Unsupported
 
 if TYPE_CHECKING:
-    from canon.decide.search import Coordinate, Finder
+    from canon.decide.proposal import Coordinate
+    from canon.decide.search import Finder
 
 STEPS = 80
 OVERSHOOT = (1.6, 1.2, 1.05)

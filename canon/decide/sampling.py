@@ -16,8 +16,9 @@ from typing import TYPE_CHECKING, Any, Final
 from canon.budget import Budget, BudgetExceeded
 from canon.decide.answer import Answer, Witness, largest
 from canon.decide.enclosure import excludes_zero
+from canon.decide.proposal import Coordinate
 from canon.decide.region import Region
-from canon.decide.search import Coordinate, Finder, Sample, samples
+from canon.decide.search import Finder, Sample, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.verdict import Evidence
 

@@ -18,6 +18,7 @@ from flint import acb, arb
 from canon.budget import Budget
 from canon.decide.arbitrary import ChosenFunction, choose_functions, rational
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
+from canon.decide.proposal import Coordinate, proposed
 from canon.decide.region import Region, Requirement, admits, bounds, holds
 from canon.decide.relaxation import relax
 from canon.decide.tape import Node, Tape, Unsupported
@@ -26,9 +27,7 @@ from canon.sign import declared
 if TYPE_CHECKING:
     from canon.decide.surface import Choice
 
-Coordinate = Fraction | tuple[Fraction, Fraction]
 REPAIRS = 24
-NICE = [Fraction(n, d) for d in (1, 2, 3, 4, 5) for n in range(1, 12) if math.gcd(n, d) == 1]
 
 
 @dataclass(frozen=True)
@@ -152,52 +151,11 @@ class Finder:
         self.signs = self.signs or {n: v > 0 for n, v in point.items() if isinstance(v, Fraction)}
         return Sample(dict(point), dict(solved), functions, balls)
 
-    # -- proposals ------------------------------------------------------------------------------
-
     def propose(self, node: Node, nice: bool, effort: int) -> Coordinate:
         """A random value that satisfies the symbol's assumptions and its own bounds."""
-        facts, rng = declared(self.tape.symbol_at(node)), self.rng
-        if facts.get("integer"):
-            return self._integer(node, facts)
-        low, high = self.bounds.get(node, (-math.inf, math.inf))
-        if facts.get("nonnegative"):
-            low = max(low, 0.0)
-        if facts.get("nonpositive"):
-            high = min(high, 0.0)
-        size = rng.choice(NICE) if nice else Fraction(rng.randrange(1, 400), rng.randrange(97, 211))
-        if effort % 3 == 2:
-            size *= Fraction(rng.choice((1, 2, 3, 5, 8, 40)), rng.choice((1, 2, 4, 7, 16, 300)))
-        if not facts.get("real"):
-            other = rng.choice(NICE) if nice else Fraction(rng.randrange(-400, 400), rng.randrange(97, 211))
-            return (size if rng.getrandbits(1) else -size, other)
-        if low > -math.inf and high < math.inf:
-            return _between(low, high, rng)
-        if low > -math.inf:
-            return Fraction(low).limit_denominator(64) + size
-        if high < math.inf:
-            return Fraction(high).limit_denominator(64) - size
-        opposite = node in self.signs and rng.random() < 0.8
-        positive = not self.signs[node] if opposite else bool(rng.getrandbits(1))
-        return size if positive else -size
-
-    def _integer(self, node: Node, facts: Mapping[str, bool]) -> Fraction:
-        """A random integer within the symbol's assumptions and its own bounds."""
-        low, high = self.bounds.get(node, (-math.inf, math.inf))
-        if facts.get("nonnegative"):
-            low = max(low, 0.0 if facts.get("positive") else -1.0)
-        if facts.get("nonpositive"):
-            high = min(high, 0.0 if facts.get("negative") else 1.0)
-        step = self.rng.randrange(1, 9)
-        if low > -math.inf:
-            value = math.floor(low) + step
-            value = min(value, math.ceil(high) - 1) if high < math.inf else value
-        elif high < math.inf:
-            value = math.ceil(high) - step
-        else:
-            value = step if self.rng.getrandbits(1) else -step
-        if facts.get("even") or facts.get("odd"):
-            value += (value + bool(facts.get("odd"))) % 2
-        return Fraction(value)
+        facts = declared(self.tape.symbol_at(node))
+        bounds = self.bounds.get(node, (-math.inf, math.inf))
+        return proposed(facts, bounds, self.rng, nice=nice, effort=effort, seen_positive=self.signs.get(node))
 
     # -- repair ---------------------------------------------------------------------------------
 
@@ -307,13 +265,3 @@ class Finder:
         moved = value * factor
         free = not (symbol.is_nonnegative or symbol.is_nonpositive)
         return -moved if free and self.rng.random() < 0.3 else moved
-
-
-def _between(low: float, high: float, rng: random.Random) -> Fraction:
-    if not low < high:
-        return Fraction(low).limit_denominator(1000)
-    width = high - low
-    near = rng.random() < 0.25
-    t = 10.0 ** -rng.uniform(0.5, 4) if near else rng.uniform(0.08, 0.92)
-    value = low + t * width if rng.getrandbits(1) else high - t * width
-    return Fraction(value).limit_denominator(math.ceil((1e6 if near else 8) / width) + 10)

@@ -24,7 +24,8 @@ from canon.decide.exact_points import NoZero, algebraic_point
 from canon.decide.tape import Node, Tape
 
 if TYPE_CHECKING:
-    from canon.decide.search import Coordinate, Finder
+    from canon.decide.proposal import Coordinate
+    from canon.decide.search import Finder
 
 Placed = tuple[dict[Node, "Coordinate"], dict[Node, Ball]]
 Choice = tuple[Piece, ...]

@@ -13,11 +13,11 @@ import sympy as sp
 from canon.budget import BudgetExceeded
 from canon.claims.approach import approaching, limit_of, signs_on
 from canon.claims.velocities import region_in_velocities
-from canon.decide.asymptotic import Unexpanded
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import evaluate, precision
 from canon.decide.nowhere_zero import has_no_zero
 from canon.decide.positivity import positive_by_boxes, positive_by_signs
+from canon.decide.power_series import Unexpanded
 from canon.decide.region import Region, Requirement
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError

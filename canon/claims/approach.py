@@ -11,11 +11,11 @@ import sympy as sp
 
 from canon.claims.velocities import region_in_velocities
 from canon.decide import ladder
-from canon.decide.asymptotic import Expander, Sign, Unexpanded, expand
+from canon.decide.asymptotic import Expander, Sign, expand
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import certainly_positive
 from canon.decide.positivity import positive_by_signs
-from canon.decide.power_series import Series
+from canon.decide.power_series import Series, Unexpanded
 from canon.decide.region import Region, Requirement
 from canon.decide.tape import Node, Tape
 from canon.errors import InputError

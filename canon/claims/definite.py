@@ -13,10 +13,10 @@ from canon.claims.along_a_range import Range, Unproved, holds
 from canon.claims.approach import Limit, approaching, limit_of
 from canon.claims.outcome import Outcome, Residual
 from canon.decide.answer import Witness
-from canon.decide.asymptotic import Unexpanded
 from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
 from canon.decide.derivative import derivative
 from canon.decide.enclosure import evaluate, excludes_zero, precision
+from canon.decide.power_series import Unexpanded
 from canon.decide.region import Region
 from canon.decide.search import ball_point, samples
 from canon.decide.tape import Node, Unsupported

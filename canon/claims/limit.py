@@ -18,9 +18,9 @@ from canon.claims.approach import Approach, Limit, approaching, limit_of
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
 from canon.decide import ladder
-from canon.decide.asymptotic import Unexpanded
 from canon.decide.derivative import substitute
 from canon.decide.enclosure import OutOfDomain, evaluate, precision
+from canon.decide.power_series import Unexpanded
 from canon.decide.search import ball_point, samples
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError

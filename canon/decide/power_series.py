@@ -9,6 +9,10 @@ from fractions import Fraction
 from canon.decide.tape import Node, Tape
 
 
+class Unexpanded(Exception):
+    """No expansion in powers of s is known."""
+
+
 @dataclass(frozen=True)
 class Series:
     """Σ c_i s^(start + i) + o(s^(start + len(c) − 1)); without coefficients, o(s^(start − 1))."""
@@ -71,3 +75,9 @@ class SeriesArithmetic:
     def _padded(self, f: Series, u: Series) -> Series:
         """A partial sum of Horner's rule, exact to the order that is needed of it: its further terms don't matter."""
         return Series(f.start, (*f.coefficients, *([self.tape.zero] * (len(u.coefficients) - len(f.coefficients)))))
+
+
+def shortly(tape: Tape, node: Node) -> str:
+    """A coefficient in a message."""
+    text = str(tape.to_sympy(node)) if len(tape.reach([node])) < 60 else "a long formula"
+    return text if len(text) < 120 else "a long formula"

@@ -18,6 +18,7 @@ from canon.claims.reader import read_tables
 from canon.domain import Condition
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.subject import Subject
 
 Data = dict[str, Any]
@@ -89,9 +90,7 @@ def _sections(subject: Subject) -> Data:
         sides = ("Q", "P") if map_.direction == "forward" else ("q", "p")
         texts, half = [text_of(f) for f in map_.expressions], len(map_.expressions) // 2
         found["transformation"] = {sides[0]: texts[:half], sides[1]: texts[half:]}
-    generating = subject.generating_function or (
-        subject.transformation.generating_function if subject.transformation is not None else None
-    )
+    generating = _generating(subject)
     if generating is not None:
         kind = generating.type
         found["generating_function"] = {
@@ -154,6 +153,13 @@ def _formulas(value: Any) -> Any:
 def _shared(subject: Subject) -> tuple[Any, ...]:
     map_ = subject.map
     formulas = () if map_ is None or map_.direction == "implicit" else map_.expressions
-    F = None if map_ is None or map_.generating_function is None else map_.generating_function.F.expr
+    F = _generating(subject)
     H = None if subject.hamiltonian is None else subject.hamiltonian.expr
-    return subject.space.q, subject.space.p, H, formulas, F, len(subject.domain.conditions)
+    generated = None if F is None else (F.types, F.F.expr)
+    return subject.space.q, subject.space.p, H, formulas, generated, len(subject.domain.conditions)
+
+
+def _generating(subject: Subject) -> GeneratingFunction | None:
+    """The subject's own generating function, or the one that its map was made of (by `.forward()` or `.backward()`)."""
+    given = subject.transformation
+    return subject.generating_function or (None if given is None else given.generating_function)

@@ -123,6 +123,16 @@ def test_a_proof_of_a_claim_made_in_python(tmp_path: Path) -> None:
         made.save(tmp_path / "proof.pdf")
 
 
+def test_a_proof_of_a_map_made_explicit_from_its_generating_function() -> None:
+    """The map keeps the function that it was made of: its claim has both, and so has its certificate."""
+    implicit = TYPE_2.transformation()
+    for explicit in (implicit.forward(), implicit.backward()):
+        made = proof(explicit.canonical())
+        assert made.verdict
+        assert str(check(json.loads(json.dumps(made.certificate)))) == "confirmed"
+        assert made.tables["generating_function"]["F"] == text_of(TYPE_2.F.expr)
+
+
 def test_what_is_open_has_no_certificate(tmp_path: Path) -> None:
     claim = identity(SPACE, q, q)
     made = proof(claim, Verdict("undecided", "identity", detail={"note": "no time"}))

@@ -1,4 +1,4 @@
-"""Why a claim holds, or fails: the substitutions, each identity and why it vanishes; or the witness.
+"""Why a claim holds: the substitutions, each identity and why it vanishes.
 
 All is read off a certificate: its kernels with their relations, its residuals with numerators and cofactors. What must
 vanish is derived from the claim's text by the checker's rules.
@@ -14,12 +14,12 @@ from canon.checker.functions import Unknown, Unreadable
 from canon.checker.kinds import obligations
 from canon.checker.obligations import Case
 from canon.checker.statement import Statement
-from canon.report.proof.blocks import Block, Display, Items, Piece, display, equation, paragraph, words
+from canon.report.proof.blocks import Block, Display, Items, Piece, equation, paragraph, words
+from canon.report.proof.findings import details, open_question, refutation
 from canon.report.proof.matrix import jacobian
 from canon.report.proof.statement import names_of
 from canon.report.proof.structure import LONG, cut, polynomial, structured
 from canon.report.proof.trees import Tree, times, tree_of
-from canon.report.words import value
 
 Data = Mapping[str, Any]
 Blocks = list[Block]
@@ -38,20 +38,20 @@ def argument(tables: Data, certificate: Data, record: Data) -> Blocks:
     """The proof of a claim, or its refutation; of what is neither, what is known."""
     status = record["verdict"]
     if status == "refuted":
-        return _refutation(tables, certificate, record)
+        return refutation(tables, certificate, record)
     if status != "proved":
-        return _open(record)
+        return open_question(record)
     try:
         statement = Statement(certificate["tables"], certificate["known"], "proved")
         cases = obligations(statement)
     except (Unknown, Unreadable, KeyError, TypeError, ValueError):
-        return [_by_method(record), *_details(record)]
+        return [_by_method(record), *details(record)]
     found = jacobian(tables) if record["kind"] in ("canonical", "fundamental_brackets", "volume") else []
     for number, (case, data) in enumerate(zip(cases, certificate["cases"], strict=False), 1):
         if len(cases) > 1:
             found.append(paragraph(lead=f"Case {number}."))
         found += _case(statement, case, data, names_of(tables), record)
-    return [*(found or [_by_method(record)]), *_details(record)]
+    return [*(found or [_by_method(record)]), *details(record)]
 
 
 def _by_method(record: Data) -> Block:
@@ -196,114 +196,3 @@ def _side(f: Formulas, group: Sequence[int]) -> Piece:
     if len(group) == 1 and (tree := _expression(f, group[0])) is not None:
         return structured(tree, {"u0"})[0]
     return "A determinant" if len(group) == 1 else f"{len(group)} quantities"
-
-
-# -- refutations --------------------------------------------------------------------------------
-
-
-def _refutation(tables: Data, certificate: Data, record: Data) -> Blocks:
-    """The point at which it fails, by how much, and how surely."""
-    detail, witness = record["detail"], record["witness"]
-    if witness is None:
-        note = detail.get("note") or record["method"] or "an exact argument"
-        return [
-            paragraph(f"It fails by an exact argument, wherever the formulas are defined: {note}."),
-            *_details(record),
-        ]
-    numbers = {n: v for n, v in witness.items() if not _is_formula(v)}
-    functions = {n: v for n, v in witness.items() if _is_formula(v)}
-    found: Blocks = [
-        paragraph("At the point", lead="Witness."),
-        display(*(f"{n} = {_number(v)}" for n, v in numbers.items())),
-    ]
-    if functions:
-        chosen = [f"`{n}` that of `{value(v)}`" for n, v in functions.items()]
-        found.append(paragraph(f"with, for arbitrary functions, {', '.join(chosen)}"))
-    fails, size = detail.get("fails"), detail.get("residual")
-    if fails:
-        tail = [" is off by ", _decimal(size)] if size is not None else [" fails"]
-        found.append(paragraph(_label(str(fails)), *tail, _enclosure(record), "."))
-    else:
-        found.append(paragraph("the claim fails", _enclosure(record), "."))
-    return [*found, *_details(record)]
-
-
-def _is_formula(text: Any) -> bool:
-    return isinstance(text, str) and any(c.isalpha() and c != "e" for c in text)
-
-
-def _number(text: Any) -> str:
-    if isinstance(text, Mapping):
-        return f"{text['re']} + ({text['im']})*1j"
-    return str(text)
-
-
-def _decimal(size: Any) -> Piece:
-    return tree_of(value(size)) if not isinstance(size, Mapping) else value(size)
-
-
-def _label(text: str) -> Piece:
-    """A residual's name: {Q, P} as a bracket, other words as they are."""
-    if text.startswith("{") and text.endswith("}") and text.count(",") == 1 and text.count("{") == 1:
-        left, _, right = text[1:-1].partition(",")
-        return Tree("call", "bracket", (tree_of(left.strip()), tree_of(right.strip())))
-    tree = tree_of(text)
-    return text if tree.kind == "verbatim" else tree
-
-
-def _enclosure(record: Data) -> str:
-    numeric = record["numeric"]
-    if not numeric or "ball" not in record["method"]:
-        return ""
-    size, bound = numeric["max_residual"], numeric["bound"]
-    ball = f"enclosed in a ball of {numeric['bits']} bits that doesn't contain 0"
-    return f": its modulus is {size:.6g} with an error of at most {bound:.2g}, {ball}"
-
-
-# -- the rest -----------------------------------------------------------------------------------
-
-
-def _open(record: Data) -> Blocks:
-    """What is known of a claim that is neither proved nor refuted."""
-    numeric = record["numeric"]
-    found: Blocks = [
-        paragraph(
-            "This is no proof. "
-            + ("Sampling agrees with the claim." if record["verdict"] == "supported" else "The claim is left open.")
-        )
-    ]
-    if numeric:
-        found.append(
-            paragraph(
-                f"At {numeric['points']} points in {numeric['bits']} bits the largest residual is "
-                f"{numeric['max_residual']:.3g}, against a rounding bound of {numeric['bound']:.3g}."
-            )
-        )
-    return [*found, *_details(record)]
-
-
-SILENT: Final = ("fails", "residual", "certificate_error")
-
-
-def _details(record: Data) -> Blocks:
-    """What else the kind of claim found: a scale, the true value, a repair."""
-    items = []
-    for key, datum in record["detail"].items():
-        if (key, datum) == ("scale", "1") or key in SILENT or datum is None or datum in ("", [], {}):
-            continue
-        text = value(datum)
-        tree = tree_of(text) if isinstance(datum, str) and key != "note" else None
-        shown: Piece = text if tree is None or tree.kind == "verbatim" else structured(tree, {"u0"})[0]
-        items.append((f"{key.replace('_', ' ')}: ", shown))
-    return [paragraph("Found besides:"), Items(tuple(items))] if items else []
-
-
-def side_conditions(certificate: Data) -> Blocks:
-    """What was used of the domain."""
-    conditions = list(dict.fromkeys(certificate["domain"])) if certificate else []
-    shown = [text for text in conditions if len(text) < 200]
-    if not shown:
-        return []
-    pieces = [f"`{text}`" if tree_of(text).kind != "verbatim" else text for text in shown[:12]]
-    more = f", and {len(conditions) - 12} more" if len(conditions) > 12 else ""
-    return [paragraph(f"{', '.join(pieces)}{more}.", lead="Where it holds.")]

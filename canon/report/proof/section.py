@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
-from canon.report.proof.argument import argument, side_conditions
+from canon.report.proof.argument import argument
 from canon.report.proof.blocks import Section, words
+from canon.report.proof.findings import side_conditions
 from canon.report.proof.statement import setting, statement
 from canon.report.words import duration, visible
 

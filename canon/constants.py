@@ -14,12 +14,14 @@ import sympy as sp
 
 from canon.domain import Condition
 from canon.errors import InputError
+from canon.special import EllipticPi
 
 HUGE: Final = 1e100
 """The largest constant that a function is applied to."""
 STEEP: Final = 700.0
 """The largest constant in an exponent, times the logarithm of the base."""
 _NEAR: Final = 0.9
+_ELLIPTIC: Final = (sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, EllipticPi)
 
 
 def is_constant(values: Any) -> bool:
@@ -55,7 +57,9 @@ def constant(function: Any, c: Any, *more: Any) -> Any:
         return _gamma(c)
     if function is sp.LambertW and sp.Rational(-36, 100) > c:
         raise InputError("lambertw of a constant near the end of its range")
-    if function in (sp.elliptic_k, sp.elliptic_e, sp.elliptic_f) and sp.Rational(99, 100) < (more or (c,))[-1]:
+    if function is EllipticPi and sp.Rational(99, 100) < c:
+        raise InputError("an elliptic integral of a constant near its pole")
+    if function in _ELLIPTIC and sp.Rational(99, 100) < (more or (c,))[-1]:
         raise InputError("an elliptic integral of a constant near its pole")
     return value
 

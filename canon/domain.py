@@ -17,7 +17,7 @@ from sympy.core.function import AppliedUndef
 from canon.errors import InputError
 from canon.sign import Reality, known_sign
 from canon.sign import is_complex as _is_complex
-from canon.special import JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
+from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
 
 Test = Callable[[Any], bool]
 ConditionKind = Literal["positive", "nonzero", "uncut", "slit", "regular"]
@@ -149,7 +149,7 @@ _POLES: Final = {
 _ENTIRE: Final = (sp.exp, sp.sin, sp.cos, sp.sinh, sp.cosh)
 _SPECIAL: Final = (
     sp.gamma, sp.LambertW, sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, sp.polygamma, JacobiSN, JacobiCN, JacobiDN,
-    JacobiEpsilon,
+    JacobiEpsilon, EllipticPi,
 )  # fmt: skip
 
 

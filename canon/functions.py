@@ -9,7 +9,7 @@ import sympy as sp
 from canon.constants import constant, is_constant
 from canon.errors import InputError
 from canon.measure import check_exponential
-from canon.special import JacobiCN, JacobiDN, JacobiSN
+from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiSN
 
 FUNCTIONS: Final[dict[str, tuple[Any, tuple[int, ...]]]] = {
     "exp": (sp.exp, (1,)), "log": (sp.log, (1,)), "sin": (sp.sin, (1,)), "cos": (sp.cos, (1,)),
@@ -19,6 +19,7 @@ FUNCTIONS: Final[dict[str, tuple[Any, tuple[int, ...]]]] = {
     "asinh": (sp.asinh, (1,)), "acosh": (sp.acosh, (1,)), "atanh": (sp.atanh, (1,)),
     "abs": (sp.Abs, (1,)), "sign": (sp.sign, (1,)), "gamma": (sp.gamma, (1,)), "lambertw": (sp.LambertW, (1,)),
     "elliptic_k": (sp.elliptic_k, (1,)), "elliptic_e": (sp.elliptic_e, (1, 2)), "elliptic_f": (sp.elliptic_f, (2,)),
+    "elliptic_pi": (EllipticPi, (2, 3)),
     "jacobi_sn": (JacobiSN, (2,)), "jacobi_cn": (JacobiCN, (2,)), "jacobi_dn": (JacobiDN, (2,)),
 }  # fmt: skip
 """Each function's class in sympy and the numbers of arguments that it takes."""

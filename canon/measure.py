@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
-from canon.special import JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
+from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
 from canon.syntax import BITS
 
 LARGEST: Final = 20_000
@@ -37,7 +37,7 @@ _HEADS: Final = (
     sp.Add, sp.Mul, sp.Pow, sp.exp, sp.log, sp.Abs, sp.sign, sp.atan2, AppliedUndef, sp.Derivative, sp.Subs, sp.Tuple,
     sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.asin, sp.acos, sp.atan, sp.sinh, sp.cosh, sp.tanh, sp.coth,
     sp.sech, sp.csch, sp.asinh, sp.acosh, sp.atanh, sp.gamma, sp.polygamma, sp.LambertW,
-    sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, JacobiSN, JacobiCN, JacobiDN, JacobiEpsilon,
+    sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, JacobiSN, JacobiCN, JacobiDN, JacobiEpsilon, EllipticPi,
 )  # fmt: skip
 _CONSTANTS: Final = (sp.pi, sp.E, sp.I, sp.EulerGamma, sp.Catalan)
 

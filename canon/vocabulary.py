@@ -18,7 +18,7 @@ CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
 CALLABLE: Final = (
     "sqrt", "cbrt", "exp", "log", "sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh",
     "cosh", "tanh", "coth", "asinh", "acosh", "atanh", "abs", "sign", "elliptic_k", "elliptic_e", "elliptic_f",
-    "jacobi_sn", "jacobi_cn", "jacobi_dn", "gamma", "lambertw", "D", "bracket",
+    "elliptic_pi", "jacobi_sn", "jacobi_cn", "jacobi_dn", "gamma", "lambertw", "D", "bracket",
 )  # fmt: skip
 """Built-in names that are called."""
 
@@ -27,7 +27,8 @@ _MEANT: Final = {
     "i": "the imaginary unit is 1j", "j": "the imaginary unit is 1j", "ln": "write log", "arcsin": "write asin",
     "arccos": "write acos", "arctan": "write atan", "arctan2": "write atan2", "arsinh": "write asinh",
     "arcosh": "write acosh", "artanh": "write atanh", "arcsinh": "write asinh", "arccosh": "write acosh",
-    "arctanh": "write atanh", "Abs": "write abs", "ellipk": "write elliptic_k", "LambertW": "write lambertw",
+    "arctanh": "write atanh", "Abs": "write abs", "ellipk": "write elliptic_k",
+    "ellippi": "write elliptic_pi", "EllipticPi": "write elliptic_pi", "LambertW": "write lambertw",
 }  # fmt: skip
 
 

@@ -196,7 +196,7 @@ class Formulas:
         slopes = SLOPES.get(f"{op[1]}/{len(parts)}", SLOPES[op[1]])
         if k >= len(slopes):
             raise Unknown(f"the derivative of {op[1]} by its argument {k + 1}")
-        return self.read(slopes[k], dict(zip("uv", parts, strict=False)))
+        return self.read(slopes[k], dict(zip("uvw", parts, strict=False)))
 
     def bracket(self, a: int, b: int, pairs: Sequence[tuple[str, str]]) -> int:
         """Poisson's bracket."""

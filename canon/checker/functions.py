@@ -8,6 +8,21 @@ _SWELL = (
     " - jacobi_epsilon(u, v)*jacobi_cn(u, v)**2)/(2*(1 - v))"
 )
 _LEAN = "elliptic_e(u, v)/(2*v*(1 - v)) - elliptic_f(u, v)/(2*v) - sin(u)*cos(u)/(2*(1 - v)*sqrt(1 - v*sin(u)**2))"
+_ROOT = "sqrt(1 - w*sin(v)**2)"
+
+
+def _by_n(first: str, second: str, third: str) -> str:
+    return f"({second}/(w - u) + {first}/u + (u**2 - w)*{third}/(u*(w - u)))/(2*(u - 1))"
+
+
+def _by_m(second: str, third: str) -> str:
+    return f"({second}/(w - 1) + {third})/(2*(u - w))"
+
+
+_FULL = ("elliptic_e(w)", "elliptic_pi(u, w)")
+_ARC = f"(elliptic_e(v, w) - u*{_ROOT}*sin(v)*cos(v)/(1 - u*sin(v)**2))"
+_BEND = f"(elliptic_e(v, w) - w*sin(v)*cos(v)/{_ROOT})"
+_THIRD = "elliptic_pi(u, v, w)"
 SLOPES = {
     "sin": ["cos(u)"], "cos": ["-sin(u)"], "exp": ["exp(u)"], "log": ["1/u"], "tan": ["1 + tan(u)**2"],
     "cot": ["-1 - cot(u)**2"], "sec": ["sec(u)*tan(u)"], "csc": ["-csc(u)*cot(u)"], "asin": ["1/sqrt(1 - u**2)"],
@@ -18,12 +33,16 @@ SLOPES = {
     "elliptic_k": ["elliptic_e(u)/(2*u*(1 - u)) - elliptic_k(u)/(2*u)"],
     "elliptic_e": ["(elliptic_e(u) - elliptic_k(u))/(2*u)"], "elliptic_f": ["1/sqrt(1 - v*sin(u)**2)", _LEAN],
     "elliptic_e/2": ["sqrt(1 - v*sin(u)**2)", "(elliptic_e(u, v) - elliptic_f(u, v))/(2*v)"],
+    "elliptic_pi": [rule.replace("w", "v") for rule in (_by_n("elliptic_k(w)", *_FULL), _by_m(*_FULL))],
+    "elliptic_pi/3": [
+        _by_n("elliptic_f(v, w)", _ARC, _THIRD), f"1/({_ROOT}*(1 - u*sin(v)**2))", _by_m(_BEND, _THIRD),
+    ],
     "jacobi_sn": ["jacobi_cn(u, v)*jacobi_dn(u, v)", f"jacobi_cn(u, v)*{_TURN}"],
     "jacobi_cn": ["-jacobi_sn(u, v)*jacobi_dn(u, v)", f"-jacobi_sn(u, v)*{_TURN}"],
     "jacobi_dn": ["-v*jacobi_sn(u, v)*jacobi_cn(u, v)", f"-jacobi_sn(u, v)*{_SINK}"],
     "jacobi_epsilon": ["jacobi_dn(u, v)**2", _SWELL],
 }  # fmt: skip
-"""The derivatives of the functions by their arguments u and v; one that isn't here is not known."""
+"""The derivatives of the functions by their arguments u, v and w; one that isn't here is not known."""
 
 
 class Unreadable(ValueError):

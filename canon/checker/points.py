@@ -19,7 +19,8 @@ CLOSE = 30
 """To so many digits values must agree, of the fifty that they are computed in."""
 TRIES, MOST = 60, 5
 FUNCTIONS = {
-    "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf", "abs": "fabs", "power": "power",
+    "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf", "elliptic_pi": "ellippi",
+    "abs": "fabs", "power": "power",
     "jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn",
 }  # fmt: skip
 """The names of functions in mpmath, where they differ."""

@@ -25,12 +25,13 @@ from canon.decide.region import Region, Requirement
 from canon.domain import Condition, Domain
 from canon.errors import InputError
 from canon.mechanics.action_angle import linear_edge
+from canon.special import EllipticPi
 
 if TYPE_CHECKING:
     from canon.expression import Formula
     from canon.mechanics import Transformation
 
-NOT_INVERTED = (sp.elliptic_f, sp.elliptic_e, sp.elliptic_k, sp.LambertW, sp.gamma)
+NOT_INVERTED = (EllipticPi, sp.elliptic_f, sp.elliptic_e, sp.elliptic_k, sp.LambertW, sp.gamma)
 
 
 def action_angle(question: Question) -> Outcome:

@@ -23,7 +23,7 @@ from canon.mechanics.subject import Subject
 
 Data = dict[str, Any]
 NAMES: Final = {"Abs": "abs", "LambertW": "lambertw", "JacobiSN": "jacobi_sn", "JacobiCN": "jacobi_cn",
-                "JacobiDN": "jacobi_dn"}  # fmt: skip
+                "JacobiDN": "jacobi_dn", "EllipticPi": "elliptic_pi"}  # fmt: skip
 WORDS: Final = ("positive", "negative", "nonnegative", "integer")
 RELATIONS: Final = {"positive": ">", "nonzero": "!="}
 

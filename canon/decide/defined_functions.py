@@ -107,6 +107,26 @@ def _elliptic_e(tape: Tape, *arguments: Node) -> Node:
     return tape.call("elliptic_e" if len(arguments) == 1 else "elliptic_ei", *arguments)
 
 
+def _elliptic_pi(tape: Tape, n: Node, *rest: Node) -> Node:
+    """Π(n, m) or Π(n, φ, m); of the first and second kind where it is written that n = 0 or n = m
+    (DLMF 19.6.2, 19.6.13).."""
+    m = rest[-1]
+    complete = len(rest) == 1
+    if n == tape.zero:
+        return tape.call("elliptic_k" if complete else "elliptic_f", *rest)
+    if complete and m == tape.zero:
+        root = tape.root(tape.add(((n, -ONE),), 1), -HALF)
+        return tape.scaled(tape.times(tape.constant("pi"), root), HALF)
+    if n != m:
+        return tape.call("elliptic_pi" if complete else "elliptic_pii", n, *rest)
+    second, last = _elliptic_e(tape, *rest), tape.power(tape.add(((m, -ONE),), 1), -1)
+    if not complete:
+        sine, cosine = (tape.call(name, rest[0]) for name in ("sin", "cos"))
+        root = tape.sqrt(tape.add(((tape.times(m, tape.power(sine, 2)), -ONE),), 1))
+        second = tape.minus(second, tape.mul(((m, 1), (sine, 1), (cosine, 1), (root, -1))))
+    return tape.times(second, last)
+
+
 def _special(name: str) -> Callable[..., Node]:
     return lambda tape, *arguments: tape.call(name, *arguments)
 
@@ -135,7 +155,7 @@ RULES: dict[str, Callable[..., Node]] = {
     "sech": lambda tape, u: tape.power(_cosh(tape, u), -1), "csch": lambda tape, u: tape.power(_sinh(tape, u), -1),
     "asinh": _asinh, "acosh": _acosh, "atanh": _atanh, "elliptic_e": _elliptic_e, "LambertW": _special("lambertw"),
     "JacobiSN": _jacobi("jacobi_sn"), "JacobiCN": _jacobi("jacobi_cn"), "JacobiDN": _jacobi("jacobi_dn"),
-    "JacobiEpsilon": _jacobi("jacobi_epsilon"),
+    "JacobiEpsilon": _jacobi("jacobi_epsilon"), "EllipticPi": _elliptic_pi,
     "conjugate": lambda tape, u: u if not tape.is_complex(u) else conjugate(tape, u),
     "re": lambda tape, u: tape.scaled(tape.plus(u, conjugate(tape, u)), HALF),
 }  # fmt: skip

@@ -188,9 +188,38 @@ def _special_partial(tape: Tape, node: Node, name: str, arguments: tuple[Node, .
         return tape.add(
             ((tape.mul(((e, 1), (m, -1), (rest, -1))), HALF), (tape.mul(((f, 1), (m, -1))), -HALF), (last, -HALF))
         )
+    if name in ("elliptic_pi", "elliptic_pii"):
+        return _third_kind_partial(tape, node, arguments, k)
     if name.startswith("jacobi_"):
         return _jacobi_partial(tape, name, arguments, k)
     raise Unsupported(f"the derivative of {name} by its argument {k + 1}")
+
+
+def _third_kind_partial(tape: Tape, node: Node, arguments: tuple[Node, ...], k: int) -> Node:
+    """Derivatives of Π(n, m) and Π(n, φ, m) (the formulas of canon.special)."""
+    n, *phi, m = arguments
+    apart, below_n, below_m = tape.minus(m, n), tape.add(((n, ONE),), -1), tape.add(((m, ONE),), -1)
+    first = tape.call("elliptic_f" if phi else "elliptic_k", *phi, m)
+    second = tape.call("elliptic_ei" if phi else "elliptic_e", *phi, m)
+    if phi:
+        sine, cosine = tape.call("sin", phi[0]), tape.call("cos", phi[0])
+        square = tape.power(sine, 2)
+        root = tape.sqrt(tape.add(((tape.times(m, square), -ONE),), 1))
+        under = tape.add(((tape.times(n, square), -ONE),), 1)
+        if k == 1:
+            return tape.mul(((root, -1), (under, -1)))
+        arc = tape.mul(((n, 1), (root, 1), (under, -1)) if k == 0 else ((m, 1), (root, -1)))
+        second = tape.minus(second, tape.times(arc, sine, cosine))
+    if k == 0:
+        rest = tape.times(tape.minus(tape.power(n, 2), m), node)
+        terms = (
+            (tape.mul(((second, 1), (apart, -1), (below_n, -1))), HALF),
+            (tape.mul(((first, 1), (n, -1), (below_n, -1))), HALF),
+            (tape.mul(((rest, 1), (n, -1), (apart, -1), (below_n, -1))), HALF),
+        )
+        return tape.add(terms)
+    inner = tape.plus(tape.mul(((second, 1), (below_m, -1))), node)
+    return tape.mul(((inner, 1), (apart, -1)), -HALF)
 
 
 def _jacobi_partial(tape: Tape, name: str, arguments: tuple[Node, ...], k: int) -> Node:

@@ -215,6 +215,19 @@ def _incomplete(name: str) -> Callable[[Ball, Ball], Ball]:
     return rule
 
 
+def _third_kind(n: Ball, m: Ball) -> Ball:
+    if not (n < 1 and m < 1):
+        raise OutOfDomain("a complete elliptic integral of the third kind needs n < 1 and m < 1")
+    return acb.elliptic_pi(acb(n), acb(m)).real
+
+
+def _third_kind_incomplete(n: Ball, phi: Ball, m: Ball) -> Ball:
+    square, short = phi.sin() ** 2, abs(phi) < arb.pi() / 2
+    if not all(x * square < 1 and (x < 1 or short) for x in (n, m)):
+        raise OutOfDomain("an incomplete elliptic integral needs n sin(phi)^2 < 1 and m sin(phi)^2 < 1 along its path")
+    return acb.elliptic_pi_inc(acb(n), acb(phi), acb(m)).real
+
+
 def _jacobi(which: str) -> Callable[[Ball, Ball], Ball]:
     inner = jacobi(which)
 
@@ -232,6 +245,7 @@ REAL: dict[str, Callable[..., Ball]] = {
     "gamma": _gamma, "integer_power": _integer_power, "lambertw": _lambertw, "elliptic_k": _complete("elliptic_k"),
     "elliptic_e": _complete("elliptic_e"),
     "elliptic_f": _incomplete("elliptic_f"), "elliptic_ei": _incomplete("elliptic_e_inc"),
+    "elliptic_pi": _third_kind, "elliptic_pii": _third_kind_incomplete,
     "jacobi_sn": _jacobi("sn"), "jacobi_cn": _jacobi("cn"), "jacobi_dn": _jacobi("dn"),
     "jacobi_epsilon": _jacobi("epsilon"), "jacobi_dn over": lambda u, m, under: under * _jacobi("dn")(u, m),
 }  # fmt: skip

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 ODD = ("atan", "asin")
 REAL_KERNELS = (
     "atan", "asin", "acos", "atan2", "gamma", "lambertw", "elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei",
-    "integer_power",
+    "elliptic_pi", "elliptic_pii", "integer_power",
 )  # fmt: skip
 FARTHEST_SHIFT = 40
 
@@ -46,6 +46,8 @@ def kernel(tower: Tower, name: str, arguments: Sequence[Element]) -> Element:
     known = _find(tower, name, arguments)
     if known is None and name in ("elliptic_k", "elliptic_e"):
         known = _by_other_parameter(tower, name, arguments[0])
+    if known is None and name == "elliptic_pi":
+        known = _third_kind(tower, *arguments)
     if known is None and name == "elliptic_e":
         known = _by_legendre(tower, arguments[0])
     if known is None:
@@ -69,6 +71,31 @@ def _by_other_parameter(tower: Tower, name: str, m: Element) -> Element | None:
         return None
     learn_positive(tower, [rest])  # both are defined for m < 1 alone
     return field.product([other, radicals.power(tower, rest, Fraction(-1 if name == "elliptic_k" else 1, 2))])
+
+
+def _third_kind(tower: Tower, n: Element, m: Element) -> Element | None:
+    """Π(n, m), n < 1 and m < 1, by what is there already.
+
+    Π(0, m) = K(m); Π(m, m) = E(m)/(1 − m); Π(n, m) = Π(n/(n−1), m/(m−1))/((1−n)√(1−m)) (DLMF 19.6.1-2, 19.7.4 with
+    the complement of the amplitude).
+    """
+    from canon.decide import radicals
+    from canon.decide.signs import learn_positive
+
+    field = tower.field
+    if not n[0]:
+        return kernel(tower, "elliptic_k", [m])
+    over, under = (field.combine([(-ONE, x)], ONE) for x in (n, m))
+    if not over[0] or not under[0]:
+        return None
+    if field.equal(n, m):
+        return field.product([kernel(tower, "elliptic_e", [m]), field.inverse(under)])
+    turned = [field.negative(field.product([x, field.inverse(rest)])) for x, rest in ((n, over), (m, under))]
+    other = _find(tower, "elliptic_pi", turned)
+    if other is None:
+        return None
+    learn_positive(tower, [over, under])  # both are defined for n < 1 and m < 1 alone
+    return field.product([other, field.inverse(over), radicals.power(tower, under, Fraction(-1, 2))])
 
 
 def _by_legendre(tower: Tower, m: Element) -> Element | None:
@@ -196,7 +223,7 @@ def _made(tower: Tower, name: str, sign: str, arguments: Sequence[Element], cons
 def _sign(tower: Tower, name: str, arguments: Sequence[Element]) -> str:
     from canon.decide.signs import classify
 
-    if name == "acos" or name in ("elliptic_k", "elliptic_e"):
+    if name in ("acos", "elliptic_k", "elliptic_e", "elliptic_pi"):
         return "pos"
     if name in ("atan", "asin"):
         sign, _, known, unknown = classify(tower, arguments[0])

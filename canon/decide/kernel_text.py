@@ -11,7 +11,7 @@ from canon.decide.ring import Polynomial
 from canon.decide.tower import Generator, Tower
 
 _WORD = re.compile(r"\w+")
-FUNCTIONS: Mapping[str, str] = {"elliptic_ei": "elliptic_e"}
+FUNCTIONS: Mapping[str, str] = {"elliptic_ei": "elliptic_e", "elliptic_pii": "elliptic_pi"}
 """Functions that the tape and the language of formulas name differently."""
 
 

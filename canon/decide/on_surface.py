@@ -23,7 +23,8 @@ from canon.decide.tape import Node, Tape
 from canon.decide.tower import Tower, combine
 
 MOST_TERMS, MOST_TERMS_OF_RADICAL = 600, 60
-SPECIAL = ("elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei", "lambertw", "gamma", "integer_power", *JACOBI)
+SPECIAL = ("elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei", "elliptic_pi", "elliptic_pii", "lambertw",
+           "gamma", "integer_power", *JACOBI)  # fmt: skip
 
 
 def vanishes_on_surface(tape: Tape, node: Node, region: Region, budget: Budget) -> Certificate | None:

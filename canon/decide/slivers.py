@@ -123,6 +123,8 @@ def _edges_of_function(tape: Tape, node: Node) -> list[Node]:
         return []
     if op[1] == "lambertw":
         return [tape.add(((tape.times(op[2][0], tape.call("exp", tape.one)), 1),), 1)]
+    if op[1] in ("elliptic_pi", "elliptic_pii"):
+        return [tape.add(((a, -1),), 1) for a in (op[2][0], op[2][-1])]
     return list(op[2])
 
 

@@ -9,6 +9,7 @@ import sympy as sp
 from canon.domain import Condition, Domain, Smoothness
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.special import EllipticPi
 
 Expression: TypeAlias = Formula | sp.Expr | int | Fraction
 
@@ -31,7 +32,8 @@ def as_expression(value: Expression, where: str = "") -> sp.Expr:
             raise InputError(f"{value} contains a floating-point number; write it as a Rational", where)
         if not value.is_commutative:
             raise InputError(f"{value} contains symbols that do not commute", where)
-        return value
+        plain: Any = value
+        return plain.replace(sp.elliptic_pi, EllipticPi) if plain.has(sp.elliptic_pi) else plain
     return sp.Integer(value) if isinstance(value, int) else sp.Rational(value.numerator, value.denominator)
 
 

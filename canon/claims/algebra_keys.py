@@ -14,6 +14,7 @@ from canon.claims.names import Names
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary, read
 from canon.mechanics.algebra.names import read_name
+from canon.mechanics.vanishing import vanishes
 
 FORMS: Final = ("basis", "matrices", "algebra", "brackets")
 """The forms of keys that are read here (see `canon.claims.keys`)."""
@@ -113,7 +114,7 @@ def _combination(formula: Formula, symbols: Mapping[str, sp.Symbol], place: str)
     if any(slope.has(*symbols.values()) for slope in slopes.values()):
         raise InputError("a linear combination of basis names is expected", place)
     rest = expression - sp.Add(*(slope * symbols[name] for name, slope in slopes.items()))
-    if not sp.expand(rest).is_zero:
+    if not vanishes(sp.expand(rest)):
         raise InputError("a linear combination of basis names is expected", place)
     return {
         name: Formula(slope, formula.conditions, str(slope), formula.names - set(symbols))

@@ -17,6 +17,7 @@ from canon.decide.tape import Node
 from canon.domain import Condition
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.mechanics.vanishing import vanishes
 from canon.sign import known_sign
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def never_zero(expression: sp.Expr, conditions: Iterable[Condition] = ()) -> boo
     that the conditions keep from zero.
     """
     if expression.is_number:
-        return expression.is_zero is False
+        return vanishes(expression) is False
     kept: set[sp.Expr] = set()
     for condition in conditions:
         if condition.kind in ("positive", "nonzero", "slit"):
@@ -42,7 +43,7 @@ def never_zero(expression: sp.Expr, conditions: Iterable[Condition] = ()) -> boo
 
 def _base_never_zero(base: sp.Expr, kept: set[sp.Expr]) -> bool:
     if base.is_number:
-        return base.is_zero is False
+        return vanishes(base) is False
     if base in kept or -base in kept or known_sign(base) in ("positive", "negative", "nonzero"):
         return True
     return _no_real_root(base)
@@ -96,7 +97,7 @@ def scale_of(question: Question) -> Formula | None:
         raise InputError(f"the scale is an expression in parameters alone, but it contains {symbol}", where)
     if scale.expr.has(AppliedUndef):
         raise InputError("the scale is an expression in parameters alone, without arbitrary functions", where)
-    if scale.expr.is_zero:
+    if vanishes(scale.expr):
         raise InputError("the scale is zero", where)
     order = question.key("order")
     near = scale.expr if order is None else scale.expr.xreplace({order[0]: sp.S.Zero})

@@ -12,6 +12,7 @@ from canon.claims.names import Names
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary
 from canon.mechanics.phase_space import symbol_with
+from canon.mechanics.vanishing import vanishes
 
 Matrix = tuple[tuple[Formula, ...], ...]
 
@@ -43,7 +44,7 @@ def read_tensor(table: Table, names: Names) -> dict[str, Any]:
     )
     for i in range(n):
         for j in range(i + 1):
-            if not sp.expand(matrix[i][j].expr + matrix[j][i].expr).is_zero:
+            if not vanishes(sp.expand(matrix[i][j].expr + matrix[j][i].expr)):
                 raise InputError(
                     f"not antisymmetric: row {j + 1}, column {i + 1} and row {i + 1}, column {j + 1}", where
                 )
@@ -100,7 +101,7 @@ def _from_structure(table: Table, names: Names) -> dict[str, Any]:
         if not _is_linear(formula.expr, coordinates):
             raise InputError("a linear combination of basis names is expected", place)
         i, j = listed.index(a), listed.index(b)
-        if i == j and not formula.expr.is_zero:
+        if i == j and not vanishes(formula.expr):
             raise InputError(f"the bracket of {a} with itself is 0", place)
         matrix[i][j] = formula
         matrix[j][i] = Formula(-formula.expr, formula.conditions, f"-({formula})", formula.names)
@@ -112,4 +113,5 @@ def _is_linear(expression: Any, coordinates: tuple[sp.Symbol, ...]) -> bool:
     slopes = [expression.diff(x) for x in coordinates]
     if any(slope.has(*coordinates) for slope in slopes):
         return False
-    return bool(sp.expand(expression - sp.Add(*(s * x for s, x in zip(slopes, coordinates, strict=True)))).is_zero)
+    rest = sp.expand(expression - sp.Add(*(s * x for s, x in zip(slopes, coordinates, strict=True))))
+    return vanishes(rest) is True

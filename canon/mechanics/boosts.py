@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
 from canon.errors import InputError
+from canon.mechanics.formulas import as_expression
+from canon.mechanics.vanishing import sign_at_a_point, vanishes
 
 Vector = Sequence[Any]
 
@@ -18,15 +20,21 @@ def boost(velocity: Vector, c: Any = 1) -> sp.ImmutableMatrix:
 
     Jackson, Classical Electrodynamics (1999), eq. 11.19 with the opposite velocity: active.
 
-    **Raises:** `InputError` where the speed is certainly not below c.
+    **Arguments:** components and c exact: whole numbers, fractions, or sympy expressions.
+
+    **Raises:** `InputError` where the speed is certainly not below c, or for text and floats.
     """
-    beta = sp.Matrix([sp.sympify(v) / c for v in velocity])
+    light = as_expression(c, "c")
+    if vanishes(light):
+        raise InputError("the speed of light isn't 0", "c")
+    beta = sp.Matrix([as_expression(v, "velocity") / light for v in velocity])
     if beta.shape != (3, 1):
         raise InputError(f"three components are expected, not {beta.rows}", "velocity")
-    square = sp.simplify(beta.dot(beta))
-    if (1 - square).is_nonpositive:
+    square: Any = sp.simplify(beta.dot(beta))
+    slower: Any = 1 - square
+    if vanishes(slower) or (slower.is_number and sign_at_a_point(slower) != 1) or slower.is_nonpositive:
         raise InputError("the speed isn't below that of light", "velocity")
-    return _boost(1 / sp.sqrt(1 - square), beta)
+    return _boost(1 / sp.sqrt(slower), beta)
 
 
 def _boost(gamma: Any, beta: Any) -> sp.ImmutableMatrix:
@@ -52,19 +60,42 @@ class BoostAndRotation:
 def split_boost(matrix: Any, c: Any = 1) -> BoostAndRotation:
     """A proper orthochronous Lorentz matrix as a rotation followed by a boost.
 
-    The first column is γ (1, v/c); the rotation is what boost(−v) leaves (Jackson, section 11.8).
+    The first column is γ (1, v/c); the rotation is what boost(−v) leaves (Jackson, section 11.8). That ΛᵀgΛ = g and
+    det Λ = 1 is proved, for all values of parameters; of Λ₀₀, which then is at least 1 or at most −1, the sign is
+    looked at for one value of each that its assumptions allow.
 
-    **Raises:** `InputError` where ΛᵀgΛ isn't g, or Λ turns time or handedness round.
+    **Arguments:** `matrix`, 4 rows of exact numbers or sympy expressions; the matrix of numbers with a point (floats)
+    is none, exactly: see `canon.numeric.groups.lorentz`.
+
+    **Raises:** `InputError` where ΛᵀgΛ isn't g, or Λ turns time or handedness round, or where that isn't seen.
     """
-    Lambda = sp.ImmutableMatrix(matrix)
+    Lambda = _exact_matrix(matrix)
     g = sp.diag(1, -1, -1, -1)
-    if Lambda.shape != (4, 4) or not (Lambda.T * g * Lambda - g).applyfunc(sp.simplify).is_zero_matrix:
-        raise InputError("no Lorentz matrix: transpose(L) g L is not g", "matrix")
-    first: Any = Lambda[0, 0]
-    handed: Any = Lambda.det()
-    if first.is_negative or sp.simplify(handed) == -1:
+    preserved = _answer((Lambda.T * g * Lambda - g)[i, j] for i in range(4) for j in range(i, 4))
+    if preserved is not True:
+        seen = "is not g" if preserved is False else "is not seen to be g: simplify its entries"
+        raise InputError(f"no Lorentz matrix: transpose(L) g L {seen}", "matrix")
+    proper, sign = vanishes(sp.expand(Lambda.det()) - 1), sign_at_a_point(Lambda[0, 0])
+    if proper is False or sign == -1:
         raise InputError("a Lorentz matrix that turns time or handedness round is no boost and rotation", "matrix")
-    return _split(Lambda, c)
+    if proper is None or sign is None:
+        raise InputError(
+            "whether the matrix turns time or handedness round is not seen: simplify its entries", "matrix"
+        )
+    return _split(Lambda, as_expression(c, "c"))
+
+
+def _exact_matrix(matrix: Any) -> sp.ImmutableMatrix:
+    rows = matrix.tolist() if isinstance(matrix, sp.MatrixBase) else [list(row) for row in matrix]
+    if len(rows) != 4 or any(len(row) != 4 for row in rows):
+        raise InputError("no Lorentz matrix: four rows of four entries are expected", "matrix")
+    return sp.ImmutableMatrix([[as_expression(entry, "matrix") for entry in row] for row in rows])
+
+
+def _answer(entries: Iterable[Any]) -> bool | None:
+    """Whether all entries are 0: False where one certainly isn't, None where that isn't known."""
+    answers = [vanishes(entry) for entry in entries]
+    return False if False in answers else True if all(answers) else None
 
 
 def _split(Lambda: sp.ImmutableMatrix, c: Any) -> BoostAndRotation:

@@ -10,6 +10,8 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
+from canon.mechanics.formulas import as_expression
+from canon.mechanics.vanishing import sign_at_a_point, vanishes
 
 Vector = Sequence[Any]
 
@@ -35,7 +37,7 @@ class RigidBody:
         """The moment of inertia about the axis through a point in a direction, of any length but 0."""
         n = _vector(direction, "direction")
         square = n.dot(n)
-        if square == 0:
+        if vanishes(square):
             raise InputError("an axis needs a direction other than 0", "direction")
         return sp.simplify((n.T * self.about(point) * n)[0, 0] / square)
 
@@ -48,8 +50,8 @@ class RigidBody:
 
         **Raises:** `InputError` where R isn't orthogonal.
         """
-        R = sp.ImmutableMatrix(rotation)
-        if R.shape != (3, 3) or not (R.T * R - sp.eye(3)).applyfunc(sp.simplify).is_zero_matrix:
+        R = _square(rotation, "rotation")
+        if R is None or not all(vanishes(entry) for entry in R.T * R - sp.eye(3)):
             raise InputError("a rotation is a 3 by 3 matrix R with transpose(R) R = 1", "rotation")
         turned = (R * self.tensor * R.T).applyfunc(sp.expand)
         return RigidBody(self.mass, sp.ImmutableMatrix(R * self.centre), sp.ImmutableMatrix(turned))
@@ -63,7 +65,7 @@ def point_masses(masses: Iterable[Any], places: Iterable[Vector]) -> RigidBody:
 
     **Raises:** `InputError` where their numbers differ, there are none, or the whole mass is 0.
     """
-    weights, points = [sp.sympify(m) for m in masses], [_vector(r, "places") for r in places]
+    weights, points = [as_expression(m, "masses") for m in masses], [_vector(r, "places") for r in places]
     if not weights or len(weights) != len(points):
         raise InputError(f"{len(weights)} masses at {len(points)} places", "masses")
     return composite([RigidBody(m, r, sp.ImmutableMatrix.zeros(3, 3)) for m, r in zip(weights, points, strict=True)])
@@ -73,7 +75,7 @@ def composite(bodies: Iterable[RigidBody]) -> RigidBody:
     """Bodies joined to one; a hole is a body of negative mass. **Raises:** `InputError` where the whole mass is 0."""
     parts = list(bodies)
     mass: Any = sp.simplify(sp.Add(*(b.mass for b in parts)))
-    if mass == 0:
+    if vanishes(mass):
         raise InputError("a body without mass has no centre", "bodies")
     moment = sum((b.mass * b.centre for b in parts), sp.zeros(3, 1))
     centre = sp.ImmutableMatrix((moment / mass).applyfunc(sp.simplify))
@@ -105,12 +107,12 @@ def polyhedron(vertices: Iterable[Vector], faces: Iterable[Sequence[int]], densi
             volume += sixth / 6
             first += sixth * s / 24
             second += sixth * (a * a.T + b * b.T + c * c.T + s * s.T) / 120
-    volume = sp.simplify(volume)
-    if volume.is_negative:
+    volume: Any = sp.simplify(volume)
+    if volume.is_negative or (volume.is_number and sign_at_a_point(volume) == -1):
         raise InputError("the faces are seen from inside: turn the order of their corners round", "faces")
-    if volume == 0:
+    if vanishes(volume):
         raise InputError("the polyhedron has no volume", "faces")
-    density = sp.sympify(density)
+    density = as_expression(density, "density")
     centre = sp.ImmutableMatrix((first / volume).applyfunc(sp.simplify))
     about_origin = density * (second.trace() * sp.eye(3) - second)
     tensor = about_origin - density * volume * _spread(centre)
@@ -122,8 +124,8 @@ def principal_moments(tensor: Any) -> tuple[Any, ...]:
 
     **Raises:** `InputError` where the tensor isn't symmetric.
     """
-    matrix = sp.Matrix(tensor)
-    if matrix.shape != (3, 3) or not (matrix - matrix.T).applyfunc(sp.simplify).is_zero_matrix:
+    matrix = _square(tensor, "tensor")
+    if matrix is None or not all(vanishes(entry) for entry in matrix - matrix.T):
         raise InputError("an inertia tensor is a symmetric 3 by 3 matrix", "tensor")
     roots: Any = matrix.eigenvals()
     found = [value for value, count in roots.items() for _ in range(int(count))]
@@ -137,10 +139,18 @@ def _spread(d: Any) -> Any:
 
 
 def _vector(value: Any, where: str) -> sp.ImmutableMatrix:
-    entries = [sp.sympify(x) for x in value]
+    entries = [as_expression(x, where) for x in value]
     if len(entries) != 3:
         raise InputError(f"three components are expected, not {len(entries)}", where)
     return sp.ImmutableMatrix(entries)
+
+
+def _square(value: Any, where: str) -> sp.ImmutableMatrix | None:
+    """Three rows of three exact entries; None for another shape."""
+    rows = value.tolist() if isinstance(value, sp.MatrixBase) else [list(row) for row in value]
+    if len(rows) != 3 or any(len(row) != 3 for row in rows):
+        return None
+    return sp.ImmutableMatrix([[as_expression(entry, where) for entry in row] for row in rows])
 
 
 def _check_faces(faces: Sequence[Sequence[int]], count: int) -> None:

@@ -43,6 +43,16 @@ def test_the_speed_of_light_as_given():
     assert sp.simplify(found.velocity[0] - 5 * c / 7) == 0
 
 
+def test_a_matrix_whose_entries_hide_their_zeros_is_split():
+    """With 1 = √(3 + 2√2) − √2 in a corner, and in rapidities: exact, though nothing is simplified."""
+    one, u = sp.sqrt(3 + 2 * sp.sqrt(2)) - sp.sqrt(2), sp.Symbol("u", real=True)
+    assert split_boost(sp.diag(1, 1, 1, one)).velocity == sp.zeros(3, 1)
+    found = split_boost([[sp.cosh(u), sp.sinh(u), 0, 0], [sp.sinh(u), sp.cosh(u), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    assert sp.simplify(found.velocity[0] - sp.tanh(u)) == 0
+    with pytest.raises(InputError, match="handedness"):
+        split_boost(sp.diag(1, 1, 1, -one))
+
+
 @pytest.mark.parametrize(
     ("call", "message"),
     [
@@ -51,6 +61,12 @@ def test_the_speed_of_light_as_given():
         (lambda: split_boost(sp.diag(1, 1, 1, 2)), "no Lorentz"),
         (lambda: split_boost(sp.diag(-1, -1, -1, -1)), "turns time"),
         (lambda: split_boost(sp.diag(1, -1, 1, 1)), "handedness"),
+        (lambda: split_boost(-boost((Q(3, 5), 0, 0))), "turns time"),
+        (lambda: split_boost(sp.diag(1, 1, 1, 1 + Q(1, 10**70))), "is not g"),
+        (lambda: boost(("__import__('os')", 0, 0)), "an expression is expected"),
+        (lambda: boost((0.5, 0, 0)), "Rational"),
+        (lambda: boost((0, sp.sqrt(3 + 2 * sp.sqrt(2)) - sp.sqrt(2), 0)), "below that of light"),
+        (lambda: boost((Q(1, 2), 0, 0), 0), "speed of light"),
     ],
 )
 def test_faults(call, message):

@@ -11,6 +11,7 @@ from flint import fmpq
 
 from canon.errors import InputError
 from canon.mechanics.algebra.linear import fraction
+from canon.mechanics.vanishing import vanishes
 
 Number = Fraction | sp.Expr
 """A structure constant: a rational number, or an expression in parameters (an algebraic number too)."""
@@ -39,12 +40,14 @@ def times(a: Number, b: Number) -> Number:
 
 
 def plus(a: Number, b: Number) -> Number:
-    """The sum of two numbers, 0 where it is recognised as 0."""
+    """The sum of two numbers, 0 where it is exactly 0 as far as `vanishes` sees it."""
     if isinstance(a, Fraction) and isinstance(b, Fraction):
         return a + b
-    total = sp.expand(sympy_of(a) + sympy_of(b))
-    if total != 0 and total.has(sp.Pow):
-        total = sp.radsimp(sp.cancel(total)) if not total.has(sp.Function) else sp.simplify(total)
+    total: sp.Expr = sp.expand(sympy_of(a) + sympy_of(b))
+    if is_zero(total):
+        return Fraction(0)
+    if total.has(sp.Pow) and not total.has(sp.Function):
+        total = sp.radsimp(sp.cancel(total))
     return exact(total)
 
 
@@ -67,17 +70,9 @@ def increase(total: dict[int, Number], c: int, value: Number) -> None:
         total[c] = new
 
 
-def is_zero(value: Number) -> bool | None:
-    """Whether a number is exactly 0: False where a value in 60 digits isn't, True where algebra shows it; else None."""
-    if isinstance(value, Fraction):
-        return value == 0
-    for shift in range(3):
-        values = {}
-        for k, symbol in enumerate(sorted(value.free_symbols, key=str)):
-            number = sp.Rational(7 + 4 * k + shift, 5 + 2 * shift)
-            values[symbol] = -number if symbol.is_negative else number
-        if abs(sp.N(value.xreplace(values), 60, chop=True)) > sp.Float("1e-40", 60):
-            return False
-    if sp.expand(value) == 0 or sp.radsimp(sp.cancel(sp.together(value))) == 0:
-        return True
-    return True if sp.simplify(value) == 0 else None
+def is_zero(value: Number | sp.Expr) -> bool | None:
+    """Whether a number is exactly 0, each answer a proof (`canon.mechanics.vanishing`); None: it isn't known.
+
+    False says of parameters that it isn't 0 for all of their values.
+    """
+    return value == 0 if isinstance(value, Fraction) else vanishes(value)

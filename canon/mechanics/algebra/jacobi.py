@@ -18,11 +18,12 @@ def both_orders(table: Table) -> dict[tuple[int, int], Combination]:
 
 
 def jacobi_failure(table: Table, size: int) -> tuple[tuple[int, int, int], Combination] | None:
-    """The first triple whose cyclic sum [a, [b, c]] + … isn't seen to be 0, and that sum; None where there is none.
+    """The first triple whose cyclic sum [a, [b, c]] + … isn't proved to be 0, and that sum; None where there is none.
 
-    `table` has the brackets in both orders.
+    `table` has the brackets in both orders. A sum that isn't certainly nonzero either is returned where no other is.
     """
     empty: Combination = {}
+    unknown = None
     for a, b, c in combinations(range(size), 3):
         inner = (
             (a, table.get((b, c), empty)),
@@ -34,7 +35,10 @@ def jacobi_failure(table: Table, size: int) -> tuple[tuple[int, int, int], Combi
             for d, u in row.items():
                 for e, v in table.get((outer, d), empty).items():
                     increase(total, e, times(u, v))
-        left = {e: value for e, value in total.items() if not is_zero(value)}
-        if left:
+        answers = {e: is_zero(value) for e, value in total.items()}
+        left = {e: total[e] for e, answer in answers.items() if not answer}
+        if False in answers.values():
             return (a, b, c), left
-    return None
+        if left and unknown is None:
+            unknown = (a, b, c), left
+    return unknown

@@ -15,7 +15,17 @@ from flint import fmpq, fmpq_mat
 from canon.errors import InputError
 from canon.expression import Vocabulary, read
 from canon.mechanics.algebra import linear
-from canon.mechanics.algebra.coefficients import Combination, Number, as_sympy, exact, increase, sympy_of, times
+from canon.mechanics.algebra.coefficients import (
+    Combination,
+    Number,
+    as_sympy,
+    exact,
+    increase,
+    is_zero,
+    plus,
+    sympy_of,
+    times,
+)
 from canon.mechanics.algebra.jacobi import both_orders, jacobi_failure
 from canon.mechanics.algebra.linear import fraction, rational
 
@@ -48,9 +58,10 @@ class LieAlgebra:
         failure = None if _rescaled_is_right(self.constants, size) else jacobi_failure(self._table, size)
         if failure is not None:
             a, b, c = (self.names[k] for k in failure[0])
+            known = any(is_zero(value) is False for value in failure[1].values())
             raise InputError(
-                f"Jacobi's identity fails for {a}, {b}, {c}: [{a}, [{b}, {c}]] and its cyclic permutations add up to "
-                f"{self.show(failure[1])}"
+                f"Jacobi's identity {'fails' if known else 'is not seen to hold'} for {a}, {b}, {c}: [{a}, [{b}, {c}]] "
+                f"and its cyclic permutations add up to {self.show(failure[1])}"
             )
 
     @staticmethod
@@ -240,14 +251,22 @@ def _rational(value: Number) -> Fraction:
 def _antisymmetric(names: Sequence[str], given: Mapping[tuple[int, int], Combination]) -> dict[Any, dict[int, Number]]:
     table: dict[tuple[int, int], dict[int, Number]] = {}
     for (a, b), row in given.items():
-        numbers = {c: value for c, value in ((c, exact(value)) for c, value in row.items()) if value != 0}
+        numbers = {c: value for c, value in ((c, exact(value)) for c, value in row.items()) if not is_zero(value)}
         if a == b and numbers:
             raise InputError(f"the bracket of {names[a]} with itself is 0")
         if a > b:
             a, b, numbers = b, a, {c: times(value, Fraction(-1)) for c, value in numbers.items()}
-        if table.setdefault((a, b), numbers) != numbers:
+        if not _same(table.setdefault((a, b), numbers), numbers):
             raise InputError(f"the bracket of {names[a]} and {names[b]} is stated twice, differently")
     return {pair: row for pair, row in table.items() if row}
+
+
+def _same(first: Combination, second: Combination) -> bool:
+    """Whether two combinations are equal, number by number."""
+    zero = Fraction(0)
+    return first == second or all(
+        is_zero(plus(first.get(c, zero), times(second.get(c, zero), Fraction(-1)))) for c in {*first, *second}
+    )
 
 
 def _rescaled_is_right(constants: Mapping[tuple[int, int], Combination], size: int) -> bool:

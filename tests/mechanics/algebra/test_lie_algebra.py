@@ -52,6 +52,17 @@ def test_a_violation_of_jacobis_identity_names_the_triple():
             structure("xyzh", {**SO3, "x,h": {"x": value}})
 
 
+def test_constants_that_hide_zeros():
+    """√(3 + 2√2) − 1 − √2 is 0 and not nearly 0: no bracket; the same number written twice is no contradiction."""
+    zero = sp.sqrt(3 + 2 * sp.sqrt(2)) - 1 - sp.sqrt(2)
+    g = structure("xyzh", {**SO3, "x,h": {"x": zero}, "y,x": {"z": zero - 1}})
+    assert g.bracket_of(0, 3) == {}
+    with pytest.raises(InputError, match="fails for x, y, h"):
+        structure("xyzh", {**SO3, "x,h": {"x": zero + sp.Rational(1, 10**70)}})
+    with pytest.raises(InputError, match="twice, differently"):
+        structure("xyzh", {**SO3, "y,x": {"z": zero - 1 - sp.Rational(1, 10**70)}})
+
+
 @pytest.mark.parametrize(
     ("table", "message"),
     [

@@ -55,6 +55,17 @@ def test_each_printed_error_stands_beside_its_correction() -> None:
             assert expectations == {"holds", "fails"}, entry.name
 
 
+def test_every_erratum_is_cited_by_a_claim_that_fails_and_by_one_that_holds() -> None:
+    found: dict[str, set[str]] = {item.id: set() for item in errata()}
+    for entry in FILES:
+        table = tomllib.loads(entry.read_text(encoding="utf-8"))
+        for claim in table["claim"]:
+            for name in cited(claim.get("source", table.get("source"))):
+                if name in found:
+                    found[name].add(claim.get("expect", "holds"))
+    assert {name for name, expectations in found.items() if expectations != {"holds", "fails"}} == set()
+
+
 def test_every_statement_of_the_course_is_cited_or_named_as_open() -> None:
     found: set[str] = set()
     for entry in FILES:

@@ -31,7 +31,7 @@ def plot(result: Result, path: str | Path) -> None:
 def _orbit(axes: Any, result: Result) -> None:
     """The path in the first two coordinates; the phase portrait where there is only one."""
     model, bodies = result.scene.model, list(result.scene.bodies)
-    if model.rigid:
+    if model.rigid and not bodies:
         _tops(axes, result)
         return
     if bodies and bodies[0].ray:
@@ -83,7 +83,7 @@ def _path(axes: Any, result: Result, first: int, dimension: int, label: str) -> 
 
 def _against_time(axes: Any, result: Result) -> None:
     model = result.scene.model
-    symbols, rows = (model.p, result.p) if model.rigid else (model.q, result.q)
+    symbols, rows = (model.p, result.p) if model.rigid and not model.beside else (model.q, result.q)
     for k, symbol in enumerate(symbols[:6]):
         axes.plot(result.times, rows[:, k], lw=1, label=str(symbol))
     axes.set(xlabel=str(model.t))

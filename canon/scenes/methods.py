@@ -7,6 +7,7 @@ from typing import Any, Final, NamedTuple
 from canon.errors import InputError
 from canon.numeric.integrators import catalogue
 from canon.numeric.integrators.constrained import Held
+from canon.numeric.integrators.side_by_side import Together
 from canon.scenes.problem import Problem
 
 COARSE: Final = 1e-4
@@ -22,6 +23,8 @@ class Choice(NamedTuple):
 
 def choose(problem: Problem, accuracy: float | None, name: str | None, where: str = "") -> Choice:
     """The method for an accuracy, or the one of this name. **Raises:** `InputError` for a name that there isn't."""
+    if problem.beside:
+        return _beside(problem, accuracy, name, where)
     if name is not None:
         try:
             return Choice(catalogue.method(name), "asked for")
@@ -54,3 +57,26 @@ def choose(problem: Problem, accuracy: float | None, name: str | None, where: st
         plain = problem.kind == "T(p) + V(q)"
         what = "T(p) + V(q, t) with a quadratic T" if plain else "a part that is quadratic in the momenta, and V(q, t)"
     return Choice(chosen, f"order {chosen.traits.order} for the accuracy, {chosen.stages} stages, for {what}")
+
+
+def _beside(problem: Problem, accuracy: float | None, name: str | None, where: str) -> Choice:
+    """A method for each of the independent problems; one that is asked for goes to all that it can solve."""
+    chosen = [choose(each, accuracy, name, where) for each in problem.beside]
+    if name is not None:
+        taken = [_takes(choice.method, each) for choice, each in zip(chosen, problem.beside, strict=True)]
+        if not any(taken):
+            raise InputError(f"{name} solves none of the scene's parts: {problem.kind}", where)
+        rows = zip(chosen, taken, problem.beside, strict=True)
+        chosen = [choice if takes else choose(each, accuracy, None) for choice, takes, each in rows]
+    methods = tuple(choice.method for choice in chosen)
+    weighty = tuple(method for method, each in zip(methods, problem.beside, strict=True) if not each.exact)
+    return Choice(Together(methods, weighty), "; ".join(dict.fromkeys(choice.why for choice in chosen)))
+
+
+def _takes(method: Any, problem: Problem) -> bool:
+    """Whether a method can solve a problem."""
+    try:
+        method.stepper(problem.value)
+    except InputError:
+        return False
+    return True

@@ -59,6 +59,8 @@ class Model:
     `casimirs`, which commute with all momenta. A friction is a torque there. Of `gliders`, bodies on skates, q has the
     headings last, and p the momenta along them; their brackets are no Poisson brackets. `brackets` are all that are not
     0, where the variables are not canonical.
+
+    `beside` are models that do not act on each other and make this one together: q and p are theirs, in this order.
     """
 
     q: tuple[sp.Symbol, ...]
@@ -77,6 +79,7 @@ class Model:
     casimirs: Mapping[str, Formula] = field(default_factory=dict)
     brackets: tuple[Bracket, ...] = ()
     gliders: tuple[Glider, ...] = ()
+    beside: tuple[Model, ...] = ()
 
     def bracket_terms(self, f: Formula, g: Formula) -> list[Formula]:
         """The terms of {f, g}."""

@@ -12,6 +12,7 @@ from canon.numeric.friction import friction_part
 from canon.numeric.hamilton_equations import hamilton_equations
 from canon.numeric.integrators.constrained import Held
 from canon.numeric.integrators.problem import Field, Part, Splitting
+from canon.numeric.integrators.side_by_side import SideBySide
 from canon.numeric.pair_sum import PairSum
 from canon.numeric.pendulum_formula import SOURCE as PENDULUM
 from canon.numeric.pendulum_formula import pendulum_of
@@ -30,15 +31,16 @@ class Problem:
     """What is integrated: `value`, on slots (q, p); `parts` names each part with its formula.
 
     `exact`: it is one part, whose closed flow is the motion, by `source`; `closed`: in elliptic functions, whose own
-    derivatives lose digits. `kind` says how it was split.
+    derivatives lose digits. `kind` says how it was split. `beside`: the independent problems that it consists of.
     """
 
-    value: Splitting | Field | Held
+    value: Splitting | Field | Held | SideBySide
     kind: str
     parts: tuple[tuple[str, str], ...] = ()
     exact: bool = False
     source: str = ""
     closed: bool = False
+    beside: tuple[Problem, ...] = ()
 
     @property
     def splits(self) -> bool:
@@ -53,7 +55,23 @@ def problem_of(model: Model, *, exact: bool = True) -> Problem:
     return found if exact else replace(found, exact=False, closed=False)
 
 
+def _beside(model: Model, exact: bool) -> Problem:
+    """The problems of a model's independent parts."""
+    found = tuple(problem_of(each, exact=exact) for each in model.beside)
+    value = SideBySide(tuple(each.value for each in found), tuple((len(each.q), len(each.p)) for each in model.beside))
+    return Problem(
+        value,
+        "; ".join(each.kind for each in found),
+        tuple(part for each in found for part in each.parts),
+        all(each.exact for each in found),
+        "; ".join(each.source for each in found if each.source),
+        beside=found,
+    )
+
+
 def _problem(model: Model, exact: bool) -> Problem:
+    if model.beside:
+        return _beside(model, exact)
     if model.rigid:
         return rigid_problem(model, exact)
     if model.gliders:

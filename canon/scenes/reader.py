@@ -13,7 +13,8 @@ from canon.claims import document
 from canon.claims.document import Table, key
 from canon.errors import InputError
 from canon.scenes.assemble import Named, initial_state, model_of_bodies, model_of_system
-from canon.scenes.bodies import read_bodies
+from canon.scenes.beside import side_by_side
+from canon.scenes.bodies import Start, read_bodies
 from canon.scenes.effects import EFFECTS
 from canon.scenes.effects.effect import Contribution, Given, Particle, Surroundings
 from canon.scenes.identity import digest_of
@@ -21,7 +22,7 @@ from canon.scenes.model import Model
 from canon.scenes.monitors import check_monitors
 from canon.scenes.own_hamiltonian import read_own_hamiltonian
 from canon.scenes.rays import are_rays, names_rays, rays_of
-from canon.scenes.rigid_bodies import read_rigid_bodies, read_top
+from canon.scenes.rigid_bodies import Spin, read_rigid_bodies, read_top
 from canon.scenes.rigid_model import model_of_rigid_bodies, without_attitude
 from canon.scenes.scene import Body, Scene, Settings
 from canon.scenes.settings import read_settings
@@ -59,14 +60,14 @@ def scene_of(tables: Table) -> Scene:
         raise InputError(
             "nothing moves here: add [[body]] with a mass and a position, [[rigid_body]] with moments, or [system]"
         )
-    if len(moving) > 1:
-        raise InputError(f"both {_heading(moving[0])} and {_heading(moving[1])} are given: a scene has one of them")
+    if "system" in moving and len(moving) > 1:
+        raise InputError(f"both [system] and [[{moving[1]}]] are given: a system stands in place of bodies")
     relativistic = _relativistic(tables)
     constants = {
         document.name(name, key(name, "[constants]")): number(value, key(name, "[constants]"))
         for name, value in document.table(tables.get("constants", {}), "[constants]").items()
     }
-    read = {"system": _system, "body": _bodies, "rigid_body": _rigid}[moving[0]]
+    read = _both if len(moving) > 1 else {"system": _system, "body": _bodies, "rigid_body": _rigid}[moving[0]]
     found = read(tables, constants, relativistic, settings)
     check_monitors(settings.monitors, found.model, key("monitor", "[run]"))
     absent = tuple(kind for kind in EFFECTS if kind not in found.active)
@@ -104,9 +105,12 @@ def _system(tables: Table, constants: Constants, relativistic: bool, settings: S
 def _bodies(tables: Table, constants: Constants, relativistic: bool, settings: Settings) -> _Found:
     """Point bodies."""
     starts = read_bodies(tables["body"], names_rays(tables.get("effect")))
-    particles = tuple(start.particle for start in starts)
-    surroundings = Surroundings(particles, constants, TIME, relativistic)
-    effects = read_effects(tables.get("effect", []), surroundings)
+    surroundings = Surroundings(tuple(start.particle for start in starts), constants, TIME, relativistic)
+    return _point_bodies(starts, surroundings, read_effects(tables.get("effect", []), surroundings))
+
+
+def _point_bodies(starts: Sequence[Start], surroundings: Surroundings, effects: Sequence[Named]) -> _Found:
+    particles = surroundings.particles
     rays = are_rays(effects)
     bodies = tuple(
         Body(body.name, body.mass, body.charge, k * (body.dimension - rays), body.dimension, rays)
@@ -124,11 +128,39 @@ def _bodies(tables: Table, constants: Constants, relativistic: bool, settings: S
 
 def _rigid(tables: Table, constants: Constants, relativistic: bool, settings: Settings) -> _Found:
     """Rigid bodies."""
-    if relativistic:
-        raise InputError("relativistic dynamics are those of point bodies", key("dynamics"))
+    _check_newtonian(relativistic)
     spins = read_rigid_bodies(tables["rigid_body"])
     rigid = tuple(spin.body for spin in spins)
-    effects = read_effects(tables.get("effect", []), Surroundings((), constants, TIME, rigid=rigid))
+    return _turning(spins, read_effects(tables.get("effect", []), Surroundings((), constants, TIME, rigid=rigid)))
+
+
+def _check_newtonian(relativistic: bool) -> None:
+    if relativistic:
+        raise InputError("relativistic dynamics are those of point bodies", key("dynamics"))
+
+
+def _both(tables: Table, constants: Constants, relativistic: bool, settings: Settings) -> _Found:
+    """Point bodies and rigid bodies, each with the effects on its kind."""
+    _check_newtonian(relativistic)
+    if names_rays(tables.get("effect")):
+        raise InputError("rays have a coordinate in place of time, and rigid bodies have time: give each its own scene")
+    starts = read_bodies(tables["body"])
+    spins = read_rigid_bodies(tables["rigid_body"], "rigid")
+    particles, rigid = tuple(start.particle for start in starts), tuple(spin.body for spin in spins)
+    shared = {body.name for body in particles} & {body.name for body in rigid}
+    if shared:
+        raise InputError(f"a body and a rigid body are both called {min(shared)!r}", "rigid_body")
+    surroundings = Surroundings(particles, constants, TIME, rigid=rigid)
+    effects = read_effects(tables.get("effect", []), surroundings)
+    turn = [EFFECTS[kind].on_rigid for kind, _ in effects]
+    moving = _point_bodies(starts, surroundings, [each for each, on in zip(effects, turn, strict=True) if not on])
+    turning = _turning(spins, [each for each, on in zip(effects, turn, strict=True) if on])
+    model = side_by_side(moving.model, turning.model)
+    return _Found(model, moving.q + turning.q, moving.p + turning.p, _kinds(effects), moving.bodies)
+
+
+def _turning(spins: Sequence[Spin], effects: Sequence[Named]) -> _Found:
+    rigid = tuple(spin.body for spin in spins)
     q, p = (tuple(x for spin in spins for x in getattr(spin, word)) for word in ("attitude", "M"))
     return _Found(model_of_rigid_bodies(rigid, effects, TIME), q, p, _kinds(effects))
 
@@ -153,10 +185,6 @@ def _skate(table: Table, tables: Table, constants: Constants, settings: Settings
 
 def _kinds(effects: Sequence[Named]) -> frozenset[str]:
     return frozenset(kind for kind, _ in effects)
-
-
-def _heading(word: str) -> str:
-    return "[system]" if word == "system" else f"[[{word}]]"
 
 
 def _placed(table: Table) -> Placed:
@@ -204,7 +232,7 @@ def _contribution(kind: str, table: Table, surroundings: Surroundings, where: st
         raise InputError(f"the effect {kind!r} acts on bodies, not on a system in its own coordinates", place)
     if effect.on_rigid and not surroundings.rigid:
         raise InputError(f"the effect {kind!r} acts on a rigid body: add [[rigid_body]] with its moments", place)
-    if surroundings.rigid and not effect.on_rigid:
+    if surroundings.rigid and not surroundings.particles and not effect.on_rigid:
         acting = ", ".join(name for name, other in EFFECTS.items() if other.on_rigid)
         raise InputError(f"the effect {kind!r} acts on a [[body]]; on a rigid body there are {acting}", place)
     return effect.add(Given(table, surroundings, place))

@@ -29,8 +29,10 @@ class Spin:
     M: tuple[float, ...]
 
 
-def read_rigid_bodies(value: Any) -> tuple[Spin, ...]:
-    """The rigid bodies of a scene. **Raises:** `InputError` with the place."""
+def read_rigid_bodies(value: Any, default: str = "body") -> tuple[Spin, ...]:
+    """The rigid bodies of a scene, called `default` and their number where they have no name. **Raises:** `InputError`
+    with the place.
+    """
     if isinstance(value, dict):
         raise InputError("rigid bodies are a list: write [[rigid_body]], in double brackets", "rigid_body")
     tables = document.listing(value, "rigid_body", document.BIGGEST)
@@ -40,7 +42,7 @@ def read_rigid_bodies(value: Any) -> tuple[Spin, ...]:
     for index, item in enumerate(tables, 1):
         where = f"rigid_body {index}"
         suffix = "" if len(tables) == 1 else f"_{index}"
-        spin = _spin(document.table(item, where), where, f"body{index}", suffix)
+        spin = _spin(document.table(item, where), where, f"{default}{index}", suffix)
         if any(spin.body.name == other.body.name for other in spins):
             raise InputError(f"there are two rigid bodies {spin.body.name!r}", key("name", where))
         spins.append(spin)

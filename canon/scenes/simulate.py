@@ -81,10 +81,7 @@ def simulate(
     begun = time.process_time()
     settings = scene.settings
     problem = problem_of(scene.model, exact=settings.integrator is None)
-    if isinstance(problem.value, Held):
-        faults = faults_at(problem.value, scene.q, scene.p, settings.start)
-        if faults:
-            raise InputError(f"the initial state is not on its constraints: {'; '.join(faults)}")
+    _check_constraints(scene, problem)
     choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
     state = (np.array(scene.q), np.array(scene.p))
     identity = identity_of(scene, choice.method.name)
@@ -119,7 +116,8 @@ def simulate(
     q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
     times = run.times[: planned.good]
     value, method = problem.value, choice.method
-    flow = Flow(scene.model, value, method, run, planned.good, planned.error, problem.closed, operations)
+    closed = tuple(each.closed for each in problem.beside)
+    flow = Flow(scene.model, value, method, run, planned.good, planned.error, problem.closed, operations, closed)
     until = time.monotonic() + HURRY if planned.interrupted else None
     monitors = read_monitors(settings.monitors, flow, times, q, p, until)
     compiling = planned.compile_seconds + looked
@@ -161,6 +159,17 @@ def _check_start(scene: Scene) -> None:
     )
     if not np.isfinite(values).all():
         raise InputError("the equations of motion are not finite at the initial state: is a body at a singularity?")
+
+
+def _check_constraints(scene: Scene, problem: Problem) -> None:
+    """Refuse an initial state that is off its constraints."""
+    q, p = scene.q, scene.p
+    for own, model in zip(problem.beside or (problem,), scene.model.beside or (scene.model,), strict=True):
+        if isinstance(own.value, Held):
+            faults = faults_at(own.value, q[: len(model.q)], p[: len(model.p)], scene.settings.start)
+            if faults:
+                raise InputError(f"the initial state is not on its constraints: {'; '.join(faults)}")
+        q, p = q[len(model.q) :], p[len(model.p) :]
 
 
 def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tuple[tuple[str, ...], bool]:

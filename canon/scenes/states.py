@@ -7,6 +7,7 @@ import sympy as sp
 
 from canon.numeric.gradient import gradient
 from canon.numeric.observe import observe
+from canon.scenes.model import Model
 from canon.scenes.simulate import Result
 
 Table = dict[str, np.ndarray]
@@ -18,15 +19,22 @@ def named_states(result: Result) -> dict[str, Table]:
     A ray's velocity is its slope, the last component 1: its last coordinate is the time.
     """
     bodies, model = result.scene.bodies, result.scene.model
-    if model.rigid and model.q:
-        return _turning(result)
+    tables = _turning(result) if model.rigid and model.q else {}
     if not bodies:
-        return {}
+        return tables
+    moving = model.beside[0] if model.beside else model
+    return {**_moving(result, moving), **tables}
+
+
+def _moving(result: Result, model: Model) -> dict[str, Table]:
+    """`position` and `velocity` of point bodies, the first of the coordinates, and the `heading` of those on skates."""
+    bodies = result.scene.bodies
     rates = gradient(model.H, model.p)
     if model.gliders:
         places = model.q[: len(model.q) - len(model.gliders)]
         rates = tuple(sp.Add(*model.bracket_terms(x, model.H)) for x in places)
-    velocity = observe(rates, (model.q, model.p, model.t), result.times, result.q, result.p).T
+    q, p = result.q[:, : len(model.q)], result.p[:, : len(model.p)]
+    velocity = observe(rates, (model.q, model.p, model.t), result.times, q, p).T
     tables: dict[str, Table] = {"position": {}, "velocity": {}}
     for body in bodies:
         position, rate = result.q[:, body.columns], velocity[:, body.columns]

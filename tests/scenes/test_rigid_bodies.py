@@ -227,7 +227,7 @@ def test_how_a_body_is_given() -> None:
         (TOP.replace("name =", "mass = 1\nname ="), "unknown key 'mass'"),
         (TOP.replace("name =", "angular_momentum = [0, 0, 1]\nname ="), "both 'angular_velocity' and"),
         (TOP.replace("[[rigid_body]]", "[rigid_body]"), "rigid bodies are a list"),
-        (TOP + "[[body]]\nmass = 1\nposition = [1, 0, 0]\n", "both [[body]] and [[rigid_body]] are given"),
+        (TOP + "[system]\nname = 'pendulum'\n", "both [system] and [[rigid_body]] are given"),
         (TOP + '[[effect]]\nkind = "spring"\nk = 1\n', "the effect 'spring' acts on a [[body]]"),
         ("[[body]]\nmass = 1\nposition = [1, 0]\n[run]\nduration = 1\n" + TORQUE, "a rigid body: add [[rigid_body]]"),
         (TOP + TORQUE.replace("space", "lab"), "the frame is 'body' or 'space', not 'lab'"),

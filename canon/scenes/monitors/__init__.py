@@ -10,6 +10,7 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.interruption import Late, interruptible
+from canon.scenes.monitors.beside import read_beside
 from canon.scenes.monitors.conserved import read_conserved
 from canon.scenes.monitors.constraint import read_constraint
 from canon.scenes.monitors.flow import Flow
@@ -84,6 +85,8 @@ def read_monitors(
 
 
 def _reading(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
+    if flow.model.beside and name in _UNDONE:
+        return read_beside(partial(_reading, name), flow, times, q, p)
     if flow.model.strings:
         if name in _UNDONE:
             note = "a string that goes slack or taut makes no map that could be differentiated, or undone"

@@ -59,7 +59,7 @@ def breakers(quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.n
             for held, g in model.constraints:
                 if held == effect:
                     # its reaction is along ∂g/∂q, and a surface that moves does work
-                    pulls = zip(model.q, model.p, strict=True)
+                    pulls = zip(model.q, model.p, strict=not model.beside)
                     terms += [g.diff(model.t)] if energy else [quantity.diff(y) * g.diff(x) for x, y in pulls]
             if not _vanishes(terms, model, q, p):
                 found.append(effect)

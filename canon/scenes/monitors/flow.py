@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -16,9 +16,10 @@ from canon.scenes.model import Model
 
 @dataclass(frozen=True)
 class Flow:
-    """A run with the problem and method that made it; `good` counts its samples that can
-    be trusted, and `error` is the estimated error of its states, None if unknown. `closed`: the steps are elliptic
-    functions, whose derivative is taken by differences. `operations`: of one step."""
+    """A run with the problem and method that made it; `good` counts its samples that can be trusted, and `error` is the
+    estimated error of its states, None if unknown. `closed`: the steps are elliptic functions, whose derivative is
+    taken by differences, and `closed_parts` says so of each independent part. `operations`: of one step.
+    """
 
     model: Model
     problem: Any
@@ -28,6 +29,7 @@ class Flow:
     error: float | None
     closed: bool = False
     operations: int = 1
+    closed_parts: tuple[bool, ...] = ()
 
     @property
     def steps(self) -> int:
@@ -37,7 +39,30 @@ class Flow:
     @property
     def events(self) -> Events | None:
         """What became of strings; None where there are none."""
+        if self.model.beside:
+            return next((part.flow.events for part in self.beside if part.model.strings), None)
         return events_in(self.run.carry)
+
+    @cached_property
+    def beside(self) -> tuple[Part, ...]:
+        """The flows of the model's independent parts, each with where its rows of q and p begin."""
+        found, first = list[Part](), (0, 0)
+        methods = getattr(self.method, "methods", ())
+        for k, (model, problem, method) in enumerate(
+            zip(self.model.beside, self.problem.problems, methods, strict=True)
+        ):
+            after = first[0] + len(model.q), first[1] + len(model.p)
+            stored = tuple(rows[:, a:b] for rows, a, b in zip(self.run.stored, first, after, strict=True))
+            run = replace(self.run, carry=self.run.carry[k], stored=stored)
+            closed = self.closed_parts[k] if self.closed_parts else False
+            found.append(
+                Part(
+                    replace(self, model=model, problem=problem, method=method, run=run, closed=closed, closed_parts=()),
+                    first,
+                )
+            )
+            first = after
+        return tuple(found)
 
     @cached_property
     def jacobian(self) -> np.ndarray:
@@ -45,3 +70,15 @@ class Flow:
         q, p = (np.asarray(slot)[0] for slot in self.run.stored)
         steps = max(self.steps, 1)
         return flow_jacobian(self.problem, self.method, q, p, steps=steps, h=self.run.step, t0=self.run.t0)
+
+
+class Part(NamedTuple):
+    """The `flow` of an independent part of a model, and where its `rows` of q and of p begin."""
+
+    flow: Flow
+    rows: tuple[int, int]
+
+    @property
+    def model(self) -> Model:
+        """Its model."""
+        return self.flow.model

@@ -6,15 +6,19 @@ defines the mixed variables u, of which q, p, Q and P all are explicit functions
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from canon.claims.determinant import determinant
 from canon.decide.derivative import derivative, substitute
+from canon.decide.region import Requirement
 from canon.decide.tape import Node, Tape
+from canon.sign import declared
 
 if TYPE_CHECKING:
+    import sympy as sp
+
     from canon.mechanics import PhaseSpace, Transformation
 
 
@@ -83,3 +87,17 @@ def _mixed_chart(
     hessian = determinant(tape, [[derivative(tape, row, b) for b in columns] for row in rows])
     every = [tuple(images.get(variable, variable) for variable in side) for side in (old, new)]
     return Chart(tape, "implicit", u, every[0], every[1], images, time, hessian)
+
+
+def required_of(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:
+    """What is assumed of a variable must hold of its image: the domain of a map ends where it doesn't."""
+    facts = declared(symbol)
+    value = tape.value(image)
+    if value == 0 and facts.get("zero") is not False:  # the edge of what is assumed, which belongs to it
+        return
+    if facts.get("nonnegative"):
+        yield Requirement("positive", (image,), f"{symbol} > 0 (pulled back)")
+    elif facts.get("nonpositive"):
+        yield Requirement("positive", (tape.negative(image),), f"{symbol} < 0 (pulled back)")
+    elif facts.get("zero") is False:
+        yield Requirement("nonzero", (image,), f"{symbol} != 0 (pulled back)")

@@ -46,7 +46,7 @@ def unfolded(question: Question, region: Region) -> tuple[dict[Node, Node], Regi
 
     What holds on all these surfaces holds there, and the other way round. None where the surface is no such graph.
     """
-    from canon.claims.question import required_of
+    from canon.claims.chart import required_of
 
     tape = question.tape
     images: dict[Node, Node] = {}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from canon.verdict import Evidence, Status
 
@@ -115,3 +115,27 @@ def _part_of_bound(item: Evidence) -> float:
     if item.bound:
         return item.max_residual / item.bound
     return math.inf if item.max_residual else 0.0
+
+
+def outcome_of(finding: Finding) -> Outcome:
+    """What the answer about one residual says of the claim that asked for it."""
+    answer, residual = finding.answer, finding.residual
+    arguments: tuple[dict[str, Any], ...] = ()
+    if answer.status == "proved":
+        step = {"vanishes": residual.label, "method": answer.method, "conditions": answer.conditions}
+        arguments = ({**step, "certificate": answer.certificate},)
+    detail: dict[str, Any] = {}
+    if answer.status == "refuted":
+        detail["fails"] = residual.label
+        if answer.witness is not None:
+            detail["residual"] = answer.witness.value
+    return Outcome(
+        cast(Status, answer.status),
+        method=answer.method,
+        findings=(finding,),
+        witness=answer.witness.as_table() if answer.status == "refuted" and answer.witness else None,
+        numeric=answer.numeric,
+        detail=detail,
+        arguments=arguments,
+        note=answer.note if answer.status in ("supported", "undecided") else "",
+    )

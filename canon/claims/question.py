@@ -6,25 +6,24 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import islice
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal
 
 import sympy as sp
 
 from canon.budget import Budget
-from canon.claims.chart import Chart, chart_of
-from canon.claims.outcome import Finding, Outcome, Residual, combined, exact
+from canon.claims.chart import Chart, chart_of, required_of
+from canon.claims.outcome import Finding, Outcome, Residual, combined, exact, outcome_of
 from canon.claims.show import shown
 from canon.decide import ladder
 from canon.decide.derivative import substitute
 from canon.decide.region import Region, Requirement
+from canon.decide.sampling import sample
 from canon.decide.search import Sample
 from canon.decide.tape import Node, Tape
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.phase_space import UNSTATED
-from canon.sign import declared
-from canon.verdict import Status
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -240,45 +239,22 @@ class Question:
     ) -> Outcome:
         part = budget.share(FOR_PROOFS)
         answers = ladder.vanish(self.tape, _nodes(batch), region, budget=part, seed=self.seed, known=points)
-        findings = [Finding(residual, answer) for residual, answer in zip(batch, answers, strict=False)]
-        outcome = combined(self._outcome_of(finding) for finding in findings)
+        findings = [Finding(residual, answer) for residual, answer in zip(batch, answers, strict=True)]
+        outcome = combined(outcome_of(finding) for finding in findings)
         if outcome.status in ("supported", "undecided") and not budget.spent():
             unproved = [f.residual for f in findings if f.answer.status != "proved"]
             return self._beside(outcome, self.sampled(unproved, region, SUPPORT_POINTS, budget))
         return outcome
 
-    def _outcome_of(self, finding: Finding) -> Outcome:
-        answer, residual = finding.answer, finding.residual
-        arguments: tuple[dict[str, Any], ...] = ()
-        if answer.status == "proved":
-            step = {"vanishes": residual.label, "method": answer.method, "conditions": answer.conditions}
-            arguments = ({**step, "certificate": answer.certificate},)
-        detail: dict[str, Any] = {}
-        if answer.status == "refuted":
-            detail["fails"] = residual.label
-            if answer.witness is not None:
-                detail["residual"] = answer.witness.value
-        note = answer.note if answer.status in ("supported", "undecided") else ""
-        return Outcome(
-            cast(Status, answer.status),
-            method=answer.method,
-            findings=(finding,),
-            witness=answer.witness.as_table() if answer.status == "refuted" and answer.witness else None,
-            numeric=answer.numeric,
-            detail=detail,
-            arguments=arguments,
-            note=note,
-        )
-
     def sampled(self, batch: Sequence[Residual], region: Region, points: int, budget: Budget | None = None) -> Outcome:
         """Numerical evidence: refuted where a ball excludes 0, else supported."""
         nodes = [residual.node for residual in batch]
         part = (budget or self.budget).share(0.4)
-        evidence, answer = ladder.sample(self.tape, nodes, region, points=points, seed=self.seed, budget=part)
+        evidence, answer = sample(self.tape, nodes, region, points=points, seed=self.seed, budget=part)
         if answer is not None and answer.status == "refuted":
             index = getattr(answer, "index", None)
             residual = batch[index if index is not None else 0]
-            return self._outcome_of(Finding(residual, answer))
+            return outcome_of(Finding(residual, answer))
         if evidence is None or not evidence.points:
             ladder.vanish(self.tape, [self.tape.zero], region, budget=budget or self.budget, seed=self.seed)
             return Outcome("undecided", note="no sample points could be evaluated")
@@ -316,17 +292,3 @@ class Question:
 
 def _nodes(residuals: Iterable[Residual]) -> list[Node]:
     return [residual.node for residual in residuals]
-
-
-def required_of(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirement]:
-    """What is assumed of a variable must hold of its image: the domain of a map ends where it doesn't."""
-    facts = declared(symbol)
-    value = tape.value(image)
-    if value == 0 and facts.get("zero") is not False:  # the edge of what is assumed, which belongs to it
-        return
-    if facts.get("nonnegative"):
-        yield Requirement("positive", (image,), f"{symbol} > 0 (pulled back)")
-    elif facts.get("nonpositive"):
-        yield Requirement("positive", (tape.negative(image),), f"{symbol} < 0 (pulled back)")
-    elif facts.get("zero") is False:
-        yield Requirement("nonzero", (image,), f"{symbol} != 0 (pulled back)")

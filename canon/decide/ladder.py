@@ -10,10 +10,9 @@ import contextlib
 import random
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import NoReturn
 
 from canon.budget import Budget, BudgetExceeded
-from canon.decide import modular, sampling
+from canon.decide import modular
 from canon.decide.answer import Answer, Answers, Witness
 from canon.decide.certificate import Certificate, of_tower
 from canon.decide.constants import number_is_zero
@@ -24,17 +23,12 @@ from canon.decide.normal_form import FIRST, LARGER, reduce_to_zero
 from canon.decide.on_surface import vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
-from canon.decide.search import Sample, evaluate_again, extended, samples
+from canon.decide.search import Sample, deeply_zero, evaluate_again, extended, samples, some_point
 from canon.decide.slivers import points_between_zeros
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
-from canon.errors import EmptyDomain
 
 DEEPER = (256, 1024, 4096)
-
-__all__ = ["Contradiction", "nonvanishing", "sample", "vanish"]
-
-sample = sampling.sample
 
 
 class Contradiction(AssertionError):
@@ -159,28 +153,7 @@ class _Ladder:
         except Unsupported as reason:
             self.tried.append(f"no balls: {reason}")
         if not self.points:
-            self._require_a_point()
-
-    def _require_a_point(self) -> None:
-        """The region by itself has a point, or the claim is ill-posed."""
-        try:
-            for sample in samples(
-                self.tape, [], self.region, self.rng, count=1, bits=256, tries=120, budget=self.budget
-            ):
-                self.points.append(sample)
-                return
-        except Unsupported:
-            return
-        except BudgetExceeded:
-            pass
-        self._nowhere()
-
-    def _nowhere(self) -> NoReturn:
-        words = [requirement.text for requirement in self.region.requirements]
-        raise EmptyDomain(
-            f"no point of the domain was found{' on the surface' if self.region.surface else ''}, it seems empty"
-            + (f": {'; '.join(words[:6])}" if words else "")
-        )
+            self.points += some_point(self.tape, self.region, self.rng, self.budget)
 
     def refute(self, nodes: Iterable[Node], sample: Sample, balls, answers: Answers, bits: int) -> None:
         """Record every node whose ball excludes 0 at the sample."""
@@ -319,7 +292,7 @@ class _Ladder:
             note = f"zero over a random prime field, error below 2^{log_error:.0f}; tried: {tried}"
             answers[node] = Answer("supported", "modular evaluation", note, log2_error=log_error, balls=self.seen(node))
             return
-        if self.seen(node) and self.deep_zero(node):
+        if self.seen(node) and deeply_zero(self.tape, node, self.points):
             note = f"within 10^-200 of 0 at {len(self.points)} points; tried: {tried}"
             answers[node] = Answer("supported", "balls at 1024 bits", note, balls=self.seen(node))
             return
@@ -328,16 +301,3 @@ class _Ladder:
     def seen(self, node: Node) -> tuple[Ball, ...]:
         """The node's balls at the points where it was looked at first, in 64 bits."""
         return tuple(sample.balls[node] for sample in self.points if node in sample.balls)
-
-    def deep_zero(self, node: Node) -> bool:
-        """Balls of 1024 bits at every known point lie within 1e-200 of 0."""
-        try:
-            for point in self.points:
-                if node not in point.balls:
-                    continue
-                ball = evaluate_again(self.tape, [node], point, 1024)[node]
-                if not float(ball.abs_upper()) < 1e-200:
-                    return False
-        except (Unsupported, OutOfDomain, ZeroDivisionError, OverflowError):
-            return False
-        return True

@@ -15,13 +15,14 @@ from typing import TYPE_CHECKING
 
 from flint import acb, arb
 
-from canon.budget import Budget
+from canon.budget import Budget, BudgetExceeded
 from canon.decide.arbitrary import ChosenFunction, choose_functions, rational
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
 from canon.decide.proposal import Coordinate, proposed
 from canon.decide.region import Region, Requirement, admits, bounds, holds
 from canon.decide.relaxation import relax
 from canon.decide.tape import Node, Tape, Unsupported
+from canon.errors import EmptyDomain
 from canon.sign import declared
 
 if TYPE_CHECKING:
@@ -96,6 +97,38 @@ def extended(tape: Tape, nodes: Sequence[Node], known: Sequence[Sample]) -> list
             return []
         out.append(replace(sample, balls=balls))
     return out
+
+
+def some_point(tape: Tape, region: Region, rng: random.Random, budget: Budget) -> list[Sample]:
+    """A certified point of the region by itself, whatever is asked there; none where it can't be looked for.
+
+    **Raises:** `EmptyDomain` where none is found.
+    """
+    try:
+        for sample in samples(tape, [], region, rng, count=1, bits=256, tries=120, budget=budget):
+            return [sample]
+    except Unsupported:
+        return []
+    except BudgetExceeded:
+        pass
+    words = [requirement.text for requirement in region.requirements]
+    raise EmptyDomain(
+        f"no point of the domain was found{' on the surface' if region.surface else ''}, it seems empty"
+        + (f": {'; '.join(words[:6])}" if words else "")
+    )
+
+
+def deeply_zero(tape: Tape, node: Node, points: Sequence[Sample]) -> bool:
+    """Whether balls of 1024 bits lie within 1e-200 of 0 at each of the points: evidence, no proof."""
+    try:
+        for point in points:
+            if node in point.balls:
+                ball = evaluate_again(tape, [node], point, 1024)[node]
+                if not float(ball.abs_upper()) < 1e-200:
+                    return False
+    except (Unsupported, OutOfDomain, ZeroDivisionError, OverflowError):
+        return False
+    return True
 
 
 class Finder:

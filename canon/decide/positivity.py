@@ -144,6 +144,8 @@ def positive_by_boxes(tape: Tape, node: Node, region: Region, budget: Budget, *,
                 for ball in (_ball(tape, order, node, place), _mean_value(tape, order, node, slopes, box, place))
             ):
                 continue
+        if not box:  # a constant that its ball doesn't tell from 0
+            return None
         x = max(box, key=lambda x: box[x][1] - box[x][0])
         low, high = box[x]
         middle = (low + high) / 2

@@ -38,7 +38,7 @@ def cost_of_normal_form(
     rng = np.random.default_rng(seed)
     sphere = rng.standard_normal((DIRECTIONS, 2 * space.n))
     x = radius * sphere / np.linalg.norm(sphere, axis=1, keepdims=True)
-    energy = lower((sp.sympify(H),), tuple(space.old))
+    energy = lower((sp.sympify(H, strict=True),), tuple(space.old))
     size = float(np.abs(energy(*x.T, numbers=np)[0]).max())
     points: list[Point] = []
     for k in range(3, order + 1):

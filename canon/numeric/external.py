@@ -37,7 +37,7 @@ def external_orbit(
         raise InputError("this needs the package heyoka: pip install 'canon-mechanics[peers]'") from None
     coordinates, momenta, t = symbols
     n = len(coordinates)
-    written = sp.sympify(H).replace(lambda x: isinstance(x, PairSum), lambda x: x.written_out())
+    written = sp.sympify(H, strict=True).replace(lambda x: isinstance(x, PairSum), lambda x: x.written_out())
     added = tuple(force) or (sp.S.Zero,) * n
     rates = [*gradient(written, tuple(momenta))]
     rates += [F - slope for slope, F in zip(gradient(written, tuple(coordinates)), added, strict=True)]
@@ -58,6 +58,6 @@ def external_orbit(
 
 def _in_doubles(formula: Any) -> Any:
     """The formula with its numbers as doubles: heyoka takes whole numbers and binary ones."""
-    formula = sp.sympify(formula)
+    formula = sp.sympify(formula, strict=True)
     numbers = {x for x in formula.atoms(sp.Number, sp.NumberSymbol) if not x.is_Integer}
     return formula.xreplace({x: sp.Float(float(x), precision=53) for x in numbers})

@@ -31,7 +31,7 @@ class PairSum(sp.Expr):
 
     def __new__(cls, law: Any, places: Any, weights: Any = None) -> PairSum:
         made = super().__new__(cls)
-        made.law = sp.sympify(law)
+        made.law = sp.sympify(law, strict=True)
         made.places = sp.Tuple(*(sp.Tuple(*place) for place in places))
         made.weights = sp.Tuple(*([1] * len(made.places) if weights is None else weights))
         made._free = {x for place in made.places for x in place} | (made.law.free_symbols - {RADIUS})

@@ -61,7 +61,7 @@ def ball_function(expression: Any, symbols: Sequence[sp.Symbol]) -> BallFunction
 
     **Raises:** `InputError` for a name that is none of the symbols, or a function that has no such form.
     """
-    program = program_of([sp.sympify(expression)], symbols, _step)
+    program = program_of([sp.sympify(expression, strict=True)], symbols, _step)
 
     def function(*values: Ball) -> Ball:
         return program([value if isinstance(value, (arb, arb_series)) else arb(value) for value in values])[0]

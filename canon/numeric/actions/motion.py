@@ -214,7 +214,7 @@ def motion(
     if isinstance(H, str):
         symbols = {q.name: q, p.name: p, **{name: sp.Symbol(name, real=True) for name in values}}
         H = read(H, Vocabulary(symbols), "H").expr
-    H = sp.sympify(H)
+    H = sp.sympify(H, strict=True)
     H = H.subs({symbol: values[symbol.name] for symbol in H.free_symbols if symbol.name in values})
     profile = profile_of(H, q, p)
     lowest = 0.0 if q.is_positive else -float("inf")
@@ -228,11 +228,11 @@ def motion(
 
 def _number(value: Any, name: str) -> Any:
     exact = _exact(value, name)
-    return sp.Rational(exact) if isinstance(exact, float) else sp.sympify(exact)
+    return sp.Rational(exact) if isinstance(exact, float) else sp.sympify(exact, strict=True)
 
 
 def _period(value: Any) -> Callable[[], Ball]:
     exact = _exact(value, "period")
     if not ball_of(exact) > 0:
         raise InputError(f"a period is positive, unlike {value}", "period")
-    return ball_function(sp.Rational(exact) if isinstance(exact, float) else sp.sympify(exact), ())
+    return ball_function(sp.Rational(exact) if isinstance(exact, float) else sp.sympify(exact, strict=True), ())

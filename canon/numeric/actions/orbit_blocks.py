@@ -41,7 +41,7 @@ def formula_of(text: Any, variable: str, parameters: Mapping[str, Any], where: s
     if isinstance(text, str):
         names = {name: sp.Symbol(name, real=True) for name in (variable, *parameters)}
         text = read(text, Vocabulary(names), where).expr
-    formula = sp.sympify(text)
+    formula = sp.sympify(text, strict=True)
     values = {name: sp.Rational(value) if isinstance(value, float) else value for name, value in parameters.items()}
     formula = formula.subs({s: symbol if s.name == variable else values.get(s.name, s) for s in formula.free_symbols})
     strange = formula.free_symbols - {symbol}

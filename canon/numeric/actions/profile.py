@@ -91,7 +91,7 @@ def _polished(profile: Profile, q: Ball, E: Ball, p: Ball) -> tuple[Ball, Ball]:
 
 def profile_of(H: Any, q: sp.Symbol, p: sp.Symbol) -> Profile:
     """The profile of a formula. **Raises:** `InputError` where H has no single minimum in p that a formula gives."""
-    H = sp.sympify(H)
+    H = sp.sympify(H, strict=True)
     strange = H.free_symbols - {q, p}
     if strange:
         names = ", ".join(sorted(map(str, strange)))

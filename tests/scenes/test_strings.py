@@ -12,7 +12,8 @@ from canon.errors import InputError
 from canon.numeric.integrators.catalogue import CONSTRAINED
 from canon.numeric.integrators.yoshida import VERLET
 from canon.numeric.operations import operations_per_step
-from canon.scenes.monitors import Reading
+from canon.scenes.monitors import Flow, Reading
+from canon.scenes.monitors.arcs import read_arcs
 from canon.scenes.problem import problem_of
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import Result, simulate
@@ -65,7 +66,35 @@ def test_a_bob_that_is_thrown_too_slowly() -> None:
     assert found["energy"].expected == "broken by string"
     assert found["energy"].extra["predicted"] == pytest.approx(found["energy"].initial - taut.lost)
     assert found["constraint"].max_drift < 1e-12
-    assert (found["volume"].expected, found["volume"].max_drift) == ("broken by string", None)
+    assert found["volume"].expected == "broken by string"
+    assert found["volume"].max_drift < found["volume"].bound < 1e-10
+    assert "of 3 arcs without an event" in found["volume"].extra["note"]
+
+
+@pytest.mark.slow
+def test_an_arc_is_seen_by_itself() -> None:
+    """The bound motion and the flight each have an own surface; a step that keeps neither is an alarm."""
+    text = BOB.format(speed=6.5, kind="string", duration=1.2)
+    result, _ = run(text.replace("samples = 21", "samples = 21\nstep = 0.02"))
+    scene = result.scene
+    times, q, p = result.times, result.q, result.p
+    value = result.problem.value
+    flow = Flow(scene.model, value, result.choice.method, result.planned.run, result.planned.good, 1e-9)
+    arcs = []
+
+    def read(part: Flow, *_: object) -> Reading:
+        arcs.append((len(part.model.constraints), part.jacobian))
+        return Reading(
+            "volume", "conserved", 0.0, 0.0, 0.0 if len(arcs) == 1 else 2.0, 1.0, "" if len(arcs) == 1 else "!"
+        )
+
+    seen = read_arcs(read, flow, times, q, p)
+    assert [held for held, _ in arcs] == [1, 0]
+    assert (seen.alarm, seen.max_drift) == ("!", 2.0)
+    # in flight q moves by p t/m, and gravity moves all neighbours alike
+    flight = arcs[1][1]
+    assert np.allclose(flight[:2, :2], np.eye(2), atol=1e-12)
+    assert flight[0, 2] == pytest.approx((times[-1] - times[np.flatnonzero(times > result.events[0].time)[0]]) / 2.0)
 
 
 @pytest.mark.slow

@@ -138,6 +138,8 @@ def _stepper(base: OneStep, problem: Held) -> Stepper:
             flipped = flipped.at[k].set(jnp.where(over[place], 1 - active[k], active[k]))
         after, left, lost = switched(there, flipped, when)
         pulled = jnp.any(flipped > active)
+        shift = after[1] - there[1]
+        felt = pulled & (dot(shift, shift) > (TAUT**2) * dot(there[1], there[1]))
         there = tuple(jnp.where(pulled, new, old) for new, old in zip(after, there, strict=True))
         left = jnp.where(pulled, left, flipped)
         index = jnp.minimum(events.count, LOGGED - 1)
@@ -146,7 +148,8 @@ def _stepper(base: OneStep, problem: Held) -> Stepper:
             events.strings.at[index].set(jnp.asarray(strings)[jnp.argmax(over)]),
             events.taut.at[index].set(jnp.where(pulled, 1.0, 0.0)),
             events.lost.at[index].set(jnp.where(pulled, lost, 0.0)),
-            events.count + 1,
+            # a string that is found taut at once where it has just gone slack, by rounding, is no event
+            events.count + jnp.where(felt | jnp.any(left != active), 1, 0),
         )
         return there, left, passed, events
 

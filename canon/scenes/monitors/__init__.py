@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any, Final
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.interruption import Late, interruptible
+from canon.scenes.monitors.arcs import read_arcs
 from canon.scenes.monitors.beside import read_beside
 from canon.scenes.monitors.conserved import read_conserved
 from canon.scenes.monitors.constraint import read_constraint
@@ -45,7 +47,6 @@ AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
 """The monitors of this version: (flow, times, q, p) to a reading."""
 
 _UNDONE: Final = ("symplecticity", "volume", "loop", "cartan", "reversibility")
-STRING: Final = "string"
 _NEEDS: Final = {
     "momentum": "a scene of bodies, or a system that names its momenta",
     "angular_momentum": "positions in a plane or in space",
@@ -87,10 +88,8 @@ def read_monitors(
 def _reading(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
     if flow.model.beside and name in _UNDONE:
         return read_beside(partial(_reading, name), flow, times, q, p)
-    if flow.model.strings:
-        if name in _UNDONE:
-            note = "a string that goes slack or taut makes no map that could be differentiated, or undone"
-            return Reading(name, f"broken by {STRING}", None, None, None, extra={"note": note})
-        if name == "energy":
-            return read_jerked(flow, times, q, p)
+    if flow.model.strings and name in _UNDONE:
+        return replace(read_arcs(AVAILABLE[name], flow, times, q, p), name=name)
+    if flow.model.strings and name == "energy":
+        return read_jerked(flow, times, q, p)
     return AVAILABLE[name](flow, times, q, p)

@@ -6,7 +6,6 @@ Each criterion is necessary and sufficient, so that what isn't recognised here i
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
 
 from flint import fmpq, fmpq_mat
 
@@ -14,7 +13,7 @@ from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.ideals import centre, derived
 from canon.mechanics.algebra.identity import Core
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
-from canon.mechanics.algebra.semisimple import adjoint_of, simple_ideals
+from canon.mechanics.algebra.semisimple import simple_ideals
 
 
 def recognised(algebra: LieAlgebra, S: fmpq_mat, R: fmpq_mat) -> Core | None:
@@ -31,13 +30,11 @@ def recognised(algebra: LieAlgebra, S: fmpq_mat, R: fmpq_mat) -> Core | None:
 
 def action(algebra: LieAlgebra, x: list[fmpq], space: fmpq_mat) -> fmpq_mat:
     """ad x on an invariant subspace, in its rows as a basis (columns are images)."""
-    images = linear.matrix((algebra.product(x, y) for y in linear.rows(space)), algebra.dimension)
-    return linear.coordinates(space, images).transpose()
+    return linear.coordinates(space, algebra.images(x, space)).transpose()
 
 
 def _is_abelian(algebra: LieAlgebra, space: fmpq_mat) -> bool:
-    pairs = combinations(linear.rows(space), 2)
-    return all(all(entry == 0 for entry in algebra.product(a, b)) for a, b in pairs)
+    return all(all(entry == 0 for entry in row) for row in algebra.products(space))
 
 
 def _orthogonal(algebra: LieAlgebra, S: fmpq_mat, R: fmpq_mat) -> Core | None:
@@ -115,8 +112,7 @@ def _galilean(algebra: LieAlgebra, S: fmpq_mat, R: fmpq_mat) -> Core | None:
     V = linear.null_space(casimir - _all(r)) * R
     if V.nrows() != 6 or W.nrows() != r - 6:
         return None
-    pairs = list(combinations(linear.rows(V), 2))
-    products = linear.span((algebra.product(a, b) for a, b in pairs), algebra.dimension)
+    products = linear.span(algebra.products(V), algebra.dimension)
     Z = centre(algebra)
     if r == 7 and products.nrows():
         return None
@@ -124,7 +120,7 @@ def _galilean(algebra: LieAlgebra, S: fmpq_mat, R: fmpq_mat) -> Core | None:
         rank = adapted_rank(algebra, V, products) if products.nrows() == 1 else 0
         if Z.nrows() != 1 or products != linear.span(linear.rows(Z), algebra.dimension) or rank != 6:
             return None
-    outside = [w for w in linear.rows(W) if any(x != 0 for x in _flat(adjoint_of(algebra, w)))]
+    outside = [w for w in linear.rows(W) if any(x != 0 for x in _flat(algebra.adjoint_of(w)))]
     if len(outside) < 1:
         return None
     A = action(algebra, outside[0], V)

@@ -20,7 +20,7 @@ def whole(algebra: LieAlgebra) -> fmpq_mat:
 def commutator(algebra: LieAlgebra, a: fmpq_mat, b: fmpq_mat) -> fmpq_mat:
     """[A, B]: the span of all brackets of elements of two subspaces."""
     return linear.span(
-        (algebra.product(x, y) for x in linear.rows(a) for y in linear.rows(b)),
+        (image for x in linear.rows(a) for image in linear.rows(algebra.images(x, b))),
         algebra.dimension,
     )
 
@@ -67,11 +67,7 @@ def centraliser(algebra: LieAlgebra, space: fmpq_mat) -> fmpq_mat:
     n = algebra.dimension
     equations: list[list[fmpq]] = []
     for y in linear.rows(space):
-        ad = fmpq_mat(n, n)
-        for a, u in enumerate(y):
-            if u != 0:
-                ad += algebra.adjoint(a) * u
-        equations += linear.rows(ad)
+        equations += linear.rows(algebra.adjoint_of(y))
     return linear.null_space(linear.matrix(equations, n)) if equations else whole(algebra)
 
 

@@ -14,7 +14,7 @@ from flint import fmpq, fmpq_mat
 
 from canon.errors import InputError
 from canon.expression import Vocabulary, read
-from canon.mechanics.algebra import linear
+from canon.mechanics.algebra import full_tables, linear
 from canon.mechanics.algebra.coefficients import (
     Combination,
     Number,
@@ -45,6 +45,7 @@ class LieAlgebra:
     names: tuple[str, ...]
     constants: Mapping[tuple[int, int], Combination]
     _table: dict[tuple[int, int], dict[int, Number]] = field(init=False, repr=False, compare=False, hash=False)
+    _full: fmpq_mat | None = field(init=False, repr=False, compare=False, hash=False)
 
     def __post_init__(self) -> None:
         size = len(self.names)
@@ -55,7 +56,10 @@ class LieAlgebra:
         rows = {pair: MappingProxyType(dict(sorted(row.items()))) for pair, row in sorted(table.items())}
         object.__setattr__(self, "constants", MappingProxyType(rows))
         object.__setattr__(self, "_table", both_orders(table))
-        failure = None if _rescaled_is_right(self.constants, size) else jacobi_failure(self._table, size)
+        full = full_tables.full_table(self.constants, size)
+        object.__setattr__(self, "_full", full)
+        right = _rescaled_is_right(self.constants, size) if full is None else full_tables.obeys_jacobi(full)
+        failure = None if right else jacobi_failure(self._table, size)
         if failure is not None:
             a, b, c = (self.names[k] for k in failure[0])
             known = any(is_zero(value) is False for value in failure[1].values())
@@ -139,14 +143,26 @@ class LieAlgebra:
 
     def adjoint(self, a: int) -> fmpq_mat:
         """ad e_a, whose column b is [e_a, e_b]; for rational structure constants."""
+        if self._full is not None:
+            return full_tables.ad_of_basis(self._full, a)
+        return self.adjoint_of([fmpq(int(b == a)) for b in range(self.dimension)])
+
+    def adjoint_of(self, x: Sequence[fmpq]) -> fmpq_mat:
+        """ad x, whose column b is [x, e_b]; for rational structure constants and components."""
+        if self._full is not None:
+            return full_tables.ad(self._full, list(x))
         values = fmpq_mat(self.dimension, self.dimension)
-        for b in range(self.dimension):
-            for c, value in self.bracket_of(a, b).items():
-                values[c, b] = rational(_rational(value))
+        for a, u in enumerate(x):
+            if u != 0:
+                for b in range(self.dimension):
+                    for c, w in self.bracket_of(a, b).items():
+                        values[c, b] += u * rational(_rational(w))
         return values
 
     def killing_form(self) -> fmpq_mat:
         """K_ab = tr(ad e_a ad e_b); for rational structure constants."""
+        if self._full is not None:
+            return full_tables.killing_form(self._full)
         size = self.dimension
         flat = linear.matrix(([x for row in linear.rows(self.adjoint(a)) for x in row] for a in range(size)), size**2)
         turned = linear.matrix(
@@ -169,6 +185,8 @@ class LieAlgebra:
 
     def product(self, x: Sequence[fmpq], y: Sequence[fmpq]) -> list[fmpq]:
         """[x, y] for vectors of rational components."""
+        if self._full is not None:
+            return (self.adjoint_of(x) * fmpq_mat(self.dimension, 1, list(y))).entries()
         total = [fmpq(0)] * self.dimension
         left = [(a, u) for a, u in enumerate(x) if u != 0]
         right = [(b, v) for b, v in enumerate(y) if v != 0]
@@ -177,6 +195,24 @@ class LieAlgebra:
                 for c, w in self.bracket_of(a, b).items():
                     total[c] += u * v * rational(_rational(w))
         return total
+
+    def generators(self) -> list[list[fmpq]]:
+        """Elements that generate the algebra: few of them for a full table, else the basis."""
+        if self._full is not None:
+            return full_tables.generators(self._full)
+        return [[fmpq(int(b == a)) for b in range(self.dimension)] for a in range(self.dimension)]
+
+    def images(self, x: Sequence[fmpq], space: fmpq_mat) -> fmpq_mat:
+        """[x, y] for the rows y of a matrix, as rows."""
+        if self._full is not None:
+            return space * self.adjoint_of(x).transpose()
+        return linear.matrix((self.product(x, y) for y in linear.rows(space)), self.dimension)
+
+    def products(self, space: fmpq_mat) -> Iterator[list[fmpq]]:
+        """[x, y] for all pairs of rows x before y of a matrix."""
+        given = linear.rows(space)
+        for a, x in enumerate(given):
+            yield from linear.rows(self.images(x, linear.matrix(given[a + 1 :], self.dimension)))
 
     def in_basis(self, basis: fmpq_mat | Sequence[Sequence[Any]], names: Sequence[str] = ()) -> LieAlgebra:
         """The subalgebra that the rows span, in that basis: a change of basis where they span everything.
@@ -190,10 +226,9 @@ class LieAlgebra:
                 raise InputError(f"rows of {self.dimension} components are expected, one for each of the basis")
             values = ([rational(_rational(exact(v))) for v in row] for row in basis)
             basis = linear.matrix(values, self.dimension)
-        given = linear.rows(basis)
-        size = len(given)
+        size = basis.nrows()
         pairs = list(combinations(range(size), 2))
-        brackets = linear.matrix((self.product(given[a], given[b]) for a, b in pairs), self.dimension)
+        brackets = linear.matrix(self.products(basis), self.dimension)
         try:
             found = linear.rows(linear.coordinates(basis, brackets))
         except ValueError as error:

@@ -21,7 +21,7 @@ from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.coefficients import as_sympy
 from canon.mechanics.algebra.ideals import centraliser
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
-from canon.mechanics.algebra.semisimple import ATTEMPTS, adjoint_of
+from canon.mechanics.algebra.semisimple import ATTEMPTS
 
 HIGHEST = 24
 """The highest degree of the algebraic numbers in which roots are shown."""
@@ -100,7 +100,7 @@ def _toral(algebra: LieAlgebra, seed: int) -> fmpq_mat:
     H, C = linear.matrix([], n), linear.matrix([[fmpq(int(i == j)) for j in range(n)] for i in range(n)], n)
     while C.nrows() > H.nrows():
         for x in _candidates(C, rng):
-            if not linear.contains(linear.span(linear.rows(H), n), x) and _is_semisimple(adjoint_of(algebra, x)):
+            if not linear.contains(linear.span(linear.rows(H), n), x) and _is_semisimple(algebra.adjoint_of(x)):
                 break
         else:
             raise ArithmeticError("no semisimple element was found")
@@ -206,7 +206,7 @@ def _orbits(algebra: LieAlgebra, H: fmpq_mat, seed: int) -> Iterator[_Orbit]:
     """The orbits, from an element of H on which all roots differ and none is 0."""
     n, rank = algebra.dimension, H.nrows()
     factors, ad = _generic(algebra, H, seed)
-    acting = [adjoint_of(algebra, row) for row in linear.rows(H)]
+    acting = [algebra.adjoint_of(row) for row in linear.rows(H)]
     for factor in factors:
         f = fmpq_poly(factor)
         space = linear.rows(linear.null_space(_applied(f, ad)))
@@ -237,7 +237,7 @@ def _generic(algebra: LieAlgebra, H: fmpq_mat, seed: int) -> tuple[list[Any], fm
     for attempt in range(ATTEMPTS):
         weights = [fmpq(rng.choice((-1, 1)) * rng.randint(1, 2 + attempt * len(rows))) for _ in rows]
         h = [sum((w * row[k] for w, row in zip(weights, rows, strict=True)), start=fmpq(0)) for k in range(H.ncols())]
-        ad = adjoint_of(algebra, h)
+        ad = algebra.adjoint_of(h)
         factors = _characteristic(ad).factor()[1]
         simple = [factor for factor, power in factors if power == 1 and factor.coeffs()[0] != 0]
         if sum(factor.degree() for factor in simple) == algebra.dimension - H.nrows():

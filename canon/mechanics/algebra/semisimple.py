@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations, pairwise
+from itertools import pairwise
 from typing import Any
 
 from flint import fmpq, fmpq_mat, fmpq_poly, fmpz_poly, nmod_mat
@@ -48,27 +48,15 @@ def cartan_subalgebra(algebra: LieAlgebra, seed: int = 0) -> tuple[list[fmpq], f
     rng = random.Random(seed)
     for attempt in range(ATTEMPTS):
         x = [fmpq(rng.randint(-3 - attempt, 3 + attempt)) for _ in range(n)]
-        ad = adjoint_of(algebra, x)
+        ad = algebra.adjoint_of(x)
         H = linear.null_space(ad)
         if (ad * ad).rank() == n - H.nrows() and _is_abelian(algebra, H):
             return x, H
     raise ArithmeticError("no regular element was found")
 
 
-def adjoint_of(algebra: LieAlgebra, x: list[fmpq]) -> fmpq_mat:
-    """ad x, whose column b is [x, e_b]."""
-    n = algebra.dimension
-    values = fmpq_mat(n, n)
-    for a, u in enumerate(x):
-        if u != 0:
-            for b in range(n):
-                for c, w in algebra.bracket_of(a, b).items():
-                    values[c, b] += u * linear.rational(w)  # pyright: ignore[reportArgumentType]
-    return values
-
-
 def _is_abelian(algebra: LieAlgebra, space: fmpq_mat) -> bool:
-    return all(all(entry == 0 for entry in algebra.product(a, b)) for a, b in combinations(linear.rows(space), 2))
+    return all(all(entry == 0 for entry in row) for row in algebra.products(space))
 
 
 def simple_ideals(algebra: LieAlgebra, seed: int = 0) -> tuple[SimpleIdeal, ...]:
@@ -98,7 +86,7 @@ def simple_ideals(algebra: LieAlgebra, seed: int = 0) -> tuple[SimpleIdeal, ...]
 def _absolutely_simple(algebra: LieAlgebra, form: fmpq_mat, ideal: fmpq_mat | None) -> SimpleIdeal:
     """An ideal whose centroid is Q."""
     x, H = cartan_subalgebra(algebra)
-    kind = complex_type(algebra.dimension, H.nrows(), adjoint_of(algebra, x))
+    kind = complex_type(algebra.dimension, H.nrows(), algebra.adjoint_of(x))
     _, negative, _ = linear.signature(form)
     if ideal is None:
         n = algebra.dimension
@@ -185,9 +173,10 @@ def _centroid(algebra: LieAlgebra, seed: int) -> list[fmpq_mat]:
     that make a basis of g from x make its image from z. So there are rank-many unknowns.
     """
     n = algebra.dimension
+    turned = [algebra.adjoint(a).transpose() for a in range(n)]
     for attempt in range(ATTEMPTS):
         x, H = cartan_subalgebra(algebra, seed + attempt)
-        words = _words(algebra, x)
+        words = _words(turned, x)
         if len(words) == n:
             break
     else:
@@ -196,42 +185,38 @@ def _centroid(algebra: LieAlgebra, seed: int) -> list[fmpq_mat]:
     images = [[start] for start in starts]
     for parent, i in words[1:]:
         for chain in images:
-            chain.append(_ad(algebra, i, chain[parent]))
-    if _nullity_modulo_a_prime(algebra, images) == 1:
+            chain.append(_image(turned[i], chain[parent]))
+    if _nullity_modulo_a_prime(turned, images) == 1:
         return [linear.matrix([[fmpq(int(i == j)) for j in range(n)] for i in range(n)], n)]
     inverse = linear.matrix(images[0], n).inv()
     maps = [(inverse * linear.matrix(chain, n)).transpose() for chain in images[1:]]
-    adjoints = [algebra.adjoint(a) for a in range(n)]
+    adjoints = [algebra.adjoint_of(g) for g in algebra.generators()]  # what commutes with these commutes with all
     unknowns = [[entry for ad in adjoints for row in linear.rows(T * ad - ad * T) for entry in row] for T in maps]
-    solutions = linear.null_space(linear.matrix(unknowns, n**3).transpose())
+    solutions = linear.null_space(linear.matrix(unknowns, len(adjoints) * n**2).transpose())
     combined = []
     for row in linear.rows(solutions):
         combined.append(sum((T * c for T, c in zip(maps[1:], row[1:], strict=True)), maps[0] * row[0]))
     return combined
 
 
-def _ad(algebra: LieAlgebra, i: int, v: list[fmpq]) -> list[fmpq]:
-    total = [fmpq(0)] * len(v)
-    for b, value in enumerate(v):
-        if value != 0:
-            for c, w in algebra.bracket_of(i, b).items():
-                total[c] += value * linear.rational(w)  # pyright: ignore[reportArgumentType]
-    return total
+def _image(turned: fmpq_mat, v: list[fmpq]) -> list[fmpq]:
+    """[e_i, v] by the transpose of ad e_i."""
+    return (linear.matrix([v], len(v)) * turned).entries()
 
 
-def _words(algebra: LieAlgebra, x: list[fmpq]) -> list[tuple[int, int]]:
+def _words(turned: list[fmpq_mat], x: list[fmpq]) -> list[tuple[int, int]]:
     """Words (parent, i) that make independent vectors from x: vector j is ad e_i of vector `parent`; the first is x.
 
     Independence modulo a prime implies independence.
     """
-    n = algebra.dimension
+    n = len(x)
     words, vectors = [(-1, -1)], [x]
     known = _Echelon(n)
     known.add(x)
     position = 0
     while position < len(vectors) and len(words) < n:
         for i in range(n):
-            v = _ad(algebra, i, vectors[position])
+            v = _image(turned[i], vectors[position])
             if known.add(v):
                 words.append((position, i))
                 vectors.append(v)
@@ -265,28 +250,27 @@ class _Echelon:
 
 
 def _residue(value: fmpq) -> int:
+    if value.q % PRIME == 0:
+        raise ArithmeticError(f"a denominator is a multiple of {PRIME}: rescale the basis")
     return int(value.p) * pow(int(value.q), -1, PRIME) % PRIME
 
 
-def _nullity_modulo_a_prime(algebra: LieAlgebra, images: list[list[list[fmpq]]]) -> int:
+def _nullity_modulo_a_prime(turned: list[fmpq_mat], images: list[list[list[fmpq]]]) -> int:
     """An upper bound on the centroid's dimension: that of the maps that commute with every ad e_i on one vector.
 
     The rank of equations modulo a prime is at most their rank.
     """
-    n = algebra.dimension
+    n = len(turned)
     reduced = [nmod_mat(n, n, [_residue(v) for row in chain for v in row], PRIME) for chain in images]
     inverse = reduced[0].inv()
     maps = [inverse * chain for chain in reduced[1:]]  # rows are images
     rng = random.Random(1)
     u = nmod_mat(1, n, [rng.randrange(PRIME) for _ in range(n)], PRIME)
+    ads = [nmod_mat(n, n, [_residue(v) for v in ad.entries()], PRIME) for ad in turned]  # rows are images
     columns = []
     for T in maps:
         entries: list[int] = []
-        for i in range(n):
-            ad = nmod_mat(n, n, PRIME)
-            for b in range(n):
-                for c, w in algebra.bracket_of(i, b).items():
-                    ad[b, c] = _residue(linear.rational(w))  # pyright: ignore[reportArgumentType]
+        for ad in ads:
             difference = u * T * ad - u * ad * T
             entries += [int(difference[0, k]) for k in range(n)]
         columns.append(entries)

@@ -11,7 +11,7 @@ from canon.mechanics.algebra.identity import isomorphic
 from canon.mechanics.algebra.lie_algebra import structure
 from canon.mechanics.algebra.names import read_name
 from canon.mechanics.algebra.rescaling import rescaled
-from canon.mechanics.algebra.semisimple import adjoint_of, cartan_subalgebra
+from canon.mechanics.algebra.semisimple import cartan_subalgebra
 from canon.mechanics.algebra.standard import euclidean, hermitian, orthogonal, special_linear, symplectic, unit
 from tests.mechanics.algebra.test_lie_algebra import EPSILON, two_vectors
 
@@ -109,7 +109,7 @@ def test_b_and_c_of_one_rank_are_told_apart_by_the_spectrum():
     for name, kind in (("so(7)", "B"), ("sp(6,R)", "C")):
         g = FOUND[name].algebra
         x, _ = cartan_subalgebra(g)
-        assert complex_type(21, 3, adjoint_of(g, x)) == ComplexType(kind, 3)
+        assert complex_type(21, 3, g.adjoint_of(x)) == ComplexType(kind, 3)
     with pytest.raises(ArithmeticError, match="B3 or C3"):
         complex_type(21, 3, None)
 

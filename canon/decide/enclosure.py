@@ -6,8 +6,8 @@ OutOfDomain wherever a principal value isn't certified to exist: nothing is cont
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from typing import Any
 
 import flint
@@ -24,15 +24,9 @@ class OutOfDomain(Exception):
     """The point isn't certified to lie where the expression is defined."""
 
 
-@contextmanager
-def precision(bits: int) -> Iterator[None]:
-    """Arb's working precision, which is global to the process, set and put back."""
-    before = flint.ctx.prec
-    flint.ctx.prec = bits
-    try:
-        yield
-    finally:
-        flint.ctx.prec = before
+def precision(bits: int) -> AbstractContextManager[None]:
+    """Arb's working precision, which is global to the process, set within a `with` and put back after it."""
+    return flint.ctx.workprec(bits)
 
 
 def evaluate(

@@ -5,8 +5,8 @@ A ball that is not finite says that the formula has no value there; nothing is r
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from fractions import Fraction
 from typing import Any, Final
 
@@ -45,15 +45,9 @@ _METHODS: Final[dict[Any, str]] = {
 }
 
 
-@contextmanager
-def precision(bits: int) -> Iterator[None]:
-    """Arb's working precision, which is global to the process, set and put back."""
-    before = flint.ctx.prec
-    flint.ctx.prec = bits
-    try:
-        yield
-    finally:
-        flint.ctx.prec = before
+def precision(bits: int) -> AbstractContextManager[None]:
+    """Arb's working precision, which is global to the process, set within a `with` and put back after it."""
+    return flint.ctx.workprec(bits)
 
 
 def ball_function(expression: Any, symbols: Sequence[sp.Symbol]) -> BallFunction:

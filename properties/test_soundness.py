@@ -7,6 +7,7 @@ from hypothesis import settings
 
 from properties.soundness.campaign import judged, run, summary
 from properties.soundness.cases import KINDS_OF_CLAIMS, case
+from properties.soundness.known import FAMILIES, known_case
 
 
 def check(cases: int, seed: int) -> None:
@@ -42,3 +43,16 @@ def test_every_kind_of_claim_is_stated_truly_and_falsely(family):
     assert {True, False} <= {c.truth for c in cases}
     records = [judged(k, c) for k, c in enumerate(cases[:4])]
     assert not [r for r in records if r.wrong or r.outcome in ("refused", "crash")]
+
+
+def test_no_wrong_verdict_where_the_truth_is_known_by_construction():
+    figures = summary(list(run(range(3_000_000, 3_000_060 + 2 * settings.default.max_examples), 1, known_case)))
+    assert not figures["wrong"], figures["wrong"]
+    assert not figures["crashed"], figures["crashed"]
+    assert figures["decided_share"] > 0.75, figures
+
+
+@pytest.mark.parametrize("family", sorted(FAMILIES))
+def test_every_family_of_known_truth_has_true_and_false_cases(family):
+    found = [FAMILIES[family](random.Random(f"{family} {k}")) for k in range(40)]
+    assert {c.truth for c in found if c is not None} == {True, False}

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from math import isfinite
 from typing import TYPE_CHECKING
 
 from flint import arb
@@ -69,9 +70,11 @@ def _step(
     except (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError):
         return None
     norm = sum(g * g for g in gradient.values())
-    if value > 0 or not norm:
+    if value > 0 or not norm or not isfinite(norm):
         return None
     factor = (overshoot * -value + 1e-9 * (1.0 + abs(value))) / norm
+    if not all(isfinite(slope * factor) for slope in gradient.values()):  # beyond floating-point numbers
+        return None
     out: dict[Node, Coordinate] = {}
     for node, slope in gradient.items():
         before = place[node]

@@ -8,8 +8,9 @@ import signal
 import statistics
 import time
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
+from functools import partial
 from typing import Any
 
 from canon.claims.reader import read_text
@@ -51,13 +52,13 @@ def _alarm(*_: Any) -> None:
     raise _TooLong
 
 
-def run_one(seed: int) -> Record:
-    """The case of a seed, decided and judged."""
+def run_one(seed: int, make: Callable[[int], Case | None] = case) -> Record:
+    """The case that `make` makes of a seed, decided and judged."""
     signal.signal(signal.SIGPROF, _alarm)
     signal.setitimer(signal.ITIMER_PROF, HARD_LIMIT)
     found = None
     try:
-        found = case(seed)
+        found = make(seed)
         return Record(seed, "none", None, "no claim") if found is None else judged(seed, found)
     except Exception as error:
         text = found.text if found else ""
@@ -101,13 +102,14 @@ def limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def run(seeds: Sequence[int], jobs: int) -> Iterator[Record]:
-    """Records of the cases of these seeds, as they come."""
+def run(seeds: Sequence[int], jobs: int, make: Callable[[int], Case | None] = case) -> Iterator[Record]:
+    """Records of the cases that `make` makes of these seeds, as they come."""
+    one = partial(run_one, make=make)
     if jobs <= 1:
-        yield from map(run_one, seeds)
+        yield from map(one, seeds)
         return
     with multiprocessing.get_context("spawn").Pool(jobs, limit_memory, maxtasksperchild=500) as pool:
-        yield from pool.imap_unordered(run_one, seeds, chunksize=10)
+        yield from pool.imap_unordered(one, seeds, chunksize=10)
 
 
 def summary(records: list[Record]) -> dict[str, Any]:

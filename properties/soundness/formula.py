@@ -15,7 +15,6 @@ import mpmath as mp
 
 Number = int | Fraction
 DIGITS = 50
-TINY = mp.mpf(10) ** -30
 LARGEST = 60
 
 
@@ -25,6 +24,11 @@ class Outside(Exception):
 
 class TooLarge(Outside):
     """The point isn't looked at: a value there is too large for the digits used."""
+
+
+def tiny() -> Any:
+    """What is taken for 0 where that is left out of the domain: less in more digits."""
+    return mp.mpf(10) ** (-3 * mp.mp.dps // 5)
 
 
 @dataclass(frozen=True)
@@ -156,16 +160,16 @@ def _complex(z: Any) -> bool:
 
 
 def _nonzero(z: Any) -> Any:
-    if abs(z) < TINY:
+    if abs(z) < tiny():
         raise Outside("a zero denominator")
     return z
 
 
 def _positive(z: Any) -> Any:
     if _complex(z):
-        if abs(z.imag) < TINY and z.real < TINY:
+        if abs(z.imag) < tiny() and z.real < tiny():
             raise Outside("on a cut")
-    elif z < TINY:
+    elif z < tiny():
         raise Outside("not positive")
     return z
 
@@ -194,7 +198,7 @@ def _real(function: Callable[..., Any], test: Callable[..., bool] = lambda *a: T
 
 
 def _away(function: Callable[[Any], Any]) -> Callable[[Any], bool]:
-    return lambda a: abs(function(_bounded(a))) > TINY
+    return lambda a: abs(function(_bounded(a))) > tiny()
 
 
 def _bounded(a: Any) -> Any:
@@ -212,7 +216,7 @@ def _small(a: Any) -> Any:
 
 
 def _inside(a: Any) -> bool:
-    return 1 - a * a > TINY
+    return 1 - a * a > tiny()
 
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
@@ -221,7 +225,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "cos": lambda a: mp.cos(_bounded(a)), "sinh": lambda a: mp.sinh(_small(a)), "tanh": mp.tanh,
     "cosh": lambda a: mp.cosh(_small(a)), "tan": _real(mp.tan, _away(mp.cos)),
     "asin": _real(mp.asin, _inside), "acos": _real(mp.acos, _inside), "atan": _real(mp.atan),
-    "atan2": _real(mp.atan2, lambda y, x: x > TINY or abs(y) > TINY), "asinh": _real(mp.asinh),
-    "acosh": _real(mp.acosh, lambda a: a > 1 + TINY), "atanh": _real(mp.atanh, _inside),
-    "abs": _real(abs, lambda a: abs(a) > TINY), "sign": _real(mp.sign, lambda a: abs(a) > TINY),
+    "atan2": _real(mp.atan2, lambda y, x: x > tiny() or abs(y) > tiny()), "asinh": _real(mp.asinh),
+    "acosh": _real(mp.acosh, lambda a: a > 1 + tiny()), "atanh": _real(mp.atanh, _inside),
+    "abs": _real(abs, lambda a: abs(a) > tiny()), "sign": _real(mp.sign, lambda a: abs(a) > tiny()),
 }  # fmt: skip

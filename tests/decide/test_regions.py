@@ -30,6 +30,19 @@ def test_a_point_is_found_and_lies_inside(symbols: str, where: list[str]):
     assert verdict.status == "refuted"
 
 
+@pytest.mark.slow
+def test_a_search_that_leaves_floating_point_numbers_goes_on():
+    """The slope exp(x) y of a condition may be beyond them where a point is looked for."""
+    where = ["-1001/1000 < exp(x)*y < 0", "z**3 < -1501/1000"]
+    u, v = (
+        "((exp(x)*y)**2 + 999900000001/1000000000000*exp(x)*y - 1000000000001/10000000000000000)",
+        "(z**3*(z**3 + 1))",
+    )
+    claim = f'lhs = "log({u}/{v})"\nrhs = "log({u}) - log({v})"'
+    text = FILE.format('x = "real"\ny = "real"\nz = "real"', where, claim)
+    assert verify(read_text(text).claims[0], budget=20, seed=0).status == "proved"
+
+
 @pytest.mark.parametrize("where", [["5 < n < 6"], ["n > 2", "n < 1"]])
 def test_no_point_is_an_input_error(where: list[str]):
     text = FILE.format('n = "integer"', where, 'lhs = "n"\nrhs = "n"')

@@ -29,6 +29,7 @@ RIGID = "semisimple Lie algebras don't change their isomorphism class where thei
 LARGEST_SYMBOLIC = 10
 MOST_CASES = 3
 """The most parameters of open sign whose cases are looked at one by one."""
+DEPENDS = "depends on the parameters: "
 VALUES = (sp.S.One, sp.S.NegativeOne, sp.S.Zero, sp.Integer(2))
 
 
@@ -181,7 +182,7 @@ def _at_values(question: Question, region: Region, algebra: LieAlgebra, equals: 
             return exact("refuted", INVARIANTS, **detail)
     note = "; ".join(f"{name} at {place}" for place, name in seen.items())
     if named is None and seen:
-        return exact("proved", "structure constants", algebra=f"depends on the parameters: {note}")
+        return exact("proved", "structure constants", algebra=f"{DEPENDS}{note}")
     return Outcome("undecided", note=f"not identified for all values of the parameters: {note}")
 
 

@@ -7,14 +7,15 @@ constant, with a number E0 for H, coefficients may be functions of these.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 import sympy as sp
 
 from canon.budget import Budget
 from canon.claims.algebra import Basis, decided_outcome
+from canon.claims.algebra_identity import DEPENDS
 from canon.claims.outcome import Residual
 from canon.claims.question import Question
 from canon.claims.structure_constants import Found, find_constants
@@ -40,7 +41,9 @@ class Closure:
 
     **Arguments:** `basis`, each name with the function or the bracket that it is; `algebra`, where it closes;
     `status`, of the statement that it does, as that algebra ("undecided" where it doesn't within the steps); `name` of
-    the algebra, "" where there is none; `note`, what is not known.
+    the algebra, "" where there is none; `note`, what is not known; `cases`, where the algebra depends on the sign of a
+    value E, what the functions generate where E < 0, E = 0 and E > 0: functions that are independent elsewhere may be
+    dependent at E = 0, and generate less.
     """
 
     basis: Mapping[str, str]
@@ -48,12 +51,14 @@ class Closure:
     status: Status
     name: str
     note: str = ""
+    cases: Mapping[str, Closure] = field(default_factory=dict)
 
     _repr_html_ = text_in_html
 
     def __str__(self) -> str:
         lines = [f"{self.status}: {self.name or 'no algebra'}, of dimension {len(self.basis)}"]
         lines += [f"  {name} = {text}" for name, text in self.basis.items()]
+        lines += [f"  {case}: {found.name}, of dimension {len(found.basis)}" for case, found in self.cases.items()]
         return "\n".join([*lines, *([f"  {self.note}"] if self.note else [])])
 
 
@@ -77,7 +82,8 @@ def closure(
     it is called E if no name is given; `steps`, how deep brackets
     are nested; `budget` in seconds.
 
-    **Returns:** a `Closure`; where brackets nested so deep still make something new, it says so.
+    **Returns:** a `Closure`; where brackets nested so deep still make something new, it says so. Where the name depends
+    on the sign of one value in `over`, each sign is a case of its own.
 
     **Raises:** `InputError` for functions that are linearly dependent, an energy without H, or something in `over` that
     doesn't commute with a function.
@@ -90,16 +96,55 @@ def closure(
     if isinstance(energy, sp.Symbol) and energy not in space.parameters:
         raise InputError(f"{energy} is no parameter of the phase space: declare it there, as negative='{energy}'")
     levels |= {name: as_formula(f, name) for name, f in (over or {}).items()}
-    levels = {name: f for name, f in levels.items() if not _is_nothing(space, f, budget, seed)}
-    space = _with_parameters(space, levels)
     formulas = {name: as_formula(f, name) for name, f in functions.items()}
+    work = Budget(budget)
+    levels = {name: f for name, f in levels.items() if not _is_nothing(space, f, budget, seed)}
+    found = _generated(space, formulas, levels, {}, steps, work, seed)
+    declared = {symbol.name for symbol in space.parameters}
+    free = [name for name in levels if name not in declared]
+    if found.algebra is None or len(free) != 1 or not found.name.startswith(DEPENDS):
+        return found
+    cases: dict[str, Closure] = {}
+    for sign, value in (("<", {"negative": free}), ("=", {}), (">", {"positive": free})):
+        there = space if sign == "=" else _with_parameters(space, free, **value)
+        try:
+            case = _generated(there, formulas, levels, {free[0]: sp.S.Zero} if sign == "=" else {}, steps, work, seed)
+        except InputError as error:
+            case = Closure({}, None, "undecided", "", error.message)
+        cases[f"{free[0]} {sign} 0"] = case
+    return _by_cases(found, cases)
+
+
+def _by_cases(found: Closure, cases: Mapping[str, Closure]) -> Closure:
+    """What is known of all cases together."""
+    known = {case: part for case, part in cases.items() if part.name}
+    if not known:
+        return found
+    status: Status = "proved" if all(part.status == "proved" for part in cases.values()) else "supported"
+    rest = [f"{case}: {part.note}" for case, part in cases.items() if part.note]
+    name = "; ".join(f"{part.name} where {case}" for case, part in known.items())
+    return replace(found, status=status, name=name, note="; ".join(rest), cases=dict(cases))
+
+
+def _generated(
+    space: PhaseSpace,
+    formulas: Mapping[str, Formula],
+    levels: Mapping[str, Formula],
+    values: Mapping[str, sp.Expr],
+    steps: int,
+    budget: Budget,
+    seed: int,
+) -> Closure:
+    """What the functions generate on the surfaces of constant levels, some of which have given `values`."""
+    space = _with_parameters(space, [name for name in levels if name not in values])
     check_symbols([*formulas.values(), *levels.values()], space.vocabulary)
     domain = space.domain
     for name, level in levels.items():
-        domain = domain & Domain(level.conditions, (level.expr - space.symbol(name),))
+        value = values[name] if name in values else space.symbol(name)
+        domain = domain & Domain(level.conditions, (level.expr - value,))
     subject = Subject(space, domain=domain, functions=space.functions)
-    claim = subject.claim("algebra", {"basis": formulas})
-    question = Question(claim, Budget(budget), seed)
+    claim = subject.claim("algebra", {"basis": dict(formulas)})
+    question = Question(claim, budget, seed)
     region = question.region(*formulas.values())
     nodes = {name: question.load(f) for name, f in formulas.items()}
     texts = {name: str(f) for name, f in formulas.items()}
@@ -112,8 +157,7 @@ def closure(
         outcome, algebra = decided_outcome(question, region, grown.basis, grown.found, None)
     except BudgetExceeded as error:
         return Closure(texts, None, "undecided", "", str(error))
-    name = str(outcome.detail.get("algebra", ""))
-    return Closure(texts, algebra, outcome.status, name, outcome.note)
+    return Closure(texts, algebra, outcome.status, str(outcome.detail.get("algebra", "")), outcome.note)
 
 
 def _is_nothing(space: PhaseSpace, f: Formula, budget: float, seed: int) -> bool:
@@ -125,8 +169,10 @@ def _is_nothing(space: PhaseSpace, f: Formula, budget: float, seed: int) -> bool
     return question.decide([Residual("0", question.load(f))], question.region(f)).status == "proved"
 
 
-def _with_parameters(space: PhaseSpace, names: Iterable[str]) -> PhaseSpace:
-    """The space with real parameters of these names where it has none."""
+def _with_parameters(
+    space: PhaseSpace, names: Iterable[str], *, positive: Sequence[str] = (), negative: Sequence[str] = ()
+) -> PhaseSpace:
+    """The space with parameters of these names where it has none, real or of a sign."""
     known = {symbol.name for symbol in space.parameters}
     added = [name for name in names if name not in known]
     if not added:
@@ -136,8 +182,9 @@ def _with_parameters(space: PhaseSpace, names: Iterable[str]) -> PhaseSpace:
             raise InputError(f"{name!r} is a variable or a function, not the value of one", "over")
     new = (space.Q, space.P) if space.Q else None
     return PhaseSpace(
-        space.q, space.p, new=new, time=space.t, real=[*space.parameters, *added], functions=space.functions,
-        domain=space.domain,
+        space.q, space.p, new=new, time=space.t, positive=positive, negative=negative,
+        real=[*space.parameters, *(name for name in added if name not in (*positive, *negative))],
+        functions=space.functions, domain=space.domain,
     )  # fmt: skip
 
 

@@ -112,6 +112,7 @@ def monitor_record(reading: Reading) -> Record:
         "final": _finite(reading.final),
         "max_drift": _finite(reading.max_drift),
         "bound": _finite(reading.bound),
+        **({"alarm": reading.alarm} if reading.alarm else {}),
         **{name: _finite(value) for name, value in reading.extra.items()},
     }
 

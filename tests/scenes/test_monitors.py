@@ -8,6 +8,8 @@ import pytest
 
 from canon.numeric.integrators.problem import Shear, Splitting
 from canon.numeric.integrators.yoshida import YOSHIDA_6
+from canon.report.scene_record import scene_record
+from canon.report.scene_text import run_lines
 from canon.scenes.examples import scene_text
 from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
@@ -54,6 +56,37 @@ def test_a_coarse_symplectic_step_keeps_them_and_runge_kutta_does_not() -> None:
     _, rk4 = readings(HENON, ("symplecticity", "loop"), accuracy=None, step=0.1, integrator="rk4")
     assert verlet["symplecticity"].max_drift < 1e-11 < 1e-8 < rk4["symplecticity"].max_drift
     assert verlet["loop"].max_drift < 1e-14 < 1e-10 < rk4["loop"].max_drift
+    assert not rk4["symplecticity"].alarm
+    assert "rk4 is not symplectic" in rk4["symplecticity"].extra["note"]
+
+
+def test_areas_that_a_method_loses_are_an_alarm_whatever_its_error() -> None:
+    """An oscillator, whose step of Runge–Kutta's method multiplies areas by 1 − h⁶/72 + h⁸/576. Hairer, Lubich and
+    Wanner (2006), VI.1.
+    """
+    text = """
+[system]
+q_names = ["x"]
+p_names = ["p"]
+H = "(p**2 + x**2)/2"
+q = [1.0]
+p = [0.0]
+[run]
+duration = 10.0
+step = 0.5
+integrator = "rk4"
+samples = 2
+monitor = ["symplecticity", "volume", "loop"]
+"""
+    coarse = simulate(read_scene_text(text))
+    lost = 1 - (1 - 0.5**6 / 72 + 0.5**8 / 576) ** 20
+    symplecticity, volume, loop = coarse.monitors
+    assert symplecticity.max_drift == pytest.approx(lost, rel=1e-9)
+    assert (volume.final, 1 - loop.final / loop.initial) == pytest.approx((-lost, lost), rel=1e-9)
+    assert all("rk4 are not symplectic" in reading.alarm for reading in coarse.monitors)
+    assert not coarse.ok
+    assert "alarm" in scene_record(coarse)["monitors"]["volume"]
+    assert run_lines(coarse)[-1].startswith("  ! loop")
 
 
 def damped(rate: float, duration: float = 5.0) -> str:

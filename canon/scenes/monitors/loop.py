@@ -20,6 +20,7 @@ from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import canonical, onto_attitudes
 from canon.scenes.monitors.predicted import conformal_rate, not_hamiltonian
 from canon.scenes.monitors.reading import Reading, judged
+from canon.scenes.monitors.unsymplectic import condemned
 
 RADII: Final = (1e-2, 1e-4)
 """Of the loop, beside the size of the orbit: the smaller one where the other is stretched too far."""
@@ -100,20 +101,24 @@ def _reading_along(flow: Flow, loop: Carried) -> Reading:
     """The largest drift of the integral, from its first value or from what friction makes of it."""
     values = np.array([each.value for each in loop.integrals])
     first, last = float(values[0]), float(values[-1])
-    bound = SAFETY * (loop.integrals[0].bound + max(each.bound for each in loop.integrals)) + max(loop.slack)
+    rounding = SAFETY * (loop.integrals[0].bound + max(each.bound for each in loop.integrals))
+    bound = rounding + max(loop.slack)
     extra: dict[str, object] = {"nodes": loop.nodes}
     if not loop.whole:
         extra |= {"resolved_until": loop.times[-1], "note": f"{_torn(flow)} after t = {loop.times[-1]:.6g}"}
     final = last if loop.whole else None
     if not not_hamiltonian(flow.model):
-        return judged("loop", "conserved", first, final, float(np.abs(values - first).max()), bound, **extra)
+        drift = float(np.abs(values - first).max())
+        reading = judged("loop", "conserved", first, final, drift, bound, **extra)
+        return condemned(reading, flow, drift / abs(first), rounding / abs(first))
     expected = f"broken by {not_hamiltonian(flow.model)}"
     rate = conformal_rate(flow.model)
     if rate is None:
         return Reading("loop", expected, first, final, float(np.abs(values - first).max()), extra=extra)
     predicted = first * np.exp(-2 * rate * (np.array(loop.times) - loop.times[0]))
     drift = float(np.abs(values - predicted).max())
-    return judged("loop", expected, first, final, drift, bound, predicted=float(predicted[-1]), **extra)
+    reading = judged("loop", expected, first, final, drift, bound, predicted=float(predicted[-1]), **extra)
+    return condemned(reading, flow, drift / abs(first), rounding / abs(first))
 
 
 def _torn(flow: Flow) -> str:
@@ -199,10 +204,12 @@ def _slack(flow: Flow, after: np.ndarray) -> float:
 
 
 def _reading_cartan(flow: Flow, first: LoopIntegral, last: LoopIntegral, slack: float) -> Reading:
-    bound = SAFETY * (first.bound + last.bound) + slack
+    rounding = SAFETY * (first.bound + last.bound)
+    bound = rounding + slack
     drift = abs(last.value - first.value)
     if not not_hamiltonian(flow.model):
-        return judged("cartan", "conserved", first.value, last.value, drift, bound, nodes=last.nodes)
+        reading = judged("cartan", "conserved", first.value, last.value, drift, bound, nodes=last.nodes)
+        return condemned(reading, flow, drift / abs(first.value), rounding / abs(first.value))
     expected = f"broken by {not_hamiltonian(flow.model)}"
     return Reading("cartan", expected, first.value, last.value, drift, extra={"nodes": last.nodes})
 

@@ -17,6 +17,7 @@ from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import Frame, carried, frame_at, frame_on_surface, onto_attitudes
 from canon.scenes.monitors.predicted import conformal_rate, contracting, not_hamiltonian, volume_exponent
 from canon.scenes.monitors.reading import Reading, judged
+from canon.scenes.monitors.unsymplectic import area_change, condemned
 
 SAFETY: Final = 64.0
 ROUNDING: Final = 2.0**-53
@@ -31,14 +32,16 @@ def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarr
     kept, J = carried(before, after, M)
     value = float(np.abs(kept - J).max())
     if not not_hamiltonian(flow.model):
-        return _judged("symplecticity", "conserved", value, value, rounding, error)
+        reading = _judged("symplecticity", "conserved", value, value, rounding, error)
+        return condemned(reading, flow, area_change(kept, J), rounding)
     expected = f"broken by {not_hamiltonian(flow.model)}"
     rate = conformal_rate(flow.model)
     if rate is None:
         return Reading("symplecticity", expected, 0.0, value, value)
     factor = float(np.exp(-2 * rate * (times[-1] - times[0])))
     drift = float(np.abs(kept - factor * J).max())
-    return _judged("symplecticity", expected, value, drift, rounding, error, predicted=1 - factor)
+    reading = _judged("symplecticity", expected, value, drift, rounding, error, predicted=1 - factor)
+    return condemned(reading, flow, area_change(kept, factor * J), rounding)
 
 
 def read_volume(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
@@ -54,13 +57,15 @@ def read_volume(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
     rounding = len(M) * SAFETY * ROUNDING * float(np.linalg.cond(M)) * np.sqrt(max(flow.steps, 1))
     error *= len(M)
     if not contracting(flow.model):
-        return _judged("volume", "conserved", value, abs(value), rounding, error)
+        reading = _judged("volume", "conserved", value, abs(value), rounding, error)
+        return condemned(reading, flow, abs(value), rounding)
     exponent, off = volume_exponent(flow, times, q, p)
     predicted = float(np.expm1(exponent))
     drift = abs(float(sign * np.exp(log - exponent)) - 1)
     error += 4 * off
     expected = f"broken by {', '.join(contracting(flow.model))}"
-    return _judged("volume", expected, value, drift, rounding, error, predicted=predicted)
+    reading = _judged("volume", expected, value, drift, rounding, error, predicted=predicted)
+    return condemned(reading, flow, drift, rounding + 4 * off)
 
 
 def _judged(

@@ -37,7 +37,7 @@ def condemned(reading: Reading, flow: Flow, part: float, rounding: float) -> Rea
         note = f"{flow.method.name} is not symplectic: the bound is what its steps' estimated error allows"
         return replace(reading, extra={"note": note, **reading.extra})
     alarm = (
-        f"drifted by {part:.2g} of itself ({reading.expected}): the steps of {flow.method.name} are not symplectic, and "
-        f"too long. A symplectic method keeps this with any step"
+        f"drifted by {part:.2g} of itself ({reading.expected}): the steps of {flow.method.name} are too long, and not "
+        f"symplectic. A symplectic method keeps this with any step"
     )
     return replace(reading, alarm=alarm, bound=min(reading.bound, DAMNING + rounding))

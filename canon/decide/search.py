@@ -274,7 +274,8 @@ class Finder:
                     ball = evaluate(self.tape, order, ball_point({**point, node: value}, {}), functions)[target]
             except (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError):
                 return None
-            return Fraction(float(ball.mid())) if isinstance(ball, arb) else None
+            middle = float(ball.mid()) if isinstance(ball, arb) else math.nan
+            return Fraction(middle) if math.isfinite(middle) else None
 
         start = point[node]
         if isinstance(start, tuple):

@@ -7,10 +7,11 @@ import resource
 import signal
 import statistics
 import time
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
-from functools import partial
+from multiprocessing.connection import Connection, wait
+from multiprocessing.process import BaseProcess
 from typing import Any
 
 from canon.claims.reader import read_text
@@ -21,7 +22,7 @@ from properties.soundness.cases import Case, case
 BUDGET = 3.0
 HARD_LIMIT = 60
 """Seconds of a processor after which a case is given up."""
-MEMORY = 6 << 30
+MEMORY = 3 << 30
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ class Record:
     """What became of one case: its verdict, whether that is `wrong`, and in what time.
 
     `outcome` is a verdict, "refused" (an input error where the oracle saw points of the domain), "no claim" (nothing
-    to decide), or "crash".
+    to decide), "crash", or "killed" (its process died: of memory, most likely).
     """
 
     seed: int
@@ -103,13 +104,64 @@ def limit_memory() -> None:
 
 
 def run(seeds: Sequence[int], jobs: int, make: Callable[[int], Case | None] = case) -> Iterator[Record]:
-    """Records of the cases that `make` makes of these seeds, as they come."""
-    one = partial(run_one, make=make)
+    """Records of the cases that `make` makes of these seeds, as they come.
+
+    With two jobs or more they are decided in processes of their own, which may die: a library in C ends its process
+    when memory is refused. The case that did it is recorded as such, and the others go on.
+    """
     if jobs <= 1:
-        yield from map(one, seeds)
+        yield from (run_one(seed, make) for seed in seeds)
         return
-    with multiprocessing.get_context("spawn").Pool(jobs, limit_memory, maxtasksperchild=500) as pool:
-        yield from pool.imap_unordered(one, seeds, chunksize=10)
+    waiting, at_work = deque(seeds), dict[Connection, _Worker]()
+    try:
+        while waiting or at_work:
+            while waiting and len(at_work) < jobs:
+                worker = _hired([waiting.popleft() for _ in range(min(CHUNK, len(waiting)))], make)
+                at_work[worker.pipe] = worker
+            for pipe in wait(list(at_work)):
+                worker = at_work[pipe]  # type: ignore[index]
+                try:
+                    record = Record(**worker.pipe.recv())
+                    worker.left.popleft()
+                    yield record
+                except EOFError:
+                    del at_work[worker.pipe]
+                    worker.process.join()
+                    if worker.left:
+                        cause = f"its process ended with status {worker.process.exitcode}"
+                        yield Record(worker.left.popleft(), "killed", None, "killed", cause=cause)
+                        waiting.extendleft(reversed(worker.left))
+    finally:
+        for worker in at_work.values():
+            worker.process.kill()
+
+
+CHUNK = 200
+"""Cases for which a process is started."""
+
+
+@dataclass(frozen=True)
+class _Worker:
+    """A process, the end of its pipe, and the seeds that it hasn't answered."""
+
+    process: BaseProcess
+    pipe: Connection
+    left: deque[int]
+
+
+def _hired(seeds: list[int], make: Callable[[int], Case | None]) -> _Worker:
+    context = multiprocessing.get_context("fork")
+    mine, its = context.Pipe(duplex=False)
+    process = context.Process(target=_work, args=(its, seeds, make), daemon=True)
+    process.start()
+    its.close()
+    return _Worker(process, mine, deque(seeds))
+
+
+def _work(pipe: Connection, seeds: list[int], make: Callable[[int], Case | None]) -> None:
+    limit_memory()
+    for seed in seeds:
+        pipe.send(asdict(run_one(seed, make)))
 
 
 def summary(records: list[Record]) -> dict[str, Any]:
@@ -127,6 +179,7 @@ def summary(records: list[Record]) -> dict[str, Any]:
         "wrong_proved": sum(r.wrong == "proved" for r in cases),
         "wrong_refuted": sum(r.wrong == "refuted" for r in cases),
         "crashes": sum(r.outcome == "crash" for r in cases),
+        "killed": [r.seed for r in cases if r.outcome == "killed"],
         "witnesses_confirmed": sum(r.confirmed is True for r in cases),
         "decided_share": round(len(decided) / max(1, len(cases)), 4),
         "outcomes": dict(Counter(r.outcome for r in cases)),

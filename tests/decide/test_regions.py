@@ -43,6 +43,15 @@ def test_a_search_that_leaves_floating_point_numbers_goes_on():
     assert verify(read_text(text).claims[0], budget=20, seed=0).status == "proved"
 
 
+def test_a_root_looked_for_beyond_floating_point_numbers_is_left():
+    """The secant method may reach values of exp(x) y that no floating-point number holds."""
+    u = "exp(x)*y"
+    P, Q = f"(1/100 - {u} + ({u})**2/100 - ({u})**3)", f"({u}/3000000 - ({u})**2/3)"
+    claim = f'lhs = "sqrt({P}/{Q})"\nrhs = "sqrt({P}*{Q})/abs({Q})"'
+    text = FILE.format('x = "real"\ny = "real"', ["exp(x)*y > 0"], claim)
+    assert verify(read_text(text).claims[0], budget=20, seed=21004975).status in ("supported", "proved")
+
+
 @pytest.mark.parametrize("where", [["5 < n < 6"], ["n > 2", "n < 1"]])
 def test_no_point_is_an_input_error(where: list[str]):
     text = FILE.format('n = "integer"', where, 'lhs = "n"\nrhs = "n"')

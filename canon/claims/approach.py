@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import lcm
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from canon.claims.velocities import region_in_velocities
 from canon.decide import ladder
-from canon.decide.asymptotic import Expander, Sign, expand
+from canon.decide.asymptotic import Expander, Ramified, Sign, SignOf, expand
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import certainly_positive
+from canon.decide.growth import Tamed, growth, tamed
 from canon.decide.positivity import positive_by_signs
 from canon.decide.power_series import Series, Unexpanded
 from canon.decide.region import Region, Requirement
@@ -127,25 +129,87 @@ def limit_of(question: Question, approach: Approach, node: Node, also: Sequence[
     target = substitute(tape, node, {approach.x: approach.image})
     calls = [tape.ops[i] for i in tape.reach([target, *also]) if tape.ops[i][0] == "u"]
     written = {(op[1], op[3]) for op in calls if all(approach.s not in tape.support(a) for a in op[3])}
-    nodes = [target, *(n for r in approach.near for n in r.nodes)]
     reason = Unexpanded("no expansion")
-    for terms in TERMS:
-        try:
-            near, _, expander = expand(tape, nodes[1:], approach.s, sign_of, terms)
-            inside = _hold(approach, near, expander.leading)
-            series, root, expander = expand(tape, nodes, approach.s, sign_of, terms)
-            if not inside and not expander.arbitrary <= written:
-                raise Unexpanded("an arbitrary function at the edge of the domain, where it may not be smooth")
-            return _read_off(series[0], root, expander)
-        except Unexpanded as found:
-            reason = found
+    for taming in (False, True):
+        for terms in TERMS:
+            try:
+                found = _expanded(tape, approach, target, sign_of, terms, written, taming)
+                if found is None:
+                    break
+                return found
+            except Unexpanded as failed:
+                reason = failed
     raise reason
 
 
-def _hold(approach: Approach, series: Sequence[Series], leading: Callable[[Series], tuple[Series, Sign]]) -> bool:
+def _expanded(
+    tape: Tape,
+    approach: Approach,
+    target: Node,
+    sign_of: SignOf,
+    terms: int,
+    written: Set[tuple[str, tuple[Node, ...]]],
+    taming: bool,
+) -> Limit | None:
+    """The limit by expansions of so many terms; with `taming`, of what is left without exponentials that grow (None
+    where there are none)."""
+    main, near, scaled, power = Tamed(tape.zero, target), approach.near, False, 1
+    if taming:
+        main, near, power = _tamed(tape, approach, target, sign_of, terms)
+        scaled = near != approach.near
+        if main == (tape.zero, target) and not scaled:
+            return None
+    nodes = [main.rest, *(n for r in near for n in r.nodes)]
+    series, _, expander = expand(tape, nodes[1:], approach.s, sign_of, terms)
+    inside = _hold(approach, near, series, expander.leading) and not scaled
+    series, root, expander = expand(tape, nodes, approach.s, sign_of, terms)
+    if not inside and not expander.arbitrary <= written:
+        raise Unexpanded("an arbitrary function at the edge of the domain, where it may not be smooth")
+    towards = "zero" if main.exponent == tape.zero else growth(expander, main.exponent)
+    if towards == "neg":
+        return Limit(tape.zero)
+    if towards == "pos":
+        first, sign = expander.leading(series[0])
+        size = tape.times(first.coefficients[0], tape.call("exp", main.exponent))
+        return Limit(None, 1 if sign == "pos" else -1, size, Fraction(first.start, root * power))
+    if main.exponent != tape.zero:
+        raise Unexpanded("exponentials that nearly cancel")
+    return _read_off(series[0], root * power, expander)
+
+
+def _tamed(
+    tape: Tape, approach: Approach, target: Node, sign_of: SignOf, terms: int
+) -> tuple[Tamed, tuple[Requirement, ...], int]:
+    """The target and the conditions without exponentials that grow, s being the power returned of a new s."""
+    power = 1
+    for _ in range(4):
+        shift = {approach.s: tape.power(approach.s, power)}
+        expander = Expander(tape, approach.s, sign_of, terms)
+        near = (replace(r, nodes=tuple(substitute(tape, n, shift) for n in r.nodes)) for r in approach.near)
+        try:
+            main = tamed(expander, substitute(tape, target, shift))
+            return main, tuple(_tamed_condition(expander, r) for r in near), power
+        except Ramified as need:
+            power = lcm(power, power * need.root)
+    raise Unexpanded("no expansion in fractional powers")
+
+
+def _tamed_condition(expander: Expander, r: Requirement) -> Requirement:
+    """The condition without an exponential that is a factor: its sign is the same."""
+    if r.kind not in ("positive", "nonzero", "slit"):
+        return r
+    return replace(r, nodes=tuple(tamed(expander, n).rest for n in r.nodes))
+
+
+def _hold(
+    approach: Approach,
+    near: Sequence[Requirement],
+    series: Sequence[Series],
+    leading: Callable[[Series], tuple[Series, Sign]],
+) -> bool:
     """Whether what must hold for small s does so at s = 0 too. **Raises:** `InputError` where it fails."""
     index, inside = 0, True
-    for requirement in approach.near:
+    for requirement in near:
         parts = series[index : index + len(requirement.nodes)]
         index += len(requirement.nodes)
         if requirement.kind in ("positive", "slit"):
@@ -173,6 +237,10 @@ def _read_off(f: Series, root: int, expander: Expander) -> Limit:
         power = f.start + k
         if power > 0:
             return Limit(tape.zero)
+        if expander.wild(c):
+            slope = derivative(tape, c, log)
+            if not expander.wild(slope) and expander.sign_of(slope) == "zero":
+                c = substitute(tape, c, {log: tape.zero})  # logarithms that cancel
         if expander.wild(c):
             slope = derivative(tape, c, log)
             if expander.wild(slope) or power < 0:

@@ -13,6 +13,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from canon.claims.chart import chart_of
+from canon.claims.determined import determined
 from canon.claims.determinant import determinant
 from canon.claims.independence import full_rank
 from canon.claims.outcome import Outcome, Residual, combined
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 Form = tuple[Node, ...]
 """The coefficients of dq₁, …, dq_n and of dt."""
 
-ASKED = ("holonomic", "stationary", "integrals", "possible", "virtual", "multipliers")
+ASKED = ("holonomic", "stationary", "integrals", "possible", "virtual", "multipliers", "determined")
 NEED = ("L", "qddot")
 
 
@@ -40,7 +41,8 @@ def constraint(question: Question) -> Outcome:
     `holonomic`: integrable almost everywhere (Frobenius), or nowhere on an open set; `stationary`: no term without
     velocities, and no time; `integrals`: functions whose differentials the forms combine; `possible`: velocities that
     the forms allow; `virtual`: displacements, the same with time held fixed; `multipliers` λ, with `L` and the
-    accelerations `qddot`: d/dt ∂L/∂v − ∂L/∂q = Σ λ a, and the forms' rates vanish where the forms do.
+    accelerations `qddot`: d/dt ∂L/∂v − ∂L/∂q = Σ λ a, and the forms' rates vanish where the forms do. `determined`, with
+    `L`: these equations have one solution for accelerations and multipliers at every state, or at none.
     """
     if not any(question.key(word) is not None for word in ASKED):
         raise InputError(f"nothing is claimed of the constraints: add one of {', '.join(ASKED)}")
@@ -60,7 +62,8 @@ def constraint(question: Question) -> Outcome:
         lines = [jets.rate(node) for node in lines]
     forms = [_coefficients(question, jets, node, region) for node in lines]
     rank = _independent(question, jets, forms, region)
-    if rank.status == "refuted":
+    loose = question.key("determined") is False and sum(question.key(word) is not None for word in ASKED) == 1
+    if rank.status == "refuted" and not loose:
         raise InputError("the constraints depend on each other: leave out those that follow", f"key {written[0]!r}")
     parts = [rank] if question.key("holonomic") is not None or question.key("integrals") is not None else []
     return combined([*parts, *_answers(question, jets, forms, region), *_motions(question, jets, forms, lines, there)])
@@ -112,6 +115,8 @@ def _motions(
             yield _displacement(question, forms, region, word)
     if question.key("multipliers") is not None:
         yield _reactions(question, jets, forms, lines, region)
+    if question.key("determined") is not None:
+        yield determined(question, jets, forms, region)
 
 
 def _wedge(question: Question, jets: Motion, forms: Sequence[Form], index: int) -> Iterator[tuple[str, Node]]:

@@ -91,6 +91,7 @@ class _Keys:
             "degrees": self._degrees,
             "values": self._fixed,
             "square": self._square,
+            "fields": self._fields,
         }
         if entry.form in tables:
             return tables[entry.form](entry, value, where)
@@ -265,6 +266,19 @@ class _Keys:
             raise InputError("a square matrix is expected, as nested lists", where)
         return tuple(
             tuple(self._formula(v, entry, f"{where}, row {i}, column {j}") for j, v in enumerate(row, 1))
+            for i, row in enumerate(rows, 1)
+        )
+
+    def _fields(self, entry: Key, value: Any, where: str) -> tuple[tuple[Formula, ...], ...]:
+        """Vector fields along a path, each with a component for each coordinate; one expression for one coordinate."""
+        n = len(self.names.space.q)
+        if isinstance(value, str) and n == 1:
+            return ((self._formula(value, entry, where),),)
+        rows = document.listing(value, where)
+        if not rows or any(len(document.listing(row, where)) != n for row in rows):
+            raise InputError(f"a list of fields is expected, each a list of {n} components", where)
+        return tuple(
+            tuple(self._formula(v, entry, f"{where}, field {i}, component {j}") for j, v in enumerate(row, 1))
             for i, row in enumerate(rows, 1)
         )
 

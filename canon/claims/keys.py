@@ -10,7 +10,7 @@ Form = Literal[
     "expression", "expressions", "per pair", "name", "names", "number", "power", "tables", "type", "matrix",
     "structure", "constants", "constant", "functions", "calls", "degrees", "basis", "matrices", "algebra", "brackets",
     "values", "coordinate", "word", "relation", "square", "truth", "bases", "dimension", "dimensions",
-    "variable", "end", "side",
+    "variable", "end", "side", "fields",
 ]  # fmt: skip
 """What a key holds: an expression; a list of them; one for each old pair; a name, or a list; a whole number;
 `["eps", 2]`; a list of tables name = value; a type 1 to 4 or one per pair; nested lists; a table "A,B" = value; names
@@ -19,7 +19,7 @@ of constants, which may be new variables; an expression of constants, or the nam
 name = matrix; the name of a Lie algebra; a table "A,B" = combination of a basis; a table name =
 value of constants; one of the coordinates; a word; a relation; a square matrix; true or false; the base quantities
 of dimensions; a dimension; a table name = dimension; a name that may be a variable; an expression or an infinity; "+"
-or "-"."""
+or "-"; an expression, or a list of lists of one for each coordinate."""
 
 Side = Literal["old", "new", "mixed", "both", "parameters", "lagrangian", "jet", "integral", "group"]
 """The variables that a formula may use: old or new ones; for each pair those of the generating function's type; both;
@@ -188,6 +188,7 @@ KEYS: Final[Mapping[str, KeySpec]] = {
             "qddot": Key("per pair", "lagrangian", optional=True),
             "multipliers": Key("expressions", "lagrangian", optional=True),
             "forces": Key("per pair", "lagrangian", optional=True),
+            "determined": Key("truth", optional=True),
         }
     ),
     "dimension": KeySpec(
@@ -225,7 +226,7 @@ KEYS: Final[Mapping[str, KeySpec]] = {
             "from": Key("end"),
             "to": Key("end"),
             "extremum": Key("word", optional=True),
-            "field": Key(optional=True),
+            "field": Key("fields", optional=True),
             "conjugate": Key("expressions", optional=True),
         }
     ),

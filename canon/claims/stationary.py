@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from canon.budget import BudgetExceeded
 from canon.claims.along_a_range import Range, Unproved, holds, is_positive, range_of, stays_in_domain
 from canon.claims.determinant import determinant
+from canon.claims.jacobi_fields import Accessory, Fields, classified_by_fields
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.velocities import Motion, motion
 from canon.decide.answer import Witness
@@ -41,8 +42,8 @@ def stationary(question: Question) -> Outcome:
 
     Lagrange's equations hold along the path. With `extremum`, the second variation is positive ("minimum") or negative
     ("maximum") for all variations but 0 that vanish near the ends, or takes both signs ("neither"). Shown by
-    Legendre's condition and, where S has no sign, by Jacobi's: `field`, a solution of −(P u')' + S u = 0, has no zero
-    inside, or two zeros `conjugate` (Gelfand & Fomin, §§ 25 to 28).
+    Legendre's condition and, where S has no sign, by Jacobi's: of `field`, a solution of −(P u')' + S u = 0, or one for
+    each coordinate, the determinant has no zero inside, or one has two zeros `conjugate` (Gelfand & Fomin, §§ 25 to 29).
     """
     word = question.key("extremum")
     if word is not None and word not in WORDS:
@@ -52,7 +53,7 @@ def stationary(question: Question) -> Outcome:
     for formula in path:
         for symbol in sorted(formula.expr.free_symbols & moving, key=str):
             raise InputError(f"a path is a function of {question.space.t}, not of {symbol}", "key 'path'")
-    field = question.key("field")
+    fields = question.key("field")
     jets = motion(question)
     images = _along(question, jets, path)
     try:
@@ -65,7 +66,7 @@ def stationary(question: Question) -> Outcome:
     if word is None or first.status == "refuted":
         return first
     second = _second(question, span, jets, question.load(L), images)
-    return combined([first, _extremum(question, span, second, word, field)])
+    return combined([first, _extremum(question, span, second, word, fields)])
 
 
 def _along(question: Question, jets: Motion, path: Sequence[Formula]) -> dict[Node, Node]:
@@ -100,8 +101,8 @@ def _on_path(question: Question, r: Requirement, images: Mapping[Node, Node]) ->
 
 
 def _optional(question: Question) -> tuple[Formula, ...]:
-    field, conjugate = question.key("field"), question.key("conjugate")
-    return (*((field,) if field is not None else ()), *(conjugate or ()))
+    fields, conjugate = question.key("field"), question.key("conjugate")
+    return (*(component for row in fields or () for component in row), *(conjugate or ()))
 
 
 @dataclass(frozen=True)
@@ -128,7 +129,7 @@ def _second(question: Question, span: Range, jets: Motion, L: Node, images: Mapp
     return Second(P, S, R, Q)
 
 
-def _extremum(question: Question, span: Range, second: Second, word: str, field: Formula | None) -> Outcome:
+def _extremum(question: Question, span: Range, second: Second, word: str, fields: Fields | None) -> Outcome:
     """The kind of the extremal."""
     tape, note = question.tape, ""
     if question.method != "numeric":
@@ -138,7 +139,7 @@ def _extremum(question: Question, span: Range, second: Second, word: str, field:
                     raise Unproved(f"it isn't shown that {requirement.text} all along the range")
             known = (*span.inside.requirements, *span.demanded)
             span = replace(span, inside=replace(span.inside, requirements=known))
-            found, steps = _classified(question, span, second, field)
+            found, steps = _classified(question, span, second, fields)
             shown = (
                 {"P": question.show(second.P[0][0]), "S": question.show(second.S[0][0])} if len(second.P) == 1 else {}
             )
@@ -155,7 +156,7 @@ def _extremum(question: Question, span: Range, second: Second, word: str, field:
 
 
 def _classified(
-    question: Question, span: Range, second: Second, field: Formula | None
+    question: Question, span: Range, second: Second, fields: Fields | None
 ) -> tuple[str, tuple[dict[str, Any], ...]]:
     """The kind of extremal for all values of the parameters. **Raises:** `Unproved`."""
     tape = question.tape
@@ -169,52 +170,12 @@ def _classified(
                 legendre,
                 {"theorem": "the second variation is a sum of squares", "S": question.show(S[0][0])},
             )
-        if field is None:
-            raise Unproved("S has no sign that is known along the path: give a solution `field` of Jacobi's equation")
-        if len(P) > 1:
-            raise Unproved("a `field` serves one degree of freedom")
-        return _jacobi(question, span, P[0][0], S[0][0], field, word, legendre)
+        if fields is None:
+            raise Unproved("S has no sign that is known along the path: give solutions `field` of Jacobi's equation")
+        R, Q = ([[tape.scaled(x, sign) for x in row] for row in matrix] for matrix in (second.R, second.Q))
+        definite, step = classified_by_fields(question, span, Accessory(P, R, Q), fields)
+        return word if definite else "neither", (legendre, step)
     raise Unproved("∂²L/∂v² isn't shown to be definite along the path")
-
-
-def _jacobi(
-    question: Question, span: Range, P: Node, S: Node, field: Formula, word: str, legendre: dict[str, Any]
-) -> tuple[str, tuple[dict[str, Any], ...]]:
-    tape, t = question.tape, question.tape.symbol(span.x)
-    u = question.load(field)
-    slope = derivative(tape, u, t)
-    equation = tape.minus(derivative(tape, tape.times(P, slope), t), tape.times(S, u))
-    solved = question.decide([Residual("Jacobi's equation", equation)], span.inside)
-    if solved.status == "refuted":
-        raise InputError(f"{field} doesn't solve Jacobi's equation (P u')' = S u", "key 'field'")
-    if solved.status != "proved":
-        raise Unproved("Jacobi's equation was not shown for the field")
-    conjugate = question.key("conjugate")
-    if conjugate is None:
-        if holds(question, Requirement("nonzero", (u,), ""), span.inside, span):
-            return word, (legendre, {"theorem": "Jacobi: a field without a zero inside", "field": str(field)})
-        raise Unproved("the field isn't shown to have no zero inside: where it has two, name them under `conjugate`")
-    _two_zeros(question, span, u, conjugate)
-    zeros = [str(c) for c in conjugate]
-    return "neither", (legendre, {"theorem": "Jacobi: a field with two zeros inside", "field": str(field), "at": zeros})
-
-
-def _two_zeros(question: Question, span: Range, u: Node, conjugate: Sequence[Formula]) -> None:
-    """Whether a field that isn't 0 has these two zeros inside. **Raises:** `Unproved`."""
-    tape, t = question.tape, question.tape.symbol(span.x)
-    if len(conjugate) != 2 or isinstance(span.low, str) or isinstance(span.high, str):
-        raise InputError("two zeros inside a bounded range are expected", "key 'conjugate'")
-    places = [question.load(e) for e in (span.low, *conjugate, span.high)]
-    for a, b, names in zip(places, places[1:], ("from < first", "first < second", "second < to"), strict=False):
-        if not is_positive(question, tape.minus(b, a), span.others):
-            raise Unproved(f"it isn't shown of the zeros that {names}")
-    values = [Residual(f"field at {c}", substitute(tape, u, {t: question.load(c)})) for c in conjugate]
-    zeros = question.decide(values, span.others)
-    if zeros.status != "proved":
-        raise Unproved("the field isn't shown to vanish at the points under `conjugate`")
-    steep = substitute(tape, derivative(tape, u, t), {t: places[1]})
-    if not holds(question, Requirement("nonzero", (steep,), ""), span.others):
-        raise Unproved("the field's slope isn't shown to differ from 0 at its zero")
 
 
 def _symmetric(question: Question, R: Matrix, span: Range) -> bool:

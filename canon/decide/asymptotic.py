@@ -81,6 +81,18 @@ class Expander:
                 return Series(f.start + k, f.coefficients[k:]), sign
         raise Unexpanded("too few terms")
 
+    def tends(self, f: Series) -> Sign:
+        """Whether the series tends to +∞ ("pos"), to −∞ ("neg"), or to a finite value ("zero").
+
+        **Raises:** `Unexpanded`.
+        """
+        f, sign = self.stripped(f)
+        if f.start < 0:
+            return sign
+        if f.coefficients and self.wild(f.coefficients[0]) and f.start == 0:
+            raise Unexpanded("a logarithm or an oscillation in an exponent")
+        return "zero"
+
     # -- operations ---------------------------------------------------------------------------
 
     def _step(self, i: Node) -> Series:

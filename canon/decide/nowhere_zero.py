@@ -31,14 +31,14 @@ def has_no_zero(tape: Tape, node: Node, region: Region, budget: Budget) -> bool:
         factor
         for requirement in region.requirements
         if requirement.kind in ("positive", "nonzero", "slit")
-        for factor in _factors(tape, requirement.nodes[0])
+        for factor in factors(tape, requirement.nodes[0])
     }
     box = intervals_of(tape, region)
     first = [r.nodes[0] for r in region.requirements if r.kind == "positive"]
     positive = [n for n in first if not tape.is_complex(n)]
     return tape.value(node) != 0 and all(
         factor in asked or (not tape.is_complex(factor) and _is_zero_free(tape, factor, box, positive, budget))
-        for factor in _factors(tape, node)
+        for factor in factors(tape, node)
     )
 
 
@@ -65,7 +65,7 @@ def _may_be_zero_at_the_end(facts: Mapping[str, bool]) -> bool:
     return bool(facts.get("nonnegative") or facts.get("nonpositive")) and facts.get("zero") is not False
 
 
-def _factors(tape: Tape, node: Node) -> Iterator[Node]:
+def factors(tape: Tape, node: Node) -> Iterator[Node]:
     """What a product, a multiple or a root has its zeros and poles from; numbers are left out."""
     op = tape.ops[node]
     if op[0] == "*":
@@ -79,7 +79,7 @@ def _factors(tape: Tape, node: Node) -> Iterator[Node]:
             yield node
         return
     for factor in inner:
-        yield from _factors(tape, factor)
+        yield from factors(tape, factor)
 
 
 def nonzero_on_every_cell(tape: Tape, node: Node, region: Region, rng: random.Random, budget: Budget) -> bool:

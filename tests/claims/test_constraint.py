@@ -137,3 +137,33 @@ def test_the_skate_by_a_multiplier(status, force, expected):
 def test_faults(ask, form, keys, message):
     with pytest.raises((InputError, AssertionError), match=message):
         ask(_claim(form, *keys), space=SKATE)
+
+
+FREE = 'L = "m*(vx**2 + vy**2)/2 + m*R**2*w**2/2"'
+
+
+@pytest.mark.parametrize(
+    ("form", "word", "L", "claimed", "expected"),
+    [
+        (KNIFE, "forms", FREE, "true", "proved"),
+        (KNIFE, "forms", FREE, "false", "refuted"),
+        ("a - V(x, y)", "functions", FREE, "true", "proved"),
+        ("x**2 + y**2 - R**2", "functions", FREE, "true", "proved"),  # on the circle, though not at its centre
+        ("x**2 + y**2 - k", "functions", FREE, "true", "undecided"),  # k may be 0
+        ("k*x**2 + y**2 - R**2", "functions", FREE, "true", "undecided"),
+        ("x*vx + y*vy", "forms", FREE, "true", "undecided"),  # not at x = y = 0
+        ("vx - vy", "forms", 'L = "m*vx**2/2"', "true", "refuted"),  # nothing determines a
+        ("vx - vy", "forms", 'L = "m*vx**2/2"', "false", "proved"),
+        ('["vx + vy", "2*vx + 2*vy"]', "forms", FREE, "false", "proved"),  # one of them follows
+        ('["vx + vy", "2*vx + 2001/1000*vy"]', "forms", FREE, "false", "refuted"),
+    ],
+)
+def test_determined(status, form, word, L, claimed, expected):
+    symbols = SYMBOLS.replace('V = "function"', 'V = ["function", "positive"]')
+    claim = _claim(form, L, f"determined = {claimed}", word=word)
+    assert status(claim, space=SKATE, symbols=symbols) == expected
+
+
+def test_determined_needs_a_lagrangian(ask):
+    with pytest.raises((InputError, AssertionError), match="needs the Lagrangian"):
+        ask(_claim(KNIFE, "determined = true"), space=SKATE)

@@ -68,6 +68,42 @@ def test_limits(status, f, x, to, equals, side, expected):
 
 
 @pytest.mark.parametrize(
+    ("f", "to", "equals", "expected"),
+    [
+        ("tanh(a*q)", "infinity", "1", "proved"),
+        ("tanh(a*q)", "-infinity", "-1", "proved"),
+        ("tanh(a*q)", "infinity", "1001/1000", "refuted"),
+        ("tanh(k*q)", "infinity", "1", "refuted"),  # k may be negative
+        ("q - log(cosh(q))", "infinity", "log(2)", "proved"),
+        ("q - log(cosh(q))", "infinity", "log(2) + 1/1000", "refuted"),
+        ("cosh(q)*exp(-q)", "infinity", "1/2", "proved"),
+        ("(cosh(q) - sinh(q))*exp(q)", "infinity", "1", "proved"),
+        ("(cosh(q) - sinh(q))*exp(q)", "infinity", "0", "refuted"),
+        ("(tanh(q) - 1)*exp(2*q)", "infinity", "-2", "supported"),  # the leading parts cancel inside a quotient
+        ("sinh(q)", "-infinity", "-infinity", "proved"),
+        ("sinh(q)", "-infinity", "infinity", "refuted"),
+        ("exp(q)/q**5", "infinity", "infinity", "proved"),
+        ("exp(a*q)/exp(b*q)", "infinity", "0", "refuted"),  # which of a and b is the larger?
+        ("exp(a*q)/exp((a + b)*q)", "infinity", "0", "proved"),
+        ("exp(q + 1/q) - exp(q)", "infinity", "infinity", "proved"),
+        ("exp(q*(1 + 1/q))*exp(-q)", "infinity", "exp(1)", "proved"),
+        ("exp(sqrt(q))/q**100", "infinity", "infinity", "proved"),
+        ("exp(exp(q))/exp(q**2)", "infinity", "infinity", "proved"),
+        ("exp(q + sin(q))/exp(q)", "infinity", "1", "undecided"),
+        ("exp(q)*sin(q)", "infinity", "infinity", "undecided"),
+        ("1/(exp(1/q) + 1)", "0", "0", "refuted"),  # 1 from below
+        ("4*atan(exp(w*q)) - pi", "infinity", "pi", "proved"),  # the pendulum on its separatrix
+        ("4*atan(exp(w*q)) - pi", "-infinity", "-pi", "proved"),
+        ("asinh(q) - log(q)", "infinity", "log(2)", "proved"),  # logarithms that cancel
+        ("asinh(q) - 1001/1000*log(q)", "infinity", "log(2)", "refuted"),
+        ("tanh(q) + V(1/q)", "infinity", "1 + V(0)", "proved"),
+    ],
+)
+def test_exponentials_beyond_every_power(status, f, to, equals, expected):
+    assert status(_claim(f, "q", to, equals), symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
     ("f", "equals", "expected"),
     [
         ("q*sin(1/q)", "0", "proved"),

@@ -83,6 +83,50 @@ def test_two_coordinates(status):
     assert status(_claim(mixed, path, extremum="minimum"), space=plane, symbols=SYMBOLS) == "refuted"
 
 
+PLANE = 'q = ["x", "y"]\np = ["px", "py"]\n'
+ISOTROPIC = ("m*(vx**2 + vy**2)/2 - m*w**2*(x**2 + y**2)/2", '["A*sin(w*t)", "B*cos(w*t)"]')
+CYCLOTRON = ("m*(vx**2 + vy**2)/2 + m*w/2*(x*vy - y*vx)", '["A*sin(w*t)", "A*cos(w*t)"]')
+UPRIGHT = '[["cos(w*(t - T/2))", "0"], ["0", "cos(w*(t - T/2))"]]'
+TURNING = '[["sin(w*t)", "cos(w*t) - 1"], ["1 - cos(w*t)", "sin(w*t)"]]'  # both are 0 at t = 0
+BACK = 'conjugate = ["T/4", "T/4 + pi/w"]'
+
+
+@pytest.mark.parametrize(
+    ("motion", "extremum", "field", "keys", "domain", "expected"),
+    [
+        (ISOTROPIC, "minimum", UPRIGHT, (), "w*T < pi", "proved"),
+        (ISOTROPIC, "maximum", UPRIGHT, (), "w*T < pi", "refuted"),
+        (ISOTROPIC, "minimum", UPRIGHT, (), "w*T < 1001*pi/1000", "supported"),
+        (ISOTROPIC, "minimum", UPRIGHT.replace('"0", "cos', '"0", "sin'), (), "w*T < pi", "supported"),  # 0 in the middle
+        (ISOTROPIC, "minimum", '[["sin(w*t)", "sin(w*t)"], ["sin(w*t)", "sin(w*t)*(2*sin(A)**2 + cos(2*A))"]]', (),
+         "w*T < pi", "supported"),  # the same field twice
+        (ISOTROPIC, "neither", '[["sin(w*(t - T/4))", "0"]]', (BACK,), "w*T > 3*pi/2", "proved"),
+        (ISOTROPIC, "neither", '[["sin(w*(t - T/4))", "cos(w*(t - T/4))"]]', (BACK,), "w*T > 3*pi/2", "supported"),
+        (ISOTROPIC, "neither", '[["0", "0"]]', (BACK,), "w*T > 3*pi/2", "supported"),
+        (CYCLOTRON, "minimum", TURNING, (), "w*T < 2*pi", "proved"),  # the mixed derivatives aren't symmetric
+        (CYCLOTRON, "minimum", TURNING, (), "w*T < 2001*pi/1000", "supported"),
+    ],
+)  # fmt: skip
+def test_fields_of_two_coordinates(status, motion, extremum, field, keys, domain, expected):
+    claim = _claim(*motion, f"field = {field}", *keys, extremum=extremum)
+    assert status(claim, space=PLANE, symbols=SYMBOLS, domain=f'where = ["{domain}"]') == expected
+
+
+@pytest.mark.parametrize(
+    ("field", "message"),
+    [
+        ('[["sin(w*t)", "cos(w*t)"], ["-cos(w*t)", "sin(w*t)"]]', "aren't conjoined"),
+        ('[["sin(w*t)", "cos(w*t)"]]', "2 fields are expected"),
+        ('"sin(w*t)"', "a list of fields is expected|a list is expected"),
+        ('[["sin(w*t)"]]', "each a list of 2"),
+        ('[["sin(w*t)", "0"], ["0", "sin(1001*w*t/1000)"]]', "doesn't solve Jacobi"),
+    ],
+)
+def test_faults_of_fields(ask, field, message):
+    with pytest.raises((InputError, AssertionError), match=message):
+        ask(_claim(*ISOTROPIC, f"field = {field}", extremum="minimum"), space=PLANE, symbols=SYMBOLS)
+
+
 def test_the_domain_must_hold_along_the_path(status):
     claim = _claim("m*v**2/2", "1 - t", extremum="minimum", to="2")
     assert status(claim, symbols=SYMBOLS, domain='where = ["q > 0"]') == "undecided"

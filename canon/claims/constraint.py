@@ -13,8 +13,8 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from canon.claims.chart import chart_of
-from canon.claims.determined import determined
 from canon.claims.determinant import determinant
+from canon.claims.determined import determined
 from canon.claims.independence import full_rank
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
@@ -41,8 +41,8 @@ def constraint(question: Question) -> Outcome:
     `holonomic`: integrable almost everywhere (Frobenius), or nowhere on an open set; `stationary`: no term without
     velocities, and no time; `integrals`: functions whose differentials the forms combine; `possible`: velocities that
     the forms allow; `virtual`: displacements, the same with time held fixed; `multipliers` λ, with `L` and the
-    accelerations `qddot`: d/dt ∂L/∂v − ∂L/∂q = Σ λ a, and the forms' rates vanish where the forms do. `determined`, with
-    `L`: these equations have one solution for accelerations and multipliers at every state, or at none.
+    accelerations `qddot`: d/dt ∂L/∂v − ∂L/∂q = Σ λ a, and the forms' rates vanish where the forms do. `determined`,
+    with `L`: these equations have one solution for accelerations and multipliers at every state, or at none.
     """
     if not any(question.key(word) is not None for word in ASKED):
         raise InputError(f"nothing is claimed of the constraints: add one of {', '.join(ASKED)}")

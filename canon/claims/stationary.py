@@ -43,7 +43,7 @@ def stationary(question: Question) -> Outcome:
     Lagrange's equations hold along the path. With `extremum`, the second variation is positive ("minimum") or negative
     ("maximum") for all variations but 0 that vanish near the ends, or takes both signs ("neither"). Shown by
     Legendre's condition and, where S has no sign, by Jacobi's: of `field`, a solution of −(P u')' + S u = 0, or one for
-    each coordinate, the determinant has no zero inside, or one has two zeros `conjugate` (Gelfand & Fomin, §§ 25 to 29).
+    each coordinate, the determinant has no zero inside, or one has two zeros `conjugate` (Gelfand & Fomin, §§ 25–29).
     """
     word = question.key("extremum")
     if word is not None and word not in WORDS:

@@ -97,7 +97,7 @@ BACK = 'conjugate = ["T/4", "T/4 + pi/w"]'
         (ISOTROPIC, "minimum", UPRIGHT, (), "w*T < pi", "proved"),
         (ISOTROPIC, "maximum", UPRIGHT, (), "w*T < pi", "refuted"),
         (ISOTROPIC, "minimum", UPRIGHT, (), "w*T < 1001*pi/1000", "supported"),
-        (ISOTROPIC, "minimum", UPRIGHT.replace('"0", "cos', '"0", "sin'), (), "w*T < pi", "supported"),  # 0 in the middle
+        (ISOTROPIC, "minimum", UPRIGHT.replace('"0", "cos', '"0", "sin'), (), "w*T < pi", "supported"),  # 0 half-way
         (ISOTROPIC, "minimum", '[["sin(w*t)", "sin(w*t)"], ["sin(w*t)", "sin(w*t)*(2*sin(A)**2 + cos(2*A))"]]', (),
          "w*T < pi", "supported"),  # the same field twice
         (ISOTROPIC, "neither", '[["sin(w*(t - T/4))", "0"]]', (BACK,), "w*T > 3*pi/2", "proved"),

@@ -99,7 +99,7 @@ def killing_signature(size: int, constants: Mapping[tuple[int, int], Sequence[An
 
 def signature_of(named: Identity) -> tuple[int, int] | None:
     """The Killing form's signature of a semisimple algebra with a name; None where it is degenerate."""
-    if named.abelian or named.core is not None or named.other:
+    if named.abelian or named.cores or named.other:
         return None
     negative = sum(simple.compact_dimension for simple in named.simple)
     return named.dimension - negative, negative

@@ -67,7 +67,7 @@ def as_record(table: AlgebraTable, file: str) -> dict[str, Any]:
 
 def _casimirs(found: Identification) -> tuple[sp.Expr, ...]:
     """The quadratic ones; of iso(p, q) those that generate all."""
-    core, g = found.identity.core, found.algebra
+    core, g = next(iter(found.identity.cores), None), found.algebra
     if core is not None and core.family == "iso" and core.dimension == g.dimension and found.levi.nrows():
         return motion_casimirs(g)
     return casimirs(g)

@@ -28,6 +28,19 @@ def recognised(algebra: LieAlgebra, S: fmpq_mat, R: fmpq_mat) -> Core | None:
     return _galilean(algebra, S, R) if S.nrows() == 3 and r in (7, 8) else None
 
 
+def conjugate_cores(algebra: LieAlgebra, count: int) -> Core | None:
+    """The name of each of so many conjugate summands over R of what is no direct sum over Q; None: they may have none.
+
+    Their dimensions are equal, which tells Heisenberg's algebras and that of the affine maps of the line.
+    """
+    n, products = algebra.dimension, derived(algebra)
+    if n == 2 * count and products.nrows() == count:
+        return Core("aff", (1,))
+    if products.nrows() == count and centre(algebra) == products:
+        return Core("heisenberg", ((n // count - 1) // 2,))
+    return None
+
+
 def action(algebra: LieAlgebra, x: list[fmpq], space: fmpq_mat) -> fmpq_mat:
     """ad x on an invariant subspace, in its rows as a basis (columns are images)."""
     return linear.coordinates(space, algebra.images(x, space)).transpose()

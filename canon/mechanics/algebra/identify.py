@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 
 from flint import fmpq_mat
@@ -10,9 +10,11 @@ from flint import fmpq_mat
 from canon.display import list_in_html
 from canon.errors import InputError
 from canon.mechanics.algebra import linear
-from canon.mechanics.algebra.families import recognised
-from canon.mechanics.algebra.ideals import centraliser, centre, derived
-from canon.mechanics.algebra.identity import Identity, RealSimple
+from canon.mechanics.algebra.decomposition import Summand
+from canon.mechanics.algebra.decomposition import summands as direct_summands
+from canon.mechanics.algebra.families import conjugate_cores, recognised
+from canon.mechanics.algebra.ideals import centraliser, centre, derived, whole
+from canon.mechanics.algebra.identity import Core, Identity, RealSimple
 from canon.mechanics.algebra.levi import levi_decomposition
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.mechanics.algebra.rescaling import rescaled
@@ -63,9 +65,9 @@ def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
 
     Where a change of scale of the basis makes them rational, the `algebra` that is identified is the rescaled one.
 
-    Direct factors are split off (simple ideals that commute with the radical, central elements outside of [g, g]);
-    simple ones are named by complex type, real form or complex structure; of the rest the families of
-    `canon.mechanics.algebra.families` are recognised, and others described.
+    Direct factors are split off (simple ideals that commute with the radical, central elements outside of [g, g], and
+    what the centroid of the rest shows); simple ones are named by complex type, real form or complex structure; of the
+    others the families of `canon.mechanics.algebra.families` are recognised, and what is none of them described.
 
     **Raises:** `InputError` for other structure constants, `ArithmeticError` where a type can't be told.
     """
@@ -82,7 +84,7 @@ def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
     signature = linear.signature(algebra.killing_form())
     levi = tuple(sorted(_real(ideal) for ideal in ideals))
     if not R.nrows():
-        identity = Identity(levi, 0, None, "", levi, n)
+        identity = Identity(levi, 0, (), "", levi, n)
         return Identification(identity, algebra, S, R, ideals, signature, _simple_summands(algebra, ideals, S))
     idle = linear.intersection(centraliser(algebra, R), S)  # an ideal that commutes with R
     busy = linear.intersection(centraliser(algebra, idle), S) if idle.nrows() else S
@@ -94,20 +96,56 @@ def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
     inside = linear.intersection(products, R)
     beside = linear.complement(linear.span([*linear.rows(inside), *linear.rows(abelian)], n), R)
     core_radical = linear.matrix([*linear.rows(inside), *linear.rows(beside)], n)
-    core, other = None, ""
+    parts: list[Part] = []
     if core_radical.nrows():
         basis = linear.matrix([*linear.rows(busy), *linear.rows(core_radical)], n)
-        size, levi_size = basis.nrows(), busy.nrows()
-        unit = [[linear.rational(int(i == j)) for j in range(size)] for i in range(size)]
-        parts = linear.matrix(unit[:levi_size], size), linear.matrix(unit[levi_size:], size)
-        core = recognised(algebra.in_basis(basis), *parts)
-        if core is None:
-            other = _described(_real_ideals(algebra, busy, seed), core_radical.nrows())
-        summands += ((core.name if core else other, basis),)
-    identity = Identity(free, abelian.nrows(), core, other, levi, n)
+        parts = [
+            replace(part, space=part.space * basis) for part in _parts(algebra.in_basis(basis), busy.nrows(), seed)
+        ]
+    summands += tuple((part.name, part.space) for part in parts)
+    cores = tuple(sorted(core for part in parts for core in part.cores))
+    other = " + ".join(part.name for part in parts if not part.cores)
+    is_open = any(part.is_open for part in parts)
+    identity = Identity(free, abelian.nrows(), cores, other, levi, n, is_open)
     if abelian.nrows():
-        summands += ((Identity((), abelian.nrows(), None, "", (), abelian.nrows()).name, abelian),)
+        summands += ((Identity((), abelian.nrows(), (), "", (), abelian.nrows()).name, abelian),)
     return Identification(identity, algebra, S, R, ideals, signature, summands)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A direct summand over the rationals: its rows, and the algebras with a name whose sum over R it is, if it is."""
+
+    space: fmpq_mat
+    name: str
+    cores: tuple[Core, ...] = ()
+    is_open: bool = False
+
+
+def _parts(algebra: LieAlgebra, levi: int, seed: int) -> list[Part]:
+    """An algebra without simple or abelian direct factors, whose first rows are a Levi subalgebra, taken apart."""
+    n = algebra.dimension
+    every = whole(algebra)
+    unit = linear.rows(every)
+    core = recognised(algebra, linear.matrix(unit[:levi], n), linear.matrix(unit[levi:], n))
+    if core is not None:
+        return [Part(every, core.name, (core,))]
+    try:
+        found = direct_summands(algebra, seed)
+    except ArithmeticError:
+        S, R = levi_decomposition(algebra)
+        return [Part(every, _described(_real_ideals(algebra, S, seed), R.nrows()), (), is_open=True)]
+    return [_part(algebra.in_basis(part.space), part, seed) for part in found]
+
+
+def _part(inner: LieAlgebra, part: Summand, seed: int) -> Part:
+    """A summand over the rationals, by name where each of those that it is over R has one."""
+    S, R = levi_decomposition(inner)
+    if part.pairs == 0:
+        core = recognised(inner, S, R) if part.real == 1 else conjugate_cores(inner, part.real)
+        if core is not None:
+            return Part(part.space, " + ".join([core.name] * part.real), (core,) * part.real)
+    return Part(part.space, _described(_real_ideals(inner, S, seed), R.nrows()), (), is_open=part.real > 1)
 
 
 def _simple_summands(

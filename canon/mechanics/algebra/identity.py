@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 
 from canon.mechanics.algebra.complex_type import ComplexType
@@ -28,7 +29,7 @@ class RealSimple:
         return real_form_names(self.type, self.is_complex, self.compact_dimension)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, order=True)
 class Core:
     """A Lie algebra that is no direct sum, is neither semisimple nor abelian, and has a name.
 
@@ -60,19 +61,20 @@ class Core:
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """A direct sum of simple ideals, of `abelian` copies of R, and of at most one further summand.
+    """A direct sum of simple ideals, of `abelian` copies of R, and of further summands that are no direct sums.
 
-    **Arguments:** `simple`, sorted; `abelian`; `core`, the further summand where it has a name; `other`, what is known
-    of it where it has none ("" where there is no further summand); `levi`, the simple ideals of the Levi subalgebra of
-    the whole; `dimension`.
+    **Arguments:** `simple`, sorted; `abelian`; `cores`, the further summands that have a name, sorted; `other`, what is
+    known of those that have none ("" where there are none); `levi`, the simple ideals of the Levi subalgebra of the
+    whole; `dimension`; `is_open`, whether there may be algebras with a name among `other`, since it wasn't taken apart.
     """
 
     simple: tuple[RealSimple, ...]
     abelian: int
-    core: Core | None
+    cores: tuple[Core, ...]
     other: str
     levi: tuple[RealSimple, ...]
     dimension: int
+    is_open: bool = False
 
     @property
     def is_named(self) -> bool:
@@ -83,7 +85,7 @@ class Identity:
     def name(self) -> str:
         """The usual name: `so(4)`, `su(3) + u(1)`, `e(3)`, or what is known."""
         parts = [*_semisimple_names(self.simple)]
-        parts += [self.core.name] if self.core else []
+        parts += [core.name for core in self.cores]
         parts += [self.other] if self.other else []
         parts += [] if not self.abelian else ["u(1)" if self.abelian == 1 else f"u(1)^{self.abelian}"]
         return " + ".join(parts) or "0"
@@ -91,7 +93,7 @@ class Identity:
     @property
     def aliases(self) -> tuple[str, ...]:
         """Other names of it, where it is simple."""
-        if len(self.simple) == 1 and not self.abelian and self.core is None and not self.other:
+        if len(self.simple) == 1 and not self.abelian and not self.cores and not self.other:
             return tuple(name for name in self.simple[0].names if name != self.name)
         return ()
 
@@ -114,13 +116,16 @@ def isomorphic(found: Identity, named: Identity) -> bool | None:
     """Whether two real Lie algebras are isomorphic, the second one of those that have names; None: not known.
 
     Decompositions into indecomposable ideals are unique up to isomorphism (Krull, Remak, Schmidt), and so are Levi
-    subalgebras (Malcev). A core without a name is none of those that have one, since each of these is recognised
+    subalgebras (Malcev). A summand without a name is none of those that have one, since each of these is recognised
     wherever it occurs.
     """
     if found.dimension != named.dimension or found.levi != named.levi:
         return False
     if found.abelian != named.abelian or found.simple != named.simple:
         return False
-    if found.core != named.core or bool(found.other):
-        return False
-    return True if found.is_named else None
+    if not found.other:
+        return (True if found.is_named else None) if found.cores == named.cores else False
+    missing = Counter(named.cores) - Counter(found.cores)
+    if Counter(found.cores) - Counter(named.cores) or missing.total() < 2 or not found.is_open:
+        return False  # `other` isn't one summand with a name either, or it would have been recognised
+    return None

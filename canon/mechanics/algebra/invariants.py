@@ -64,7 +64,7 @@ def motion_casimirs(algebra: LieAlgebra, highest: int | None = None) -> tuple[sp
     if not algebra.is_rational:
         raise InputError("Casimirs are computed for rational structure constants: rescale the basis first")
     found = identify(algebra)
-    core = found.identity.core
+    core = found.identity.cores[0] if found.identity.cores else None
     if core is None or core.family != "iso" or core.dimension != algebra.dimension or not found.levi.nrows():
         raise InputError(f"the algebra is {found.identity.name}, not iso(p, q) in more than two dimensions")
     ring, R = _ring(algebra.dimension), found.radical

@@ -15,7 +15,7 @@ Parts = tuple[list[RealSimple], int, list[Core]]
 KNOWN: Final = (
     "so(n)", "so(p,q)", "so*(2n)", "so(n,C)", "su(n)", "su(p,q)", "su*(2n)", "sl(n,R)", "sl(n,C)", "sp(2n,R)",
     "sp(2n,C)", "usp(2n)", "u(n)", "u(p,q)", "gl(n,R)", "gl(n,C)", "u(1)^n", "e(n)", "iso(p,q)", "poincare", "lorentz",
-    "galilei", "bargmann", "heisenberg(n)", "aff(1)",
+    "galilei", "bargmann", "heisenberg(n)", "h(n)", "aff(1)",
 )  # fmt: skip
 """The names, with n, p and q for whole numbers; a sum of them is a direct sum."""
 
@@ -26,8 +26,7 @@ _SUMMAND: Final = re.compile(r"([a-z]+\*?)(?:\(([0-9]+)(?:,([0-9]+|[RC]))?\))?(?
 def read_name(text: str) -> Identity:
     """The algebra of a name; a sum is a direct sum, `u(1)^3` a sum of equal terms.
 
-    **Raises:** `InputError` for another name, saying which there are, or for more than one summand that is neither
-    semisimple nor abelian.
+    **Raises:** `InputError` for another name, saying which there are.
     """
     simple: list[RealSimple] = []
     abelian = 0
@@ -48,12 +47,9 @@ def read_name(text: str) -> Identity:
         simple += parts[0] * count
         abelian += parts[1] * count
         cores += parts[2] * count
-    if len(cores) > 1:
-        raise InputError("more than one summand is neither semisimple nor abelian: such sums aren't told apart")
-    core = cores[0] if cores else None
-    levi = [*simple, *(_levi_of(core) if core else [])]
-    dimension = sum(s.dimension for s in simple) + abelian + (core.dimension if core else 0)
-    return Identity(tuple(sorted(simple)), abelian, core, "", tuple(sorted(levi)), dimension)
+    levi = [*simple, *(ideal for core in cores for ideal in _levi_of(core))]
+    dimension = sum(s.dimension for s in simple) + abelian + sum(core.dimension for core in cores)
+    return Identity(tuple(sorted(simple)), abelian, tuple(sorted(cores)), "", tuple(sorted(levi)), dimension)
 
 
 def _lowered(name: str) -> str:
@@ -198,5 +194,6 @@ FAMILIES: Final[dict[str, Callable[[list[int], str], Parts | None]]] = {
     "galilei": _one(Core("galilei")),
     "bargmann": _one(Core("bargmann")),
     "heisenberg": _heisenberg,
+    "h": _heisenberg,
     "aff": lambda numbers, field: ([], 0, [Core("aff", (1,))]) if numbers == [1] and not field else None,
 }

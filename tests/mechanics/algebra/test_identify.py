@@ -125,7 +125,7 @@ def test_what_does_not_close_and_what_depends_is_named():
         algebra_of_matrices({"a": [[0, 1]]})
 
 
-@pytest.mark.parametrize("text", ["so", "so(-1)", "su(2)(", "e(1,2)", "sp(3,R)", "g(2)", "e(3) + e(2)", "so(99)", ""])
+@pytest.mark.parametrize("text", ["so", "so(-1)", "su(2)(", "e(1,2)", "sp(3,R)", "g(2)", "e(3) + f(2)", "so(99)", ""])
 def test_names_that_are_none(text):
     with pytest.raises(InputError):
         read_name(text)

@@ -15,7 +15,16 @@ import sympy as sp
 from canon.claims.action_evidence import METHOD, by_quadrature, on_separatrix
 from canon.claims.action_orbits import example, why_not
 from canon.claims.action_places import places, places_by_wells
-from canon.claims.action_region import Setting, along, existing, not_implied, only_one_forward, oriented
+from canon.claims.action_region import (
+    Setting,
+    along,
+    constants_region,
+    existing,
+    is_positive,
+    not_implied,
+    only_one_forward,
+    oriented,
+)
 from canon.claims.chart import chart_of
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.domain import Domain
@@ -23,7 +32,9 @@ from canon.errors import EmptyDomain, InputError
 from canon.expression import Formula
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, one_degree
 from canon.mechanics.closed_actions import librations
+from canon.mechanics.elliptic_actions import elliptic
 from canon.mechanics.standard_actions import cosine, rotation
+from canon.mechanics.substitutions import integrands
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -36,7 +47,11 @@ def action(question: Question) -> Outcome:
 
 def frequency(question: Question) -> Outcome:
     """`frequency`: dE/dJ is `equals`, in cycles in unit time."""
-    return _decided(question, lambda setting, closed: ("dE/dJ", setting.equals * closed.value.diff(setting.energy) - 1))
+    return _decided(question, lambda setting, closed: ("dE/dJ", setting.equals * _period(setting, closed) - 1))
+
+
+def _period(setting: Setting, closed: ClosedAction) -> Any:
+    return closed.value.diff(setting.energy) if closed.period is None else closed.period
 
 
 Statement = Callable[[Setting, ClosedAction], tuple[str, Any]]
@@ -79,6 +94,9 @@ def _by_closed_form(
     for found in _closed_forms(question, setting, branch):
         unsigned = replace(found, exists=tuple(map(setting.at_level, found.exists)))
         region = existing(question, setting, unsigned)
+        if not all(is_positive(question, region, setting.at_level(need)) for need in found.needs):
+            reasons.append(f"{found.method}: the order of the roots isn't known")
+            continue
         closed = oriented(question, setting, unsigned, region, branch)
         if closed is None:
             reasons.append(f"the sign of {setting.motion.leading}, with which the orbit is run through, isn't known")
@@ -97,7 +115,7 @@ def _by_closed_form(
             continue
         label, residual = statement(setting, closed)
         outcome = question.decide([Residual(label, question.load(setting.at_level(residual)))], region)
-        slope = setting.at_level(closed.value.diff(setting.energy)) if label != "J" else None
+        slope = setting.at_level(_period(setting, closed)) if label != "J" else None
         value = question.load(closed.value if slope is None else 1 / slope)
         outcome = outcome.with_detail(value=question.show(value), by=closed.method)
         return outcome if outcome.status == "refuted" else combined([*grounds, outcome])
@@ -182,7 +200,17 @@ def _closed_forms(question: Question, setting: Setting, branch: str) -> Iterator
         return
     if period is not None:
         raise InputError("a period is one of a rotation's coordinate", "key 'period'")
-    yield from librations(motion)
+    well = question.key("well")
+    inside, region = None if well is None else well.expr, constants_region(question, setting)
+
+    def positive(expression: Any) -> bool:
+        return is_positive(question, region, expression)
+
+    if setting.level is not None and setting.level.free_symbols:  # roots may be given, and the energy by them
+        level = replace(motion, square=setting.at_level(motion.square))
+        rate = setting.at_level(motion.square.diff(setting.energy))
+        yield from elliptic(level, integrands(level), positive, inside, rate)
+    yield from librations(motion, positive, inside)
 
 
 KINDS = {"action": action, "frequency": frequency}

@@ -72,6 +72,16 @@ def existing(question: Question, setting: Setting, closed: ClosedAction) -> Regi
     return region.also(*(Requirement("positive", (tape.load(e),), f"{e} > 0 ({why})") for e, why in wanted))
 
 
+def is_positive(question: Question, region: Region, expression: Any) -> bool:
+    """Whether an expression in the constants is positive throughout their region."""
+    known = known_sign(expression)
+    if known is not None and known not in ("real", "nonzero"):
+        return known == "positive"
+    plain: Any = sp.factor(expression)
+    requirement = Requirement("positive", (question.tape.load(plain),), plain)
+    return follows(question.tape, requirement, region, question.budget)
+
+
 def oriented(
     question: Question, setting: Setting, closed: ClosedAction, region: Region, branch: str
 ) -> ClosedAction | None:
@@ -82,7 +92,9 @@ def oriented(
     sign = sign_in_range(question, setting.motion, leading, along(question, setting, region))
     if sign not in ("positive", "negative"):
         return None
-    return closed if sign == "positive" else replace(closed, value=-closed.value)
+    if sign == "positive":
+        return closed
+    return replace(closed, value=-closed.value, period=None if closed.period is None else -closed.period)
 
 
 def only_one_forward(question: Question, setting: Setting, region: Region) -> bool:

@@ -46,7 +46,9 @@ class ClosedAction:
 
     **Arguments:** `value`; `exists`, what must be positive for such a motion to exist, and is whenever it does;
     `vanishes`, identities by which the integrand is the one of the standard integral, in q or in u; `method`;
-    `passes_zero`, whether the orbit passes q = 0, where |q| has its kink.
+    `passes_zero`, whether the orbit passes q = 0, where |q| has its kink; `needs`, what has to be positive for the
+    closed form to be that of the orbit, wherever the claim is made; `period`, ∂J/∂E, where that isn't found by
+    differentiating `value`.
     """
 
     value: sp.Expr
@@ -54,6 +56,8 @@ class ClosedAction:
     vanishes: tuple[tuple[str, sp.Expr], ...]
     method: str
     passes_zero: bool = False
+    needs: tuple[sp.Expr, ...] = ()
+    period: sp.Expr | None = None
 
 
 def one_degree(

@@ -1,16 +1,27 @@
 """The closed forms of the action of a libration, tried in turn."""
 
 from collections.abc import Iterator
+from itertools import tee
+
+import sympy as sp
 
 from canon.mechanics.action_angle import ClosedAction, OneDegree
+from canon.mechanics.elliptic_actions import Test, elliptic, nowhere
 from canon.mechanics.quartic_wells import quartic_wells
 from canon.mechanics.residues import by_residues
 from canon.mechanics.standard_actions import pendulum_like, power_well
+from canon.mechanics.substitutions import integrands
 
 
-def librations(motion: OneDegree) -> Iterator[ClosedAction]:
-    """Those that suit the square of the momentum: by residues, elliptic integrals, Euler's beta function."""
-    yield from by_residues(motion)
+def librations(motion: OneDegree, positive: Test = nowhere, well: sp.Expr | None = None) -> Iterator[ClosedAction]:
+    """Those that suit the square of the momentum: by residues, elliptic integrals, Euler's beta function.
+
+    **Arguments:** `positive`, whether an expression in the constants certainly is, by which roots are put in order;
+    `well`, a point inside the orbit that is meant.
+    """
+    first, second = tee(integrands(motion))
+    yield from by_residues(motion, first)
     yield from pendulum_like(motion)
     yield from power_well(motion)
     yield from quartic_wells(motion)
+    yield from elliptic(motion, second, positive, well)

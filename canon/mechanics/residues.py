@@ -5,37 +5,43 @@ turning points, m being their middle; the upper sign where c lies below (Sommerf
 appendix 6; Goldstein, Poole and Safko 2002, section 10.8). Derivatives by c give the higher poles.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import sympy as sp
 
 from canon.mechanics.action_angle import ClosedAction, OneDegree, at_most, degree
-from canon.mechanics.substitutions import Substitution, U, integrand, substitutions
+from canon.mechanics.substitutions import Substitution, U, integrands
 from canon.sign import known_sign
 
 HIGHEST_POWER = 2
 
 
-def by_residues(motion: OneDegree) -> Iterator[ClosedAction]:
-    """The action of the libration, for each substitution that leads to one quadratic root."""
-    for chosen in substitutions(motion):
-        found = _with(motion, chosen)
+def by_residues(
+    motion: OneDegree, cases: Iterable[tuple[Substitution, sp.Expr]] | None = None
+) -> Iterator[ClosedAction]:
+    """The action of the libration, for each substitution that leads to one quadratic root.
+
+    **Arguments:** `cases`, substitutions with the square of the integrand, where these are there already.
+    """
+    for chosen, G in integrands(motion) if cases is None else cases:
+        found = _with(motion, chosen, G)
         if found is not None:
             yield found
 
 
-def _with(motion: OneDegree, chosen: Substitution) -> ClosedAction | None:
+def _with(motion: OneDegree, chosen: Substitution, G: sp.Expr) -> ClosedAction | None:
     try:
-        G = integrand(motion, chosen)
-        parts = None if G is None else _root_and_factor(G)
+        parts = root_and_factor(G)
     except (sp.PolynomialError, NotImplementedError, TypeError, ValueError):
         return None
     if parts is None:
         return None
-    Q, constant, factors = parts
-    S = constant * sp.Mul(*(f**e for f, e in factors))
-    sign = _sign(constant, factors, chosen)
+    Q, factors = parts
+    if degree(Q, U) != 2:
+        return None
+    S: Any = sp.Mul(*(f**e for f, e in factors))
+    sign = _sign(factors, chosen)
     if sign is None:
         return None
     A, B, C = -Q.coeff(U, 2), Q.coeff(U, 1), Q.coeff(U, 0)
@@ -58,13 +64,12 @@ def _with(motion: OneDegree, chosen: Substitution) -> ClosedAction | None:
     return ClosedAction(value, tuple(exists), checks, f"residues in u = {chosen.u}")
 
 
-def _root_and_factor(G: Any) -> tuple[Any, Any, list[tuple[Any, int]]] | None:
-    """(Q, constant, factors) with G = Q (constant ∏ factor^exponent)², Q quadratic in u; None where it is of another
-    degree."""
+def root_and_factor(G: Any) -> tuple[Any, list[tuple[Any, int]]] | None:
+    """(Q, factors) with G = Q (∏ factor^exponent)², Q a polynomial in u without square factors; None for no u."""
     above, below = sp.fraction(G)
     number, found = sp.S.One, dict[Any, int]()
     for polynomial, side in ((above, 1), (below, -1)):
-        constant, factors = _factored(polynomial)
+        constant, factors = factored(polynomial)
         number = number * constant**side
         for factor, exponent in factors:
             if factor.has(U):
@@ -72,12 +77,13 @@ def _root_and_factor(G: Any) -> tuple[Any, Any, list[tuple[Any, int]]] | None:
             else:
                 number = number * factor ** (side * exponent)
     Q = sp.expand(number * sp.Mul(*(f for f, e in found.items() if e % 2)))
-    if not Q.is_polynomial(U) or degree(Q, U) != 2:
+    if not Q.is_polynomial(U) or not Q.has(U):
         return None
-    return Q, sp.S.One, [(f, (e - e % 2) // 2) for f, e in found.items() if e - e % 2]
+    return Q, [(f, (e - e % 2) // 2) for f, e in found.items() if e - e % 2]
 
 
-def _factored(*arguments: Any) -> tuple[Any, list[tuple[Any, int]]]:
+def factored(*arguments: Any) -> tuple[Any, list[tuple[Any, int]]]:
+    """sympy's `factor_list`: a number and the factors with their exponents."""
     found: Any = sp.factor_list(*arguments)
     return found[0], found[1]
 
@@ -93,9 +99,9 @@ def _pole(factor: Any, chosen: Substitution) -> tuple[Any, Any, int] | None:
     return (slope, c, -1) if at_most(chosen.high, c) else None
 
 
-def _sign(constant: Any, factors: list[tuple[Any, int]], chosen: Substitution) -> int | None:
+def _sign(factors: list[tuple[Any, int]], chosen: Substitution) -> int | None:
     """The sign of S on the whole range; None where a factor may vanish in it."""
-    sign = 1 if known_sign(constant) == "positive" else -1
+    sign = 1
     for factor, exponent in factors:
         pole = _pole(sp.expand(factor), chosen)
         if pole is None:
@@ -128,7 +134,7 @@ def _integral(term: Any, Q: Any, coefficients: tuple[Any, Any, Any], chosen: Sub
     above, below = sp.fraction(sp.together(term))
     if above.has(U):
         return None
-    constant, factors = _factored(below, U)
+    constant, factors = factored(below, U)
     if len(factors) != 1:
         return None
     (factor, order) = factors[0]

@@ -80,17 +80,54 @@ def _rates(expression: sp.Expr, q: sp.Symbol, kinds: tuple[Any, ...]) -> list[sp
     return list(found)
 
 
-def integrand(motion: OneDegree, chosen: Substitution) -> sp.Expr | None:
-    """(√square dq/du)² as a rational function of u in lowest terms; None where it isn't rational."""
+def integrands(motion: OneDegree) -> Iterator[tuple[Substitution, sp.Expr]]:
+    """The substitutions that make (√square dq/du)² a rational function of u, with it in lowest terms."""
+    for chosen in substitutions(motion):
+        try:
+            found = _integrand(motion, chosen)
+        except (sp.PolynomialError, NotImplementedError, TypeError, ValueError):
+            continue
+        if found is not None:
+            yield chosen, found
+
+
+def _integrand(motion: OneDegree, chosen: Substitution) -> sp.Expr | None:
     square: Any = motion.square
+    if chosen.u == motion.q and square.has(sp.exp, sp.log, sp.Abs, sp.sin, sp.cos, sp.tan, sp.cot, sp.cosh, sp.sinh):
+        if any(motion.q in call.free_symbols for call in square.atoms(sp.Function)):
+            return None
     if isinstance(chosen.q, sp.log) or chosen.q.has(sp.log):
         square = square.rewrite(sp.exp)
     elif chosen.q.has(sp.asin, sp.acos):
         square = sp.expand_trig(square)
     value = square.xreplace({motion.q: chosen.q})
+    if value.has(sp.asin, sp.acos) or _keeps_a_root(value):
+        return None
     value = value.replace(lambda e: isinstance(e, sp.exp), lambda e: sp.powsimp(sp.expand(e)))
-    moved = sp.cancel(sp.together(_positive_u(sp.expand_power_base(sp.powdenest(value)) * chosen.rate)))
+    roots = {e for e in value.atoms(sp.Pow) if not e.has(U) and not e.exp.is_Integer}
+    names: Any = {e: sp.Dummy(positive=True) for e in roots}
+    names = {e: name for e, name in names.items() if not any(e != other and other.has(e) for other in names)}
+    plain = _positive_u(sp.expand_power_base(sp.powdenest(value.xreplace(names))) * chosen.rate)
+    moved = sp.cancel(sp.together(plain.xreplace({name: e for e, name in names.items()})))
     return moved if moved.is_rational_function(U) else None
+
+
+def _keeps_a_root(value: Any) -> bool:
+    """Whether a square root of something in u plainly matters: the value at some numbers changes with its sign.
+
+    Nothing rests on it but time: roots that cancel are seen by simplification, which is slow.
+    """
+    powers = [e for e in value.atoms(sp.Pow) if e.has(U) and isinstance(e.exp, sp.Rational) and e.exp.q == 2]
+    bases = {e.base: sp.Dummy() for e in powers}
+    plain = value.xreplace({e: bases[e.base] ** (2 * e.exp) for e in powers})
+    names = sorted(value.free_symbols, key=str)
+    numbers: Any = {name: sp.Float(0.3 + 0.37 * k / (1 + k)) for k, name in enumerate(names)}
+    here: Any = {root: sp.sqrt(base.xreplace(numbers)).evalf(20) for base, root in bases.items()}
+    for root in here if powers and not plain.has(sp.log, sp.Abs) else ():
+        both = [plain.xreplace({**numbers, **here, root: sign * here[root]}).evalf(20) for sign in (1, -1)]
+        if all(x.is_number and x.is_finite for x in both) and abs(both[0] - both[1]) > 1e-9 * abs(both[0]):
+            return True
+    return False
 
 
 def _positive_u(expression: Any) -> Any:

@@ -309,3 +309,32 @@ def test_the_images_of_a_well_under_a_translation_are_the_same_well(status, pote
     sections = {"symbols": 'b = "nonzero"', "hamiltonian": f'H = "p**2/2 + {potential}"'}
     assert status(_claim(areas[potential], branch='"libration"'), space=LINE, **sections) == expected
     assert status(_claim("1", branch='"libration"'), space=LINE, **sections) == "refuted"
+
+
+ROOTS = {
+    "hamiltonian": 'H = "p**2/2 - q**3/2 + q**2*(a + b + c)/2 - q*(a*b + b*c + a*c)/2"',
+    "symbols": 'a = "real"\nb = "real"\nc = "real"\nE = "real"',
+    "domain": 'where = ["a < b", "b < c"]',
+}
+CUBIC = "4/15*sqrt(c-a)**5*(2*(M**2-M+1)*elliptic_e(M) - (1-M)*(2-M)*elliptic_k(M))".replace("M", "((b-a)/(c-a))")
+
+
+@pytest.mark.parametrize(
+    ("equals", "kind", "expected"),
+    [
+        (CUBIC, "action", "proved"),
+        (CUBIC.replace("4/15", "4001/15000"), "action", "refuted"),
+        (CUBIC.replace("(2-", "(3-"), "action", "refuted"),
+        ("sqrt(c - a)/(4*elliptic_k((b-a)/(c-a)))", "frequency", "proved"),
+        ("1001*sqrt(c - a)/(4000*elliptic_k((b-a)/(c-a)))", "frequency", "refuted"),
+    ],
+)
+def test_the_well_of_a_cubic_by_its_roots(status, equals, kind, expected):
+    assert status(_claim(equals, kind=kind, fixed='{E = "-a*b*c/2"}'), space=LINE, **ROOTS) == expected
+
+
+def test_roots_of_unknown_order_are_not_argued_about(status):
+    """Where c may lie below a, the well is another one: true for a < b < c alone."""
+    open_order = {**ROOTS, "domain": 'where = ["a < b", "c > b - 1"]'}
+    claim = _claim(CUBIC.replace("sqrt(c-a)**5", "abs(c-a)**(5/2)"), fixed='{E = "-a*b*c/2"}', well='"(a+b)/2"')
+    assert status(claim, space=LINE, **open_order) != "proved"

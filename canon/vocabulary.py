@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
+from itertools import islice
 from typing import Final
 
 import sympy as sp
@@ -21,6 +22,9 @@ CALLABLE: Final = (
     "elliptic_pi", "jacobi_sn", "jacobi_cn", "jacobi_dn", "gamma", "lambertw", "D", "bracket",
 )  # fmt: skip
 """Built-in names that are called."""
+
+LONG: Final = 1_000
+"""The most nodes of a formula that is printed in an answer, where it has no text of its own."""
 
 _MEANT: Final = {
     "e": "write exp(x) for e**x, or declare e", "E": "write exp(1), or declare E", "I": "the imaginary unit is 1j",
@@ -50,6 +54,17 @@ class Formula:
 
     def __str__(self) -> str:
         return self.text or str(self.expr)
+
+    @property
+    def label(self) -> str:
+        """What an answer calls it: its text, or how large it is where nobody wrote or would read one.
+
+        sympy sorts the terms of a sum before it prints them, in time and memory of the square of their number.
+        """
+        if self.text or next(islice(sp.preorder_traversal(self.expr), LONG, None), None) is None:
+            return str(self)
+        parts = len(self.expr.args)
+        return f"a sum of {parts} terms" if self.expr.is_Add else "a long formula"
 
     def __repr__(self) -> str:
         where = ", ".join(map(str, self.conditions))

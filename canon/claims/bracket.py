@@ -159,7 +159,7 @@ def bracket(question: Question) -> Outcome:
     f, g, equals = (question.formula(name) for name in ("f", "g", "equals"))
     region = keys_domain(question, f, g, equals)
     actual = bracket_of(question)(question.load(f), question.load(g))
-    label = f"{{{f.text or f.expr}, {g.text or g.expr}}}"
+    label = f"{{{f.label}, {g.label}}}"
     node = question.tape.minus(actual, question.load(equals))
     return decided(question, [Residual(label, node, actual)], region)
 
@@ -195,7 +195,7 @@ def involution(question: Question) -> Outcome:
     def pairs() -> Iterator[Residual]:
         for f, g in combinations(functions, 2):
             value = b(question.load(f), question.load(g))
-            yield Residual(f"{{{f.text or f.expr}, {g.text or g.expr}}}", value, value)
+            yield Residual(f"{{{f.label}, {g.label}}}", value, value)
 
     return decided(question, pairs(), region)
 

@@ -25,6 +25,8 @@ from canon.errors import InputError
 
 ZERO = Fraction(0)
 ONE = Fraction(1)
+LONG = 64
+"""Terms of a sum, beyond which a difference of two such is merged."""
 
 Node = int
 
@@ -49,10 +51,7 @@ class Tape:
         self._symbol_node: dict[sp.Symbol, Node] = {}
         self._support: dict[Node, frozenset[Node]] = {}
         self._complex: dict[Node, bool] = {}
-        self.zero = self.number(ZERO)
-        self.one = self.number(ONE)
-
-    # -- leaves -----------------------------------------------------------------------------
+        self.zero, self.one = self.number(ZERO), self.number(ONE)
 
     def make(self, op: tuple[Any, ...], key: tuple[Any, ...] | None = None) -> Node:
         """The node of this operation, new or old; `key` stands for the operation where that is quicker to look up."""
@@ -91,8 +90,6 @@ class Tape:
     def symbol_at(self, node: Node) -> sp.Symbol:
         """The sympy symbol of a symbol node."""
         return self.symbols[self.ops[node][1]]
-
-    # -- arithmetic --------------------------------------------------------------------------
 
     def add(self, terms: Iterable[tuple[Node, Fraction | int]], constant: Fraction | int = 0) -> Node:
         """The linear combination constant + Σ coefficient · node."""
@@ -169,7 +166,10 @@ class Tape:
         return self.add([(node, ONE) for node in nodes])
 
     def minus(self, left: Node, right: Node) -> Node:
-        """left − right."""
+        """left − right; of two long sums term by term, so that what they share is gone before anything is computed."""
+        a, b = self.ops[left], self.ops[right]
+        if a[0] == b[0] == "+" and min(len(a[2]), len(b[2])) > LONG:
+            return self.add([*a[2], *((node, -c) for node, c in b[2])], a[1] - b[1])
         return self.add(((left, ONE), (right, -ONE)))
 
     def times(self, *nodes: Node) -> Node:
@@ -229,8 +229,6 @@ class Tape:
         from canon.decide.load import load
 
         return load(self, expression)
-
-    # -- structure -----------------------------------------------------------------------------
 
     def arguments(self, node: Node) -> tuple[Node, ...]:
         """The nodes that this one is computed from."""

@@ -78,3 +78,15 @@ def test_to_sympy_comes_back():
         back = tape.minus(tape.load(tape.to_sympy(tape.load(f))), tape.load(f))
         region = Region.of(tape, Domain(conditions_of(f)), [x, y])
         assert ladder.vanish(tape, [back], region, budget=Budget(20))[0].status == "proved"
+
+
+def test_what_long_sums_share_is_gone_from_their_difference():
+    tape = Tape()
+    left = [sp.sin(x) ** k / (1 + y) for k in range(1, 100)]
+    a = tape.load(sp.Add(*left, y, 3))
+    b = tape.load(sp.Add(*left[:-1], 2 * left[-1], sp.exp(x), 1))
+    rest = tape.load(sp.Add(2, y, -left[-1], -sp.exp(x)))
+    assert tape.minus(a, b) == rest
+    assert tape.minus(a, a) == tape.zero
+    short = tape.minus(tape.load(x + y), tape.load(x + 1))  # as it was written: forms are kept where they are small
+    assert len(tape.arguments(short)) == 2

@@ -69,9 +69,8 @@ def walks(steps: int, samples: int, orbits: int, compensated: bool, h: float) ->
     q, p = (np.longdouble(np.asarray(slot)) for slot in run.states)
     values = q * q + (1 - np.longdouble(run.step) ** 2 / 4) * p * p
     off = ((values - values[0]) / values[0]).astype(float)
-    print(
-        f"{'compensated' if compensated else 'plain'}: mean {off[-1].mean():.1e}, scatter {off[-1].std():.1e} at the end"
-    )
+    kind = "compensated" if compensated else "plain"
+    print(f"{kind}: mean {off[-1].mean():.1e}, scatter {off[-1].std():.1e} at the end", flush=True)
     return steps * np.arange(samples) / (samples - 1), np.sqrt(np.mean(off**2, axis=1)), spent / steps / orbits
 
 

@@ -11,6 +11,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.integrators.normal_mode_flow import coupled, flow_blocks, modes_of
 from canon.numeric.integrators.problem import ExactPart, State
 
 _SYMMETRIC: Final = 1e-12
@@ -34,30 +35,20 @@ def quadratic_part(
     W = np.zeros((n, n)) if rotation is None else np.asarray(rotation, dtype=float)
     if not commutes(masses, K, W):
         raise InputError(f"{name}: the rotation does not commute with the kinetic energy and the stiffness")
-    root = np.sqrt(np.diag(masses))
-    squares, modes = np.linalg.eigh(root[:, None] * K * root[None, :])
-    turns, vectors = np.linalg.eigh(1j * W.T)
-    left, right = root[:, None] * modes, np.divide(1.0, root)[:, None] * modes
-    planes = [(np.real(np.outer(v, v.conj())), np.imag(np.outer(v, v.conj()))) for v in vectors.T]
+    modes = modes_of(inverse_mass, K)
+    turns, planes = _planes(W)
     turning = bool(W.any())
 
     def prepare(lengths: Any) -> Any:
         import jax.numpy as jnp
 
-        from canon.numeric.exact.stumpff import stumpff
-
-        h = jnp.asarray(lengths)[:, None]
-        c0, c1, _, _ = stumpff(jnp.asarray(squares) * h * h)
-        qq = jnp.einsum("ik,sk,jk->sij", left, c0, right)
-        qp = jnp.einsum("ik,sk,jk->sij", left, h * c1, left)
-        pq = jnp.einsum("ik,sk,jk->sij", right, -squares * h * c1, right)
-        pp = jnp.einsum("ik,sk,jk->sij", right, c0, left)
+        blocks = flow_blocks(modes, lengths)
         if not turning:
-            return qq, qp, pq, pp
-        angle = jnp.asarray(turns) * h
+            return blocks
+        angle = jnp.asarray(turns) * jnp.asarray(lengths)[:, None]
         turn = jnp.einsum("sk,kij->sij", jnp.cos(angle), np.array([real for real, _ in planes]))
         turn = turn + jnp.einsum("sk,kij->sij", jnp.sin(angle), np.array([imag for _, imag in planes]))
-        return tuple(jnp.einsum("sij,sjk->sik", turn, block) for block in (qq, qp, pq, pp))
+        return tuple(jnp.einsum("sij,sjk->sik", turn, block) for block in blocks)
 
     used = _pattern(K, W)
 
@@ -70,10 +61,32 @@ def quadratic_part(
 
 
 def commutes(masses: np.ndarray, K: np.ndarray, W: np.ndarray) -> bool:
-    """Whether qᵀ W p commutes with Σ p²/2m + ½ qᵀ K q: W is antisymmetric and commutes with both matrices."""
-    size = max(1.0, float(np.abs(W).max(initial=0)) * max(np.abs(K).max(initial=0), masses.max(initial=0)))
-    rests = (W + W.T, W @ masses - masses @ W, W @ K - K @ W, K - K.T)
-    return all(bool(np.abs(rest).max(initial=0) <= _SYMMETRIC * size) for rest in rests)
+    """Whether qᵀ W p commutes with Σ p²/2m + ½ qᵀ K q: W is antisymmetric and commutes with both matrices.
+
+    Each entry is compared with its own terms: beside a stiff spring a weak one is no rounding.
+    """
+
+    def agree(A: np.ndarray, B: np.ndarray, sizes: np.ndarray) -> bool:
+        return bool(np.all(np.abs(A - B) <= _SYMMETRIC * sizes))
+
+    sizes = np.abs(W)
+    pairs = [(W @ X, X @ W, sizes @ np.abs(X) + np.abs(X) @ sizes) for X in (masses, K)]
+    return agree(W, -W.T, sizes) and agree(K, K.T, np.abs(K)) and all(agree(*pair) for pair in pairs)
+
+
+def _planes(W: np.ndarray) -> tuple[np.ndarray, list[tuple[np.ndarray, np.ndarray]]]:
+    """The rates of exp(hW), and what its cosines and sines multiply: of each set of coupled coordinates by itself."""
+    n = len(W)
+    rates, planes = [], []
+    for block in coupled(W):
+        turns, vectors = np.linalg.eigh(1j * W[np.ix_(block, block)].T)
+        for rate, v in zip(turns, vectors.T, strict=True):
+            real, imaginary = np.zeros((n, n)), np.zeros((n, n))
+            whole = np.outer(v, v.conj())
+            real[np.ix_(block, block)], imaginary[np.ix_(block, block)] = np.real(whole), np.imag(whole)
+            rates.append(rate)
+            planes.append((real, imaginary))
+    return np.array(rates), planes
 
 
 def _pattern(K: np.ndarray, W: np.ndarray) -> list[list[int]]:

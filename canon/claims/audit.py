@@ -15,7 +15,7 @@ from canon.claims.audit_report import AuditFailed, AuditReport
 from canon.claims.audit_run import AuditRun
 from canon.claims.audit_subject import AuditSubject, formulas_as_map
 from canon.claims.implicit_map import ImplicitMap
-from canon.claims.invariance import loop_invariant, surface_invariant
+from canon.claims.invariance import checked_valence, loop_invariant, surface_invariant
 from canon.errors import InputError
 from canon.numeric.points import DEFAULT, DEFAULT_POSITIVE, points_of
 
@@ -70,8 +70,13 @@ def audit(
     start = time.monotonic()
     if not isinstance(samples, Integral) or samples < 1:
         raise InputError(f"a whole number of samples is needed, at least one, not {samples!r}", "samples")
-    if not (np.isfinite(scale) and scale != 0):
-        raise InputError("a finite scale other than 0 is needed", "scale")
+    checked_valence(scale)
+    for curves, name in ((loops, "loops"), (surfaces, "surfaces")):
+        if not isinstance(curves, (list, tuple)):
+            raise InputError(f"a list is needed, not {type(curves).__name__}", name)
+    for pair in surfaces:
+        if not isinstance(pair, (list, tuple)) or len(pair) != 2:
+            raise InputError("each is a pair of a surface and its `periodic`, as (disc, (False, True))", "surfaces")
     if isinstance(map, Transformation) and map.direction == "implicit":
         subject = _solved_for(map, parameters or {}, scale)
     elif isinstance(map, Transformation):

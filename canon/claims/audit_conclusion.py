@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping
 from fractions import Fraction
@@ -12,7 +13,6 @@ import numpy as np
 from canon.claims.audit_report import AuditReport
 from canon.claims.audit_run import AuditRun
 from canon.errors import InputError
-from canon.numeric.differences import kinks
 
 LEAST: Final = 0.5
 """The part of the points at which the map must be finite for a verdict of `supported`."""
@@ -75,12 +75,12 @@ def conclude(run: AuditRun, samples: int, start: float) -> AuditReport:
         failing=run.failing,
         unresolved=run.unresolved,
         valence=run.valence,
-        valence_range=(float(run.valences[0]), float(run.valences[1])),
+        valence_range=_range(run.valences),
         symplectic=defects["symplectic"],
         brackets=families,
         volume=defects["volume"],
-        determinant=(float(run.dets[0]), float(run.dets[1])),
-        condition=run.condition,
+        determinant=_range(run.dets),
+        condition=run.condition if run.condition else math.nan,
         invariants=tuple(d for name, d in defects.items() if name.startswith("order")),
         variables=tuple(run.subject.names),
         failures=tuple(failures),
@@ -89,6 +89,12 @@ def conclude(run: AuditRun, samples: int, start: float) -> AuditReport:
         witness=witness,
         seconds=time.monotonic() - start,
     )
+
+
+def _range(ends: tuple[float, float]) -> tuple[float, float]:
+    """The least and the largest value at points that are resolved; nan where none is."""
+    low, high = map(float, ends)
+    return (low, high) if low <= high else (math.nan, math.nan)
 
 
 def _apart(valence: float, scale: float) -> str:
@@ -102,7 +108,7 @@ def _apart(valence: float, scale: float) -> str:
 def _bent(run: AuditRun, point: tuple[float, ...]) -> str:
     """What to say of a point at which the map fails because it has no derivative there; nothing elsewhere."""
     assert run.map is not None
-    if not run.map.steady or not kinks(run.map.evaluate, np.array([point]), run.where.lengths, run.map.unit)[0]:
+    if not run.map.steady or not run.bends_at(np.array([point]))[0]:
         return ""
     return f"the map is not differentiable at {run.place(point)}: its differences to the two sides differ"
 

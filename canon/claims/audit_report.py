@@ -40,7 +40,8 @@ class AuditReport:
     - `brackets`: the worst of {Q,Q}, {P,P} and {Q,P}, each apart; `symplectic`: the worst of M J Mᵀ − c J with the
       fitted `valence` c; `volume`: |det M| − |scale|ⁿ; `invariants`: the integral invariants of orders 1 to n.
     - `determinant`: the least and the largest det M; `condition`: the largest condition number of M,
-      with each variable in units of the length over which it is sampled.
+      with each variable in units of the length over which it is sampled. Both are of the resolved points, nan where
+      there is none.
     - `samples`, `audited`: points tried, and points at which everything was finite; `failing`: those of the latter
       where a bracket exceeds its bound; `unresolved`: those whose bound on {Q,P} is too large to tell anything, of the
       points whose whole bound was computed. No bracket of an audited point exceeds its own bound unseen; `examined`
@@ -134,7 +135,7 @@ class AuditReport:
         lines.append(f"  valence c {self.valence:.12g}, at single points {_span(self.valence_range, '.12g')}")
         lines.append(f"  M J Mᵀ − c J {self.symplectic.size:.2g}  (bound {self.symplectic.bound:.2g})")
         lines.append(f"  det M     {_span(self.determinant, '.12g')}  (bound {self.volume.bound:.2g})")
-        lines.append(f"  condition of M at most {self.condition:.3g}")
+        lines.append(f"  condition of M {_most(self.condition)}")
         if self.invariants:
             shown = ", ".join(f"{d.size:.2g} (bound {d.bound:.2g})" for d in self.invariants)
             lines.append(f"  integral invariants of orders 1 to {len(self.invariants)}: {shown}")
@@ -208,5 +209,11 @@ def _number(x: float) -> float | str:
 
 
 def _span(ends: tuple[float, float], form: str) -> str:
+    if math.isnan(ends[0]):
+        return "not resolved"
     low, high = (format(x, form) for x in ends)
     return low if low == high else f"{low} to {high}"
+
+
+def _most(condition: float) -> str:
+    return "not resolved" if math.isnan(condition) else f"at most {condition:.3g}"

@@ -16,7 +16,7 @@ from canon.claims.audit_subject import AuditSubject
 from canon.numeric.differences import SHORTEST_STEP, central_differences, kinks
 from canon.numeric.differentiable import Differentiable, differentiable
 from canon.numeric.points import Points
-from canon.numeric.precision import UNIT, UNIT_32
+from canon.numeric.precision import NAMES, UNIT
 from canon.numeric.residuals import Residuals, brackets, determinants, invariants, weighted_mean
 from canon.numeric.sweep import SUSPECTS, Sweeper, sweeper
 from canon.numeric.sweep_word import RESOLVED, Sweep
@@ -144,11 +144,16 @@ class AuditRun:
         points = points[: max(0, LOOKS // points.shape[1] ** 2 - self.looked_at)]
         if not cornered or not self.map.steady or not len(points):
             return
-        bent = kinks(self.map.evaluate, points, self.where.lengths, self.map.unit)
+        bent = self.bends_at(points)
         self.looked_at += len(points)
         self.bent += int(bent.sum())
         if bent.any() and self.bent_point is None:
             self.bent_point = points[bent][0]
+
+    def bends_at(self, points: Array) -> Array:
+        """At which points (N, 2n) differences to the two sides differ, by more than the map's own noise."""
+        assert self.map is not None
+        return kinks(self.map.evaluate, points, self.where.lengths, self.map.unit, self.map.noise)
 
     def _check(self, points: Array, M: Array, E: Array) -> None:
         """Look for hidden state, low precision, and derivatives that are not those of the values."""
@@ -156,10 +161,15 @@ class AuditRun:
         self.checked = True
         if not self.map.steady:
             self.doubts.append("two evaluations at the same point differ: the map depends on hidden state")
-        if self.map.unit == UNIT_32:
+        if self.map.unit > UNIT:
             self.notes.append(
-                f"the map computes in float32: its rounding is {UNIT_32:.1g} where float64's is 1.1e-16, "
-                "and so are the bounds"
+                f"the map computes in {NAMES[self.map.unit]}: its rounding is {self.map.unit:.1g} where float64's is "
+                "1.1e-16, and so are the bounds"
+            )
+        if self.map.noise:
+            self.notes.append(
+                f"the map's values jump by about {self.map.noise:.1g} over tiny steps, as where part of it computes in "
+                "float32, or stops at a tolerance: the estimated errors allow for that"
             )
         if self.map.kind == "jax":
             self._compare_derivatives(points, M, E)

@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from itertools import count
+from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -15,6 +16,7 @@ import numpy as np
 from canon.claims.audit_subject import formulas_as_map
 from canon.claims.defect_bound import DefectBound
 from canon.claims.exact_program import program_of_formulas, program_of_function
+from canon.claims.invariance import checked_valence
 from canon.decide.series_program import Unenclosed
 from canon.decide.symplectic_defect import BITS, Box, BoxBound, defect_over, degree_for
 from canon.decide.tape import Unsupported
@@ -72,6 +74,13 @@ def certify(
     from canon.mechanics.transformation import Transformation
 
     start = time.monotonic()
+    checked_valence(scale)
+    for name, value in (("tolerance", tolerance), ("budget", budget)):
+        if not isinstance(value, Real) or not value >= 0:
+            raise InputError(f"a number of at least 0 is needed, not {value!r}", name)
+    for name, value in (("boxes", boxes), ("degree", 1 if degree is None else degree)):
+        if not isinstance(value, Integral) or value < 1:
+            raise InputError(f"a whole number of at least 1 is needed, not {value!r}", name)
     if isinstance(box, np.ndarray) and box.ndim == 2 and box.shape[1] != 2:
         raise InputError("a box is a pair (low, high) for each variable, not an array of points", "box")
     if isinstance(map, Transformation):
@@ -92,8 +101,6 @@ def certify(
         tuple((Fraction(b) - Fraction(a)) / 2 for a, b in zip(low, high, strict=True)),
     )
     order = degree_for(len(names)) if degree is None else degree
-    if order < 1:
-        raise InputError("a degree of at least 1 is needed", "degree")
     search = _Search(program, exact, order, whole)
     try:
         search.run(tolerance, boxes, start + budget)

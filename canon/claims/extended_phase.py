@@ -13,6 +13,7 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.mechanics.formulas import as_formula
+from canon.numeric.loops import real
 from canon.numeric.lower import lower_map
 from canon.numeric.precision import double
 from canon.numeric.timed_map import timed_function, timed_map
@@ -35,7 +36,7 @@ def extended(
 
     **Raises:** `InputError` for states of a wrong shape, a map not given forward, a parameter without a value.
     """
-    states = _states(np.asarray(loop(np.arange(TRIED) / TRIED) if callable(loop) else loop, dtype=float))
+    states = _states(real(loop(np.arange(TRIED) / TRIED) if callable(loop) else loop))
     moved, energy, new_energy = _of_functions(map, states, H, K, parameters)
 
     def lift(z: Array, energies: Array) -> Array:
@@ -54,7 +55,7 @@ def extended(
         return evaluate, lift(states, energy(states))
 
     def lifted(s: Array) -> Array:
-        z = _states(np.asarray(loop(s), dtype=float))
+        z = _states(real(loop(s)))
         return lift(z, energy(z))
 
     return evaluate, lifted

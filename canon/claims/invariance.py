@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
+from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -12,8 +14,9 @@ from canon.claims.implicit_map import ImplicitMap
 from canon.claims.invariance_report import Invariance
 from canon.errors import InputError
 from canon.numeric.images import compare_loops, compare_surfaces
+from canon.numeric.loops import real
 from canon.numeric.map_shape import point_map
-from canon.numeric.precision import UNIT, UNIT_32, double
+from canon.numeric.precision import UNIT, double
 
 if TYPE_CHECKING:
     from canon.mechanics.transformation import Transformation
@@ -54,6 +57,7 @@ def loop_invariant(
 
     **Raises:** `InputError` where the loop, or its image, isn't closed or finite, or has a wrong shape.
     """
+    _checked_count(most_nodes, "most_nodes")
     evaluate, factor, unit = _evaluated(map, _some(loop, 1), parameters, scale)
     found = compare_loops(
         evaluate, loop, factor=factor, periods=periods, new_periods=new_periods, most_nodes=most_nodes, unit=unit
@@ -86,6 +90,8 @@ def surface_invariant(
     """
     if not isinstance(periodic, Sequence):
         raise InputError("for each direction of the surface, a boolean that says whether it closes", "periodic")
+    if most_points is not None:
+        _checked_count(most_points, "most_points")
     order, odd = divmod(len(periodic), 2)
     if odd or not order:
         raise InputError(f"a surface has 2, 4, 6, … directions, not {len(periodic)}", "periodic")
@@ -122,21 +128,36 @@ def cartan_loop_invariant(
     """
     from canon.claims.extended_phase import extended
 
+    checked_valence(scale)
+    _checked_count(most_nodes, "most_nodes")
     evaluate, lifted = extended(map, loop, H, H if K is None else K, parameters or {})
     return Invariance("∮ p dq − H dt", compare_loops(evaluate, lifted, factor=scale, most_nodes=most_nodes))
+
+
+def checked_valence(scale: Any) -> None:
+    """**Raises:** `InputError` for what is no valence: a finite number other than 0."""
+    if not (isinstance(scale, Real) and math.isfinite(scale) and scale != 0):
+        raise InputError(f"a finite number other than 0 is needed, not {scale!r}", "scale")
+
+
+def _checked_count(most: Any, name: str) -> None:
+    if not isinstance(most, Integral) or most < 1:
+        raise InputError(f"a whole number is needed, at least 1, not {most!r}", name)
 
 
 def _some(shape: Loop | Array, directions: int) -> Array:
     """A few of the points, at which the map is tried."""
     if not callable(shape):
-        points = np.atleast_1d(np.asarray(shape, dtype=float))[:TRIED]
+        points = np.atleast_1d(real(shape))[:TRIED]
     else:
         s = (np.arange(1, TRIED + 1)[:, None] * 0.6180339887498949 ** np.arange(1, directions + 1)) % 1.0
-        points = np.asarray(shape(s[:, 0] if directions == 1 else s), dtype=float)
+        points = np.atleast_1d(real(shape(s[:, 0] if directions == 1 else s)))
     if points.ndim != 2 or not len(points) or points.shape[1] % 2:
         raise InputError(
             f"a loop takes parameters (N,), a surface (N, 2k), to points (N, 2n), not to shape {points.shape}"
         )
+    if not np.isfinite(points).all():
+        raise InputError("the loop or surface has a point that is not finite")
     return points
 
 
@@ -149,13 +170,12 @@ def _evaluated(
     """The map of points (N, 2n), the scale of what it is given in, and the roundoff of its numbers."""
     from canon.mechanics.transformation import Transformation
 
-    if not (np.isfinite(scale) and scale != 0):
-        raise InputError("a finite scale other than 0 is needed", "scale")
+    checked_valence(scale)
     if not isinstance(map, Transformation):
         if parameters:
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
         found = point_map(map, points)
-        return found.evaluate, scale, UNIT_32 if found.single else UNIT
+        return found.evaluate, scale, found.unit
     if map.direction == "implicit" and map.generating_function is not None:
         return ImplicitMap(map.generating_function, parameters or {}), scale, UNIT
     subject = formulas_as_map(map, parameters or {}, scale)

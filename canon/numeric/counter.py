@@ -6,9 +6,12 @@ in numpy and, inside a compiled program, in jax.
 
 from __future__ import annotations
 
+from numbers import Integral
 from typing import Any, Final
 
 import numpy as np
+
+from canon.errors import InputError
 
 Array = np.ndarray
 
@@ -20,8 +23,10 @@ _ONE: Final = np.uint64(0x3FF0000000000000)
 
 
 def key_of(seed: int) -> np.uint64:
-    """The generator's first state for a seed."""
-    state = np.array([seed % 2**64], dtype=np.uint64)
+    """The generator's first state for a seed. **Raises:** `InputError` for what is no whole number."""
+    if not isinstance(seed, Integral):
+        raise InputError(f"a whole number is needed, not {seed!r}", "seed")
+    state = np.array([int(seed) % 2**64], dtype=np.uint64)
     return _scrambled(state * np.uint64(_GOLDEN) + np.uint64(1))[0]
 
 

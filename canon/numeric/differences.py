@@ -28,6 +28,12 @@ NOISE: Final = 16.0
 AT_ONCE: Final = 2**17
 """So many numbers are evaluated at once."""
 
+PROBES: Final = 3
+PROBE_STEP: Final = 0.004
+"""Derivatives are tried by differences along one direction, at so many steps, the longest this part of the lengths."""
+UNSEEN: Final = 1e-11
+"""They may differ by this part of their size without notice."""
+
 KINK_STEP: Final = 1e-4
 """The step at which differences to two sides are compared, and then at a sixteenth of it."""
 KINK: Final = 1e-3
@@ -41,13 +47,23 @@ ULPS: Final = 8
 
 
 def central_differences(
-    evaluate: Callable[[Array], Array], points: Array, lengths: Array, unit: float, *, at_once: bool = False
+    evaluate: Callable[[Array], Array],
+    points: Array,
+    lengths: Array,
+    unit: float,
+    *,
+    at_once: bool = False,
+    noise: Array | float = 0.0,
+    first: float = FIRST_STEP,
+    levels: int = LEVELS,
 ) -> tuple[Array, Array]:
-    """(M, E) at points (N, m): central differences at `LEVELS` steps, extrapolated to step 0 entry by entry.
+    """(M, E) at points (N, m): central differences at so many steps, extrapolated to step 0 entry by entry. The longest
+    step is the part `first` of the lengths, each next one half of it.
 
     M and E are (N, k, m) for a function that takes points (N, m) to values (N, k).
     The estimate E is what the best two neighbours in Neville's table differ by, times a safety factor, plus the
-    function's rounding over the step. With `at_once` the function may be given more points than N together.
+    function's rounding over the step, and its `noise` (k,) beyond that. With `at_once` the function may be given more
+    points than N together.
     """
     columns: list[tuple[Array, Array]] = []
     with np.errstate(all="ignore"):
@@ -55,20 +71,20 @@ def central_differences(
             best: Array | float = np.nan
             error: Array | float = np.inf
             above: list[Array] = []
-            moved = np.repeat(points[None], 2 * LEVELS, axis=0)
-            steps = FIRST_STEP * lengths[k] / 2.0 ** np.arange(LEVELS)
-            moved[:LEVELS, :, k] += steps[:, None]
-            moved[LEVELS:, :, k] -= steps[:, None]
+            moved = np.repeat(points[None], 2 * levels, axis=0)
+            steps = first * lengths[k] / 2.0 ** np.arange(levels)
+            moved[:levels, :, k] += steps[:, None]
+            moved[levels:, :, k] -= steps[:, None]
             values = _values(evaluate, moved, at_once)
-            for level in range(LEVELS):
-                width = (moved[level, :, k] - moved[LEVELS + level, :, k])[:, None]
-                high, low = values[level], values[LEVELS + level]
+            for level in range(levels):
+                width = (moved[level, :, k] - moved[levels + level, :, k])[:, None]
+                high, low = values[level], values[levels + level]
                 row = [(high - low) / width]
-                noise = 2 * unit * (np.abs(high) + np.abs(low)) / width
+                rounding = (2 * unit * (np.abs(high) + np.abs(low)) + noise) / width
                 for j, old in enumerate(above, 1):
                     row.append(row[-1] + (row[-1] - old) / (4.0**j - 1))
                     spread = np.maximum(np.abs(row[-1] - row[-2]), np.abs(row[-1] - old))
-                    estimate = SAFETY * spread + NOISE * noise
+                    estimate = SAFETY * spread + NOISE * rounding
                     better = estimate < error
                     best, error = np.where(better, row[-1], best), np.where(better, estimate, error)
                 above = row
@@ -84,7 +100,40 @@ def _values(evaluate: Callable[[Array], Array], sets: Array, at_once: bool) -> A
     return np.stack([evaluate(points) for points in sets])
 
 
-def kinks(evaluate: Callable[[Array], Array], points: Array, lengths: Array, unit: float) -> Array:
+def misfits(
+    evaluate: Callable[[Array], Array],
+    points: Array,
+    M: Array,
+    E: Array,
+    lengths: Array,
+    unit: float,
+    noise: Array | float = 0.0,
+) -> Array:
+    """At which points (N, m) the Jacobian M, off by at most E, isn't that of the values: (N,).
+
+    It is tried along one direction that differs from point to point, by differences and an estimate of their error. A
+    complex step doesn't see what a function does with |x|, or with x.real, and that may begin anywhere.
+    """
+    directions = lengths * np.random.default_rng(1).choice([-1.0, -0.7, 0.7, 1.0], points.shape)
+
+    def along(s: Array) -> Array:
+        return evaluate(points + s * directions)
+
+    slopes, errors = central_differences(
+        along, np.zeros((len(points), 1)), np.ones(1), unit, noise=noise, first=PROBE_STEP, levels=PROBES
+    )
+    with np.errstate(all="ignore"):
+        gap = np.abs(np.einsum("bij,bj->bi", M, directions) - slopes[:, :, 0])
+        size = np.einsum("bij,bj->bi", np.abs(M), np.abs(directions))
+        off = np.einsum("bij,bj->bi", E, np.abs(directions))
+        # far from the origin, the points themselves are rounded
+        rounded = np.einsum("bij,bj->bi", np.abs(M), np.abs(points)) * unit * 2**PROBES / PROBE_STEP
+        return np.any(gap > errors[:, :, 0] + off + UNSEEN * size + rounded, axis=1)
+
+
+def kinks(
+    evaluate: Callable[[Array], Array], points: Array, lengths: Array, unit: float, noise: Array | float = 0.0
+) -> Array:
     """At which points (N, m) differences to the two sides differ along some variable, however short the step: (N,).
 
     Curvature makes them differ by an amount that falls with the step; a kink's stays, and a jump's grows.
@@ -103,9 +152,10 @@ def kinks(evaluate: Callable[[Array], Array], points: Array, lengths: Array, uni
                 behind = (here - below) / (points[:, k] - moved[0, :, k])[:, None]
                 steep = np.abs(ahead) + np.abs(behind)
                 place = np.abs(points[:, k])[:, None]  # it rounds too where the function takes it in fewer digits
-                noise = NOISE * unit * (np.abs(below) + np.abs(here) + np.abs(above) + steep * place) / step
+                rounding = unit * (np.abs(below) + np.abs(here) + np.abs(above) + steep * place)
+                granted = NOISE * (rounding + 2 * np.asarray(noise)) / step
                 gaps.append(np.abs(ahead - behind))
-            bent = (gaps[1] > noise) & (gaps[1] > gaps[0] / 2)
+            bent = (gaps[1] > granted) & (gaps[1] > gaps[0] / 2)
             found |= np.any(bent & (gaps[1] > KINK * steep), axis=1)
     return found
 
@@ -114,7 +164,8 @@ def complex_step(mapped: PointMap, points: Array, lengths: Array, stretch: float
     """Im f(z + ih e_k)/h at points (N, 2n), exact to rounding for an analytic f; nan where f does not take that.
 
     h is tiny beside the length (2n,) over which a variable ranges: momenta of an electron in SI units are tiny, too.
-    Another `stretch` of h, one that is no power of 2, gives the same derivatives with other roundings.
+    Another `stretch` of h, one that is no power of 2, gives the same derivatives with other roundings. Where f has no
+    real value, as a root of a negative number, it has a complex one all the same: leave such points out.
     """
     steps = np.maximum(TINY_STEP * np.where(lengths > 0, lengths, 1.0) * stretch, TINIEST)
     count, size = points.shape
@@ -163,7 +214,9 @@ def neighbours(jacobian: Callable[[Array, float], Array], unit: float) -> Callab
                 spread = np.maximum(spread, np.abs(jacobian(moved, stretch) - M))
             part = spread / np.abs(M)
             part[~np.isfinite(part)] = 0.0
-            spread = np.maximum(spread, np.median(part, axis=0) * np.abs(M))
+            usable = np.isfinite(M).all(axis=(1, 2))
+            if usable.any():
+                spread = np.maximum(spread, np.median(part[usable], axis=0) * np.abs(M))
         return M, ULPS * unit * np.abs(M) + SAFETY * spread
 
     return linearise

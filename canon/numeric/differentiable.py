@@ -15,10 +15,11 @@ from typing import Any, Final, Literal
 import numpy as np
 
 from canon.errors import InputError
-from canon.numeric.differences import central_differences, complex_step, neighbours
+from canon.numeric.differences import central_differences, complex_step, misfits, neighbours
 from canon.numeric.emit import run
-from canon.numeric.map_shape import TRIALS, point_map, shown
-from canon.numeric.precision import UNIT, UNIT_32, double
+from canon.numeric.map_shape import MOST_TRIALS, TRIALS, PointMap, point_map, shown
+from canon.numeric.noise import noise_of
+from canon.numeric.precision import UNIT, double
 from canon.numeric.rounding import Unbounded, with_rounding
 from canon.numeric.running_bound import run_bounded
 from canon.numeric.scalar_program import Unscalar, values_and_jacobian
@@ -51,7 +52,8 @@ class Differentiable:
 
     `evaluate` takes points (N, 2n) to values (N, 2n); `linearise` takes them to (M, E), both (N, 2n, 2n), where E
     is for each entry of M a bound (`errors` = "bound") or an estimate ("estimate") of its error. `steady` is False
-    where two evaluations at one point differed; `unit` is the unit roundoff of the least precise type that was seen;
+    where two evaluations at one point differed; `unit` is the unit roundoff of the least precise type that was seen,
+    `noise` by how much values jump over tiny steps beyond their rounding, for which E allows;
     `program`, of values and Jacobian, where the function is a straight-line program.
     """
 
@@ -65,6 +67,7 @@ class Differentiable:
     form: str
     steady: bool
     said: Callable[[], str]
+    noise: float = 0.0
     program: Program | None = None
 
     @property
@@ -93,9 +96,10 @@ def differentiable(
 
         function = jax.jit(function)
     mapped = point_map(function, points)
-    unit = UNIT_32 if mapped.single else UNIT
+    unit = mapped.unit
     trial = points[mapped.usable[:TRIAL_POINTS]]
-    M, E = central_differences(mapped.evaluate, trial, lengths, unit)
+    noise = noise_of(mapped.evaluate, trial, lengths, unit) if mapped.steady else np.zeros(points.shape[1])
+    M, E = central_differences(mapped.evaluate, trial, lengths, unit, noise=noise)
     common: dict[str, Any] = {
         "dimension": points.shape[1],
         "kind": "numpy" if program is None else "jax",
@@ -105,39 +109,62 @@ def differentiable(
         "form": mapped.form,
         "steady": mapped.steady and (program is None or program.steady),
         "said": mapped.said,
+        "noise": float(noise.max()),
     }
     stepped = complex_step(mapped, trial, lengths)
-    if not mapped.single and np.all(np.abs(stepped - M) <= 4 * E + 1e-9 * np.abs(M)):
-        return Differentiable(
-            method="complex step",
-            linearise=neighbours(lambda z, stretch: complex_step(mapped, z, lengths, stretch), unit),
-            **common,
-        )
+    if unit == UNIT and np.all(np.abs(stepped - M) <= 4 * E + 1e-9 * np.abs(M)):
+        return Differentiable(method="complex step", linearise=_stepped(mapped, lengths, noise), **common)
     return Differentiable(
         method="central differences",
-        linearise=lambda z: central_differences(mapped.evaluate, z, lengths, unit),
+        linearise=lambda z: central_differences(mapped.evaluate, z, lengths, unit, noise=noise),
         **common,
     )
+
+
+def _stepped(mapped: PointMap, lengths: Array, noise: Array) -> Linearise:
+    """M by complex steps, where the map has a finite real value, nan elsewhere.
+
+    Whether it continues analytically is asked at every point: where complex steps don't fit the values, as where |p|
+    comes in beyond some p, differences take their place.
+    """
+    stepping = neighbours(lambda z, stretch: complex_step(mapped, z, lengths, stretch), UNIT)
+
+    def linearised(points: Array) -> tuple[Array, Array]:
+        M = np.full((*points.shape, points.shape[1]), np.nan)
+        E = M.copy()
+        real = np.asarray(np.isfinite(mapped.evaluate(points)).all(axis=1))
+        if not real.any():
+            return M, E
+        M[real], E[real] = stepping(points[real])
+        bad = real & ~np.asarray(np.isfinite(M).all(axis=(1, 2)))
+        bad[real] |= misfits(mapped.evaluate, points[real], M[real], E[real], lengths, UNIT, noise)
+        if bad.any():
+            M[bad], E[bad] = central_differences(mapped.evaluate, points[bad], lengths, UNIT, noise=noise)
+        return M, E
+
+    return linearised
 
 
 def _of_jax(traced: Traced, points: Array, rounded_numbers: bool) -> Differentiable:
     """The map with jax's derivatives."""
     size = points.shape[1]
-    unit = UNIT_32 if traced.single else UNIT
+    unit = traced.unit
     try:
-        if traced.single or size > LARGEST_TAKEN_APART:
+        if unit > UNIT or size > LARGEST_TAKEN_APART:
             raise Unscalar("too large, or float32")
         program = _taken_apart(traced.source, size) if traced.source else values_and_jacobian(traced.one, size)
         evaluate, linearise, bounded = _run_directly(program, rounded_numbers)
     except Unscalar:
         program = None
         evaluate, linearise, bounded = _compiled(traced.one, size, unit)
-    trial = points[:TRIALS]
-    if bounded and _says_nothing(linearise, trial[:TRIAL_POINTS]):
+    if bounded and _says_nothing(linearise, points[:TRIAL_POINTS]):
         program = None
         evaluate, linearise, bounded = _compiled(traced.one, size, unit, bounds=False)
-    if not np.isfinite(evaluate(trial)).all(axis=1).any():
-        raise InputError(f"the map has no finite value at any of {len(trial)} points tried, as at {shown(trial[0])}")
+    tries = (points[:TRIALS], points[:MOST_TRIALS])
+    if not any(np.isfinite(evaluate(trial)).all(axis=1).any() for trial in tries):
+        raise InputError(
+            f"the map has no finite value at any of {len(tries[1])} points tried, as at {shown(points[0])}"
+        )
     return Differentiable(
         dimension=size,
         kind="jax",

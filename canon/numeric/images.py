@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.numeric.loops import Loop, LoopIntegral, loop_integral, shortest
+from canon.numeric.loops import Loop, LoopIntegral, loop_integral, real, shortest
 from canon.numeric.precision import UNIT
 from canon.numeric.surfaces import Surface, SurfaceIntegral, surface_integral
 
@@ -84,7 +84,7 @@ def compare_loops(
     before = loop_integral(loop, periods=periods, most_nodes=most_nodes)
     noise = rounding_of(map, new_periods, unit)
     if not callable(loop):
-        nodes = np.asarray(loop, dtype=float)
+        nodes = real(loop)
         after = _of_image(lambda: loop_integral(map(nodes), periods=new_periods, noise=lambda *_: noise(nodes)))
     else:
         after = _of_image(

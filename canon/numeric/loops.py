@@ -63,7 +63,7 @@ def loop_integral(
     """
     off = noise or (lambda _, points: unit * np.abs(points))
     if not callable(loop):
-        return _of_nodes(_checked(np.asarray(loop, dtype=float), len(loop)), periods, off, unit)
+        return _of_nodes(_checked(real(loop), len(loop)), periods, off, unit)
     ends = _points(loop, np.array([0.0, 1.0]))
     sizes = np.abs(_points(loop, np.arange(FIRST_NODES) * GOLDEN % 1.0)).max(axis=0)
     if np.any(np.abs(shortest(ends[1] - ends[0], periods)) > 1e-9 * sizes):
@@ -120,7 +120,18 @@ def _unrolled(points: Array, periods: Sequence[float | None]) -> tuple[Array, Ar
 
 
 def _points(loop: Loop, s: Array) -> Array:
-    return _checked(np.asarray(loop(s), dtype=float), len(s))
+    return _checked(real(loop(s)), len(s))
+
+
+def real(points: Any) -> Array:
+    """Points of a loop or a surface as an array of floats. **Raises:** `InputError` for complex ones, or no numbers."""
+    found = np.asarray(points)
+    if np.iscomplexobj(found):
+        raise InputError("a loop or surface has real points, not complex ones")
+    try:
+        return found.astype(float)
+    except (TypeError, ValueError) as reason:
+        raise InputError(f"a loop or surface has numbers for points, not {type(points).__name__}") from reason
 
 
 def _checked(points: Array, count: int) -> Array:

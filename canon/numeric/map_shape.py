@@ -10,10 +10,12 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.numeric.precision import double
+from canon.numeric.precision import UNIT, double, unit_of
 
 Array = np.ndarray
 TRIALS: Final = 16
+MOST_TRIALS: Final = 256
+"""So many points are tried before a map is said to have no value."""
 ENOUGH: Final = 3
 """So many values of a function tell in which form it takes points."""
 
@@ -39,7 +41,7 @@ class PointMap:
 
     one: Callable[[Any], Any]
     evaluate: Callable[[Array], Array]
-    single: bool
+    unit: float
     steady: bool
     usable: Array
     form: str
@@ -54,32 +56,17 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
     """
     if not callable(function):
         raise InputError(f"a map is a function or a transformation, not {type(function).__name__}. {EXPECTED}")
-    size = points.shape[1]
-    trial = points[:TRIALS]
-    reasons: list[Exception] = []
-    form, one, results = "", function, []
-    for form, one in forms(function, size):  # noqa: B007 - the first that works is kept
-        results, reason = _tried(one, trial)
-        if reason is not None:
-            reasons.append(reason)
-        usable = [k for k, value in enumerate(results) if value is not None and np.all(np.isfinite(value))]
-        if any(value is not None for value in results):
-            break
-    else:
-        wrong = next((reason for reason in reasons if isinstance(reason, _WrongShape)), None)
-        if wrong is not None:
-            raise InputError(f"{wrong}. {EXPECTED}") from wrong
-        said = f"{type(reasons[0]).__name__}: {reasons[0]}"
-        raise InputError(f"the map raises at every point tried, for instance at {shown(trial[0])}: {said}")
+    form, one, results = _first_form(function, points)
+    usable = [k for k, value in enumerate(results) if value is not None and np.all(np.isfinite(value))]
     if not usable:
-        raise InputError(f"the map has no finite value at any of {len(trial)} points tried, as at {shown(trial[0])}")
+        raise InputError(f"the map has no finite value at any of {len(results)} points tried, as at {shown(points[0])}")
     found = [np.asarray(results[k]) for k in usable]
     if any(np.iscomplexobj(value) for value in found):
         raise InputError(COMPLEX)
     if all(value.dtype.kind in "iub" for value in found):
         raise InputError(WHOLE.format(found[0].dtype))
     steady = all(_repeats(one, points[k], value) for k, value in zip(usable, found, strict=True))
-    single = any(value.dtype == np.float32 for value in found)
+    unit = max([UNIT, *(unit_of(value.dtype) for value in found if value.dtype.kind == "f")])
     many = _vectorised(function, points[usable], np.stack(found)) if len(usable) > 1 else None
     first: list[str] = []
 
@@ -87,19 +74,50 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
         with double():
             if many is not None:
                 try:
-                    return np.array(many(z.copy()), dtype=float)
+                    return real_values(many(z.copy()))
                 except Exception as reason:  # then point by point, to see where
                     first.append(f"{type(reason).__name__}: {reason}")
             values = np.full(z.shape, np.nan)
             for k, point in enumerate(z):
                 try:
-                    values[k] = one(point.copy())
+                    values[k] = real_values(one(point.copy()))
                 except Exception as reason:  # a user's function may raise anything
                     first.append(f"{type(reason).__name__}: {reason}")
             del first[1:]
             return values
 
-    return PointMap(one, evaluate, single, steady, np.array(usable), form, many, lambda: first[0] if first else "")
+    return PointMap(one, evaluate, unit, steady, np.array(usable), form, many, lambda: first[0] if first else "")
+
+
+def real_values(values: Any) -> Array:
+    """A copy as floats, nan where a value is complex: a root may be real only on a part of the domain."""
+    found: Any = np.asarray(values)
+    if np.iscomplexobj(found):
+        return np.where(found.imag == 0, found.real, np.nan)
+    return np.array(found, dtype=float)
+
+
+def _first_form(function: Callable[..., Any], points: Array) -> tuple[str, Callable[[Any], Any], list[Any]]:
+    """The first form in which the function has values, with those at the first points, None where it raises.
+
+    A map may be defined on a small part of the domain: where a few points show no value, more are tried.
+
+    **Raises:** `InputError` where it raises at every point tried, or returns a wrong shape.
+    """
+    reasons: list[Exception] = []
+    for trial in (points[:TRIALS], points[:MOST_TRIALS]):
+        for form, one in forms(function, points.shape[1]):
+            results, reason = _tried(one, trial)
+            if reason is not None:
+                reasons.append(reason)
+            if any(value is not None for value in results):
+                enough = any(value is not None and np.all(np.isfinite(value)) for value in results)
+                return form, one, results if enough else _tried(one, points[:MOST_TRIALS])[0]
+    wrong = next((reason for reason in reasons if isinstance(reason, _WrongShape)), None)
+    if wrong is not None:
+        raise InputError(f"{wrong}. {EXPECTED}") from wrong
+    said = f"{type(reasons[0]).__name__}: {reasons[0]}"
+    raise InputError(f"the map raises at every point tried, for instance at {shown(points[0])}: {said}")
 
 
 def of_any_form(images: Callable[[Array], Array], arguments: tuple[Any, ...]) -> Any:
@@ -135,12 +153,13 @@ def forms(function: Callable[..., Any], size: int) -> list[tuple[str, Callable[[
             raise _WrongShape("the map returns no points for points")
         return _point(rows[0], size)
 
-    if _required(function) == 2:
+    if required(function) == 2:
         return [("(q, p)", of_pair)]
     return [("z", of_point), ("((q, p))", of_tuple), ("(…, 2n)", of_points)]
 
 
-def _required(function: Callable[..., Any]) -> int:
+def required(function: Callable[..., Any]) -> int:
+    """How many arguments a function must be given; 1 where that can't be seen."""
     try:
         parameters = inspect.signature(function).parameters.values()
     except (TypeError, ValueError):
@@ -200,7 +219,7 @@ def _vectorised(function: Callable[..., Any], points: Array, expected: Array) ->
         points, expected = points[:2], expected[:2]
     if len(points) in (n, size):
         return None
-    if _required(function) == 2:
+    if required(function) == 2:
 
         def pair_rows(z: Array) -> Array:
             return np.concatenate([np.asarray(part) for part in function(z[:, :n], z[:, n:])], axis=1)

@@ -14,6 +14,9 @@ UNIT: Final = 2.0**-53
 UNIT_32: Final = 2.0**-24
 """The unit roundoff of float32."""
 
+NAMES: Final = {UNIT: "float64", UNIT_32: "float32", 2.0**-11: "float16", 2.0**-8: "bfloat16"}
+"""The types by their unit roundoff."""
+
 
 @contextmanager
 def double() -> Iterator[None]:
@@ -26,4 +29,5 @@ def double() -> Iterator[None]:
 
 def unit_of(dtype: np.dtype) -> float:
     """The unit roundoff of a floating-point type."""
-    return float(np.finfo(dtype).eps) / 2
+    known = {name: unit for unit, name in NAMES.items()}
+    return known[str(dtype)] if str(dtype) in known else float(np.finfo(dtype).eps) / 2

@@ -74,7 +74,9 @@ def with_rounding(function: Callable[[Any], Any], example: Any) -> Callable[[Any
 
 
 def _is_float(x: Any) -> bool:
-    return np.issubdtype(_dtype(x), np.floating)
+    import jax.numpy as jnp
+
+    return jnp.issubdtype(_dtype(x), np.floating)  # numpy takes bfloat16 for no float
 
 
 def _dtype(x: Any) -> np.dtype:

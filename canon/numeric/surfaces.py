@@ -15,6 +15,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.loops import real
 from canon.numeric.precision import UNIT
 from canon.numeric.quadrature import Grid, grid
 
@@ -263,7 +264,7 @@ def _pfaffian(
 
 
 def _points(surface: Surface, u: Array) -> Array:
-    points = np.asarray(surface(u), dtype=float)
+    points = real(surface(u))
     if points.ndim != 2 or len(points) != len(u) or points.shape[1] % 2 or not points.shape[1]:
         raise InputError(
             f"a surface takes parameters (N, {u.shape[1]}) to phase points (N, 2n), not to shape {points.shape}"

@@ -11,13 +11,15 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.numeric.map_shape import COMPLEX, WHOLE, forms
-from canon.numeric.precision import double
+from canon.numeric.precision import UNIT, UNIT_32, double
 
 Array = np.ndarray
 ADDRESS: Final = re.compile(r" at 0x[0-9a-f]+")
 """What differs in a program's text between two objects that are the same function."""
 UNTOLD: Final = re.compile(r" at 0x|custom_|callback")
 """Signs that two programs of one text may differ."""
+SHORT: Final = {"f32": UNIT_32, "f16": 2.0**-11, "bf16": 2.0**-8}
+"""Types of fewer digits as a program's text names them, with their unit roundoffs."""
 
 
 @dataclass(frozen=True)
@@ -36,14 +38,14 @@ class Source:
 class Traced:
     """A map of one point as a jax program: `one` runs it, `form` says how the function takes a point.
 
-    `steady` says that tracing it twice gave one program; `single`, that it computes in float32 somewhere. `source` is
+    `steady` says that tracing it twice gave one program; `unit` is the roundoff of its least precise type. `source` is
     the program as a key, None where its text does not say all: derivatives of its own, calls to Python.
     """
 
     one: Callable[[Any], Any]
     form: str
     steady: bool
-    single: bool
+    unit: float
     source: Source | None = None
 
     def has_derivatives(self, size: int) -> bool:
@@ -78,12 +80,17 @@ def traced(function: Callable[..., Any], size: int) -> Traced | None:
                 continue
             if np.issubdtype(shape.dtype, np.complexfloating):
                 raise InputError(COMPLEX)
-            if not np.issubdtype(shape.dtype, np.floating):
+            if not jax.numpy.issubdtype(shape.dtype, np.floating):
                 raise InputError(WHOLE.format(shape.dtype))
             text, run = str(closed.jaxpr), _runner(closed)
             steady = _same(closed, text, again) or _repeats(one, size)
-            return Traced(run, form, steady, "f32[" in text, _source(closed, text, run))
+            return Traced(run, form, steady, _least_precise(text), _source(closed, text, run))
     return None
+
+
+def _least_precise(text: str) -> float:
+    """The unit roundoff of the least precise type that a program's text names."""
+    return max([UNIT, *(unit for name, unit in SHORT.items() if re.search(rf"\b{name}\[", text))])
 
 
 def _anew(one: Callable[[Any], Any]) -> Callable[[Any], Any]:

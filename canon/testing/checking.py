@@ -75,6 +75,8 @@ def check_laws(
             raise InputError(f"no strategy for {unknown[0]!r}, which the law {law.name!r} takes: give one in `makers`")
         _check(law, homes, chosen, max_examples, budget, derandomize)
         count += 1
+    if not count:
+        raise InputError("there is no law to check", "laws")
     return count
 
 

@@ -13,6 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.map_shape import required
 from canon.testing.assertions import name_of
 
 Array = np.ndarray
@@ -43,7 +44,9 @@ def assert_order(
     A problem whose steps are linear is refused, unless `linear` says that it is meant: methods may be better than they
     are on those.
 
-    **Arguments:** `step(z, h)`, one step from z. **Returns:** the order measured at the finest steps that tell.
+    **Arguments:** `step(z, h)`, one step from z, or `step(q, p, h)`.
+
+    **Returns:** the order measured at the finest steps that tell.
 
     **Raises:** `AssertionError` where it is less; `InputError` where too few errors are above the plateau, or the
     problem is linear.
@@ -58,10 +61,8 @@ def assert_order(
         raise InputError(f"a phase point is a list of numbers, not {start!r}", "start")
     ends = []
     with double():
-        moved = np.shape(step(point.copy(), duration / steps))
-        if moved != point.shape:
-            raise InputError(f"a step takes a phase point z and h to a phase point: of {point.shape} it makes {moved}")
-        if not linear and _is_affine(step, point, duration / steps):
+        one = _of_points(step, point, duration / steps)
+        if not linear and _is_affine(one, point, duration / steps):
             raise InputError(
                 "the step is linear in z, and on linear problems methods may be better than they are: "
                 "take a non-linear one, or say linear=True"
@@ -70,7 +71,7 @@ def assert_order(
             count = steps * 2**level
             z: Any = point.copy()  # a step may change it in place
             for _ in range(count):
-                z = step(z, duration / count)
+                z = one(z, duration / count)
             ends.append(np.array(z, dtype=float))
     if not np.all(np.isfinite(ends)):
         raise AssertionError(f"{name_of(step)} does not stay finite over the duration {duration:g}")
@@ -78,6 +79,8 @@ def assert_order(
         errors = [float(np.linalg.norm(b - a)) for a, b in pairwise(ends)]
     else:
         errors = [float(np.linalg.norm(end - np.asarray(exact, dtype=float))) for end in ends]
+    if np.array_equal(ends[-1], point):
+        raise InputError("the steps don't move it, as at an equilibrium: start elsewhere", "start")
     plateau = PLATEAU * float(np.finfo(float).eps) * (1 + float(np.linalg.norm(ends[-1])))
     telling = _telling(errors, plateau)
     if len(telling) < 2:
@@ -91,6 +94,32 @@ def assert_order(
             f"{name_of(step)} has order {measured:.2f}, not {order}: at halved steps its errors are {shown}"
         )
     return measured
+
+
+def _of_points(step: Callable[..., Any], point: Array, h: float) -> Callable[[Array, float], Any]:
+    """The step as a function of z and h, where it may be one of q, p and h.
+
+    **Raises:** `InputError` where neither makes a phase point of a phase point; what the step itself raises.
+    """
+
+    def of_pair(z: Any, h: float) -> Any:
+        n = point.shape[0] // 2
+        return np.concatenate([np.ravel(part) for part in step(z[:n], z[n:], h)])
+
+    try:
+        moved = np.shape(step(point.copy(), h))
+    except TypeError as reason:
+        if required(step) != 3:
+            raise
+        moved = f"a TypeError ({reason})"
+    if moved == point.shape:
+        return step
+    try:
+        if np.shape(of_pair(point.copy(), h)) == point.shape:
+            return of_pair
+    except Exception:  # it was no step of q, p and h
+        pass
+    raise InputError(f"a step takes a phase point z and h to a phase point: of {point.shape} it makes {moved}")
 
 
 def _telling(errors: Sequence[float], plateau: float) -> list[float]:

@@ -90,6 +90,16 @@ def test_orders_are_measured(step: Any, order: int) -> None:
         assert_order(step, order + 1, start=[0.7, 0.3])
 
 
+def test_a_step_may_take_positions_and_momenta_apart() -> None:
+    def apart(q: Array, p: Array, h: float = 0.1) -> tuple[Array, Array]:
+        p = p - h * np.sin(q)
+        return q + h * p, p
+
+    for start in ([0.7, 0.3], [0.7, 0.2, 0.3, 0.1]):
+        assert assert_order(apart, 1, start=start) == pytest.approx(1, abs=0.25)
+        assert assert_order(lambda q, p, h: apart(q, p, h), 1, start=start) == pytest.approx(1, abs=0.25)
+
+
 def test_a_step_that_works_in_place_is_given_copies() -> None:
     start = np.array([0.7, 0.3])
 
@@ -116,6 +126,8 @@ def test_a_linear_problem_is_no_measure_of_an_order() -> None:
 
     with pytest.raises(InputError, match=r"of \(2,\) it makes \(1,\)"):
         assert_order(lambda z, h: z[:1], 2, start=[0.7, 0.3])
+    with pytest.raises(InputError, match="as at an equilibrium"):
+        assert_order(rk4, 4, start=[0.0, 0.0])
     with pytest.raises(InputError, match="a phase point is a list of numbers"):
         assert_order(of_oscillator, 2, start="0.7")
     with pytest.raises(InputError, match="the step is linear in z"):

@@ -29,7 +29,7 @@ from canon.sign import declared
 if TYPE_CHECKING:
     from canon.claims.question import Question
 
-POWERS = tuple(Fraction(n, 2) for n in (0, 1, 2, -1, -2))
+POWERS = tuple(Fraction(n, 2) for n in (0, 1, 2, -1, -2, 3, 4, -3, -4))
 SIZES = (2, 3)
 CLOSE = 1e-12
 

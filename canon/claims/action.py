@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from canon.claims import solved_orbits
 from canon.claims.action_evidence import METHOD, by_quadrature, on_separatrix
 from canon.claims.action_orbits import example, why_not
 from canon.claims.action_places import places, places_by_wells
@@ -33,6 +34,7 @@ from canon.expression import Formula
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, one_degree
 from canon.mechanics.closed_actions import librations
 from canon.mechanics.elliptic_actions import elliptic
+from canon.mechanics.solved_momentum import solved_momentum
 from canon.mechanics.standard_actions import cosine, rotation
 from canon.mechanics.substitutions import integrands
 
@@ -92,7 +94,8 @@ def _by_closed_form(
 ) -> Outcome | None:
     """What a standard integral says; None where none suits, with the `reasons` why not."""
     for found in _closed_forms(question, setting, branch):
-        unsigned = replace(found, exists=tuple(map(setting.at_level, found.exists)))
+        exists = (*found.exists, *solved_orbits.where_it_exists(setting, found))
+        unsigned = replace(found, exists=tuple(map(setting.at_level, exists)))
         region = existing(question, setting, unsigned)
         if not all(is_positive(question, region, setting.at_level(need)) for need in found.needs):
             reasons.append(f"{found.method}: the order of the roots isn't known")
@@ -110,6 +113,12 @@ def _by_closed_form(
             continue
         checks = [Residual(name, question.load(setting.at_level(e))) for name, e in closed.vanishes]
         grounds = [question.decide(checks, along(question, setting, region))] if checks else []
+        if setting.solved is not None:
+            found_square = solved_orbits.grounds(question, setting, closed, region)
+            if found_square is None:
+                reasons.append(f"{closed.method}: not verified that this is an orbit of H")
+                continue
+            grounds.append(found_square)
         if any(ground.status != "proved" for ground in grounds) and question.method != "numeric":
             reasons.append(f"{closed.method}: not verified")
             continue
@@ -118,6 +127,8 @@ def _by_closed_form(
         slope = setting.at_level(_period(setting, closed)) if label != "J" else None
         value = question.load(closed.value if slope is None else 1 / slope)
         outcome = outcome.with_detail(value=question.show(value), by=closed.method)
+        if outcome.status == "refuted" and any(ground.status != "proved" for ground in grounds):
+            continue  # only numbers say that the closed form is the action
         return outcome if outcome.status == "refuted" else combined([*grounds, outcome])
     return None
 
@@ -165,8 +176,12 @@ def _setting(question: Question) -> Setting:
     for formula in (H, equals, *fixed.values()):
         conditions += formula.conditions
     here = tuple(dict.fromkeys(c.substitute(rules) for c in conditions))
-    motion = one_degree(moved, q, p, energy, here)
-    return Setting(q, p, moved, energy, equals.expr.xreplace(rules), here, motion, level)
+    try:
+        motion, solved = one_degree(moved, q, p, energy, here), None
+    except NotQuadratic:
+        solved = solved_momentum(moved, q, p, energy, here)
+        motion = solved.motion
+    return Setting(q, p, moved, energy, equals.expr.xreplace(rules), here, motion, level, solved)
 
 
 def _branch(question: Question, setting: Setting) -> str:

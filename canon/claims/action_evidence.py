@@ -15,7 +15,9 @@ import sympy as sp
 from flint import arb
 
 from canon.claims.action_places import FAILURES
+from canon.claims.action_region import constants_region
 from canon.claims.outcome import Outcome
+from canon.claims.solved_orbits import guarded, square_is_right
 from canon.decide.answer import show_ball
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import Ball, evaluate, precision
@@ -44,6 +46,10 @@ def by_quadrature(question: Question, setting: Setting, branch: str, where: Iter
     **Raises** `InputError` where a well or branch is ambiguous at one of them.
     """
     tape, wants_frequency = question.tape, question.claim.kind == "frequency"
+    if setting.solved is not None:
+        square = square_is_right(question, setting, constants_region(question, setting))
+        if square.status != "proved":
+            return Outcome("undecided", METHOD, note="H isn't quadratic in p, and was not seen to be solved for p")
     found: list[tuple[float, float]] = []
     equals = question.load(setting.equals)
     for place in where:
@@ -120,6 +126,9 @@ def _value(question: Question, setting: Setting, place: Place, branch: str, want
         return None
     if question.key("well") is None:
         _check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
+    with precision(BITS):
+        if not guarded(question, setting, integrand, [place.inside, (orbit.left + orbit.right) / 2]):
+            return None
     value = action(integrand, orbit) if energy is None else period(integrand, orbit, energy)
     with precision(BITS):
         leading = integrand.at(question.load(setting.motion.leading), arb(rational(place.inside)))
@@ -138,6 +147,9 @@ def _rotation(question: Question, setting: Setting, place: Place, energy: Node |
     beyond = Fraction(float(rest.upper())) * 2 + end
     if not _stays(question, setting, integrand, place.inside, beyond):
         return None
+    with precision(BITS):
+        if not guarded(question, setting, integrand, [place.inside]):
+            return None
     if backward_too(integrand, place.inside, beyond, budget):
         where = _at(question, integrand)
         raise InputError(

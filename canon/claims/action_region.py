@@ -18,6 +18,7 @@ from canon.decide.tape import Unsupported
 from canon.domain import Condition, Domain, nonzero
 from canon.errors import InputError
 from canon.mechanics.action_angle import ClosedAction, OneDegree, at_most, linear_edge
+from canon.mechanics.solved_momentum import SolvedMomentum
 from canon.sign import known_sign
 
 if TYPE_CHECKING:
@@ -30,7 +31,8 @@ class Setting:
 
     **Arguments:** the coordinate and its momentum; `H`, with what is fixed put in; `energy`; `equals`, likewise;
     `conditions`, all of the domain; `motion`, the orbits H = energy; `level`, the value that an energy with a name has
-    in the end, where that is fixed (a frequency is a derivative by it).
+    in the end, where that is fixed (a frequency is a derivative by it); `solved`, how the square was found where H
+    isn't quadratic in p.
     """
 
     q: sp.Symbol
@@ -41,6 +43,7 @@ class Setting:
     conditions: tuple[Condition, ...]
     motion: OneDegree
     level: Any = None
+    solved: SolvedMomentum | None = None
 
     def at_level(self, expression: Any) -> Any:
         """A formula in the energy at the value that is fixed, if there is one."""

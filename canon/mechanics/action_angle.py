@@ -48,7 +48,7 @@ class ClosedAction:
     `vanishes`, identities by which the integrand is the one of the standard integral, in q or in u; `method`;
     `passes_zero`, whether the orbit passes q = 0, where |q| has its kink; `needs`, what has to be positive for the
     closed form to be that of the orbit, wherever the claim is made; `period`, ∂J/∂E, where that isn't found by
-    differentiating `value`.
+    differentiating `value`; `inside`, a value of the coordinate between the turning points.
     """
 
     value: sp.Expr
@@ -58,6 +58,7 @@ class ClosedAction:
     passes_zero: bool = False
     needs: tuple[sp.Expr, ...] = ()
     period: sp.Expr | None = None
+    inside: sp.Expr | None = None
 
 
 def one_degree(

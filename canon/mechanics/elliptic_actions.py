@@ -262,9 +262,11 @@ def _reduced(
     ]
     if slow is not None:
         checks.append(("the slowness", slow[0] - (asked.formula * factor.formula).xreplace(back) * turn))
+    middle: Any = {U: (a + b) / 2}
+    inside = chosen.q.xreplace(middle)
     method = f"elliptic integrals in u = {chosen.u}"
     value, period = (total, None) if slow is None else (sp.S.Zero, total)
-    return ClosedAction(value, (), tuple(checks), method, needs=tuple(needs), period=period)
+    return ClosedAction(value, (), tuple(checks), method, needs=tuple(needs), period=period, inside=inside)
 
 
 def _same(a: Any, b: Any) -> bool:

@@ -65,7 +65,9 @@ def quartic_wells(motion: OneDegree) -> Iterator[ClosedAction]:
             other = (root - B) / (-2 * C)
             m = outer / (outer + other)
             both = other * sp.elliptic_k(m) + (outer - other) * sp.elliptic_e(m)
-            yield ClosedAction(4 * sp.sqrt(-C) * sp.sqrt(outer + other) / 3 * both, (A,), (), "an even quartic")
+            yield ClosedAction(
+                4 * sp.sqrt(-C) * sp.sqrt(outer + other) / 3 * both, (A,), (), "an even quartic", inside=sp.S.Zero
+            )
     elif known_sign(C) == "positive" and whole and sp.expand(root**2) == 0:
         edge = sp.sqrt(-B / (2 * C))
         yield ClosedAction(8 * sp.sqrt(C) * edge**3 / 3, (A, -B), (), SEPARATRIX)
@@ -74,4 +76,5 @@ def quartic_wells(motion: OneDegree) -> Iterator[ClosedAction]:
         m = inner / outer
         both = (outer + inner) * sp.elliptic_e(m) - (outer - inner) * sp.elliptic_k(m)
         exists = (A, -B, B**2 - 4 * A * C)
-        yield ClosedAction(4 * sp.sqrt(C) * sp.sqrt(outer) / 3 * both, exists, (), "an even quartic")
+        value = 4 * sp.sqrt(C) * sp.sqrt(outer) / 3 * both
+        yield ClosedAction(value, exists, (), "an even quartic", inside=sp.S.Zero)

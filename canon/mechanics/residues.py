@@ -61,7 +61,9 @@ def _with(motion: OneDegree, chosen: Substitution, G: sp.Expr) -> ClosedAction |
     same = motion.square - Q.xreplace(back) * S.xreplace(back) ** 2 * chosen.u.diff(motion.q) ** 2
     checks = (("p**2 as a square root of a quadratic", same), ("partial fractions", S - sp.Add(*terms)))
     value = 2 * sign * sp.Add(*(value for value in integrals if value is not None))
-    return ClosedAction(value, tuple(exists), checks, f"residues in u = {chosen.u}")
+    middle: Any = {U: B / (2 * A)}
+    inside = chosen.q.xreplace(middle)
+    return ClosedAction(value, tuple(exists), checks, f"residues in u = {chosen.u}", inside=inside)
 
 
 def root_and_factor(G: Any) -> tuple[Any, list[tuple[Any, int]]] | None:

@@ -3,7 +3,7 @@
 ∮ √(a + b cos κq) dq: with sin(κq/2) = √μ sin φ and μ = (a + b)/2b, a libration (|a| < b) gives
 (8√2b/κ)(E(μ) − (1 − μ) K(μ)) and a turn of a rotation (a > b) gives (4√(a + b)/κ) E(2b/(a + b)), K and E in terms of
 the parameter; at the separatrix (a = b) that is 8√2b/κ, and for a turn, one of its two branches, half of it (Byrd and
-Friedman 1971, 289). ∮ √(α − β|q|ⁿ) dq = 2√α (α/β)^(1/n) √π Γ(1 + 1/n)/Γ(3/2 + 1/n).
+Friedman 1971, 289). ∮ √(α − β|q|ⁿ)ʳ dq = 4√αʳ (α/β)^(1/n) Γ(1 + 1/n) Γ(1 + r/2)/Γ(1 + r/2 + 1/n).
 """
 
 from collections.abc import Iterator
@@ -110,20 +110,25 @@ def cosine(square: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Expr] | 
 
 
 def power_well(motion: OneDegree) -> Iterator[ClosedAction]:
-    """The action where the square of the momentum is α − β|q|ⁿ on the whole line, n > 0."""
+    """The action where the square of the momentum is γ(α − β|q|ⁿ)ʳ on the whole line, n > 0 and r > 0."""
     q = motion.q
     if (motion.low, motion.high) != (sp.S.NegativeInfinity, sp.S.Infinity):
         return
-    expanded = sp.expand(motion.square)
+    factor, power = motion.square.as_independent(q, as_Add=False)
+    base, r = power.as_base_exp() if isinstance(power, sp.Pow) else (power, sp.S.One)
+    if isinstance(base, sp.Symbol) or base.func is sp.Abs or known_sign(r) != "positive" or not r.is_Rational:
+        base, r, factor = motion.square, sp.S.One, sp.S.One
+    expanded = sp.expand(base if r != 1 else motion.square)
+    factor = factor if r != 1 else sp.S.One
     alpha, rest = expanded.as_independent(q, as_Add=True)
-    factor, power = rest.as_independent(q, as_Add=False)
+    slope, power = rest.as_independent(q, as_Add=False)
     base, n = power.as_base_exp()
     plain = base == q and n.is_Integer and n.is_even
-    if not (plain or base == sp.Abs(q)) or n.has(q) or known_sign(n) != "positive":
+    if not (plain or base == sp.Abs(q)) or n.has(q) or known_sign(n) != "positive" or known_sign(factor) != "positive":
         return
-    beta = -factor
+    beta = -slope
     gamma: Any = sp.gamma
-    value = 2 * sp.sqrt(alpha) * (alpha / beta) ** (1 / n) * sp.sqrt(sp.pi)
-    value = value * gamma(1 + 1 / n) / gamma(sp.Rational(3, 2) + 1 / n)
-    same = (("p**2 as a power", motion.square - alpha + beta * power),)
-    yield ClosedAction(value, (alpha, beta), same, "Euler's beta function", passes_zero=True)
+    value = 4 * sp.sqrt(factor) * alpha ** (r / 2) * (alpha / beta) ** (1 / n)
+    value = value * gamma(1 + 1 / n) * gamma(1 + r / 2) / gamma(1 + r / 2 + 1 / n)
+    same = (("p**2 as a power", motion.square - factor * (alpha - beta * power) ** r),)
+    yield ClosedAction(value, (alpha, beta), same, "Euler's beta function", passes_zero=True, inside=sp.S.Zero)

@@ -1,8 +1,11 @@
-"""Mutation testing: do the tests notice it? `python -m properties.mutation canon/mechanics/poisson.py tests/mechanics`.
+"""Mutation testing: do the tests notice it?
+
+    python -m properties.mutation canon/mechanics/poisson.py --tests tests/mechanics
 
 A mutant is the module with one change of its text: a comparison (< and <=, == and !=, is and is not, in and not in), an
 operation (+ and -, * and /), a whole number by one, `and` and `or`, a `not` left out, True and False, a returned value
-replaced by None. Each is imported in a process of its own, which runs the tests; a mutant that they pass is a survivor.
+replaced by None. Each is imported in a process of its own, which runs those of the tests that call into the module, the
+quickest first; a mutant that they pass is a survivor.
 """
 
 from __future__ import annotations
@@ -15,12 +18,15 @@ import importlib.abc
 import importlib.machinery
 import io
 import json
+import multiprocessing
 import os
 import random
 import signal
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import redirect_stderr, redirect_stdout
+from itertools import accumulate
 from pathlib import Path
 from typing import Any, Final
 
@@ -29,8 +35,6 @@ SWAPPED: Final[dict[type, type]] = {
     ast.Is: ast.IsNot, ast.IsNot: ast.Is, ast.In: ast.NotIn, ast.NotIn: ast.In,
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.And: ast.Or, ast.Or: ast.And,
 }  # fmt: skip
-SECONDS: Final = 60
-"""After which a mutant is taken for killed: it does not end."""
 
 
 def changes(node: ast.AST) -> list[ast.AST]:
@@ -108,76 +112,149 @@ class _Instead(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
         exec(self.get_code(self.name), module.__dict__)  # noqa: S102 - our own module, changed on purpose
 
 
-def killed(name: str, path: Path, tree: ast.Module, tests: list[str]) -> bool:
-    """Whether the tests notice the mutant."""
+class _Calls:
+    """A plugin of pytest that finds out which tests call into which of some modules, and how long each takes."""
+
+    def __init__(self, paths: list[Path]) -> None:
+        self.paths = {str(path.resolve()): path for path in paths}
+        self.called = set[str]()
+        self.seconds: dict[Path, dict[str, float]] = {path: {} for path in paths}
+
+    def _profile(self, frame: Any, event: str, _: Any) -> None:
+        if event == "call" and frame.f_code.co_filename in self.paths:
+            self.called.add(frame.f_code.co_filename)
+
+    def pytest_runtest_protocol(self, item: Any, nextitem: Any) -> None:
+        """Before a test."""
+        self.called.clear()
+        self.start = time.process_time()
+        sys.setprofile(self._profile)
+
+    def pytest_runtest_logfinish(self, nodeid: str, location: Any) -> None:
+        """After it."""
+        sys.setprofile(None)
+        for name in self.called:
+            self.seconds[self.paths[name]][nodeid] = time.process_time() - self.start
+
+
+class _Only:
+    """A plugin of pytest that runs some tests, in an order."""
+
+    def __init__(self, chosen: list[str]) -> None:
+        self.order = {nodeid: k for k, nodeid in enumerate(chosen)}
+
+    def pytest_collection_modifyitems(self, items: list[Any]) -> None:
+        """What is left of all of them."""
+        items[:] = sorted((i for i in items if i.nodeid in self.order), key=lambda i: self.order[i.nodeid])
+
+
+def _tests(plugin: Any, tests: list[str], *options: str) -> int:
+    import pytest
+
+    always = [
+        "-q",
+        "-n",
+        "0",
+        "-p",
+        "no:cacheprovider",
+        "-p",
+        "no:randomly",
+        "-W",
+        "ignore::pytest.PytestAssertRewriteWarning",
+    ]
+    with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
+        return int(pytest.main([*always, *options, *tests], plugins=[plugin]))
+
+
+def relevant(paths: list[Path], tests: list[str], most: float) -> dict[Path, list[str]]:
+    """The tests that call into each module, the quickest first, as many as fit into so many seconds of a processor."""
+    mine, its = multiprocessing.Pipe(duplex=False)
     child = os.fork()
     if child == 0:
-        signal.alarm(SECONDS)
+        calls = _Calls(paths)
+        status = _tests(calls, tests)
+        its.send((status, calls.seconds))
+        os._exit(0)
+    its.close()
+    status, found = mine.recv()
+    os.waitpid(child, 0)
+    if status:
+        sys.exit("the tests fail on the modules as they are")
+    chosen: dict[Path, list[str]] = {}
+    for path, seconds in found.items():
+        order = sorted(seconds, key=lambda n: seconds[n])
+        spent = list(accumulate(seconds[n] for n in order))
+        chosen[path] = order[: sum(total <= most for total in spent)]
+    return chosen
+
+
+def killed(name: str, path: Path, tree: ast.Module, tests: list[str], chosen: list[str], limit: float) -> bool:
+    """Whether the tests notice the mutant, or don't end in so many seconds of a processor."""
+    child = os.fork()
+    if child == 0:
+        signal.setitimer(signal.ITIMER_PROF, limit)  # ends the process: nobody handles it
         sys.meta_path.insert(0, _Instead(name, path, tree))
         status = 1
-        with redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
-            try:
-                importlib.import_module(name)  # before pytest's own importer, which would read the file
-                import pytest
-
-                status = int(
-                    pytest.main(
-                        [
-                            "-x",
-                            "-q",
-                            "-n",
-                            "0",
-                            "-p",
-                            "no:cacheprovider",
-                            "-W",
-                            "ignore::pytest.PytestAssertRewriteWarning",
-                            *tests,
-                        ]
-                    )
-                )
-            finally:
-                os._exit(status)
+        try:
+            importlib.import_module(name)  # before pytest's own importer, which would read the file
+            status = _tests(_Only(chosen), tests, "-x")
+        finally:
+            os._exit(status)
     return os.waitpid(child, 0)[1] != 0
 
 
+def figures(
+    path: Path, chosen: list[str], most: int, seed: int, jobs: int, limit: float, until: float
+) -> dict[str, Any]:
+    """What became of some mutants of a module, chosen at random."""
+    text, name = path.read_text(encoding="utf-8"), ".".join(path.with_suffix("").parts)
+    files = sorted({nodeid.partition("::")[0] for nodeid in chosen})
+    count = 0
+    while mutant(text, count)[1]:
+        count += 1
+    if not chosen or killed(name, path, ast.parse(text), files, chosen, limit):
+        return {"module": name, "places": count, "tests": len(chosen), "tried": 0, "why": "no tests that pass"}
+    numbers = random.Random(seed).sample(range(count), min(count, most))
+
+    def tried(number: int) -> str | None:
+        if time.monotonic() > until:
+            return None
+        tree, said = mutant(text, number)
+        if killed(name, path, tree, files, chosen, limit):
+            return ""
+        print(f"survives: {path.name}, {said}", file=sys.stderr, flush=True)
+        return said
+
+    with ThreadPoolExecutor(jobs) as pool:
+        found = [said for said in pool.map(tried, numbers) if said is not None]
+    survivors = sorted(filter(None, found))
+    kept = {"tests": len(chosen), "places": count, "tried": len(found), "killed": len(found) - len(survivors)}
+    return {"module": name, **kept, "survivors": survivors}
+
+
 def main() -> int:
-    """Try mutants of a module, and list those that its tests don't notice."""
+    """Try mutants of modules, and list those that the tests don't notice: one JSON object a line for each module."""
     parser = argparse.ArgumentParser(prog="python -m properties.mutation", description=__doc__)
-    parser.add_argument("module", type=Path)
-    parser.add_argument("tests", nargs="+")
-    parser.add_argument("--most", type=int, default=40, help="mutants, chosen at random")
+    parser.add_argument("modules", type=Path, nargs="+")
+    parser.add_argument("--tests", nargs="+", required=True)
+    parser.add_argument("--most", type=int, default=40, help="mutants of each module, chosen at random")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=60.0)
+    parser.add_argument("--minutes", type=float, default=60.0, help="after which no mutant is begun")
+    parser.add_argument("--seconds", type=float, default=10.0, help="of a processor, for the tests of a mutant")
+    parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
-    import mpmath  # noqa: F401  loaded once, for all mutants
+    import flint  # noqa: F401  loaded once, for all mutants
+    import mpmath  # noqa: F401
     import numpy  # noqa: F401
     import pytest  # noqa: F401
     import sympy  # noqa: F401
 
-    text, name = options.module.read_text(encoding="utf-8"), ".".join(options.module.with_suffix("").parts)
-    if killed(name, options.module, ast.parse(text), options.tests):
-        sys.exit("the tests fail on the module as it is")
-    count = 0
-    while mutant(text, count)[1]:
-        count += 1
-    chosen = sorted(random.Random(options.seed).sample(range(count), min(count, options.most)))
-    until, tried, survivors = time.monotonic() + 60 * options.minutes, 0, []
-    for number in chosen:
-        if time.monotonic() > until:
-            break
-        tree, said = mutant(text, number)
-        tried += 1
-        if not killed(name, options.module, tree, options.tests):
-            survivors.append(said)
-            print(f"survives: {said}", file=sys.stderr, flush=True)
-    figures = {
-        "module": name,
-        "places": count,
-        "tried": tried,
-        "killed": tried - len(survivors),
-        "survivors": survivors,
-    }
-    print(json.dumps(figures, indent=1))
+    until = time.monotonic() + 60 * options.minutes
+    chosen = relevant(options.modules, options.tests, options.seconds)
+    for path in options.modules:
+        limit = 20 + 5 * options.seconds
+        found = figures(path, chosen[path], options.most, options.seed, options.jobs, limit, until)
+        print(json.dumps(found), flush=True)
     return 0
 
 

@@ -16,9 +16,10 @@ from multiprocessing import get_context
 from typing import Final
 
 from canon.claim import Claim
-from canon.claims.run import available_cores
+from canon.claims.apart import decided_apart
+from canon.claims.run import available_cores, memory_limit
 from canon.claims.verify import Method, verify
-from canon.claims.worker import without_verdict
+from canon.claims.worker import Settings, without_verdict
 from canon.errors import InputError
 from canon.verdict import Verdict
 
@@ -42,18 +43,22 @@ def verify_many(
     method: Method = "symbolic",
     batch: int = BATCH,
     certificates: bool = False,
+    apart: bool = True,
+    memory: int | None = None,
 ) -> Iterator[tuple[int, Answer]]:
     """The verdicts on many claims as they come, each with the claim's place in the order of `claims`.
 
     **Arguments:** `claims`, taken only as they are needed; `executor`, on which they are decided (default: a process
     for each core here), with workers that can import `canon`; `budget` in seconds for each claim (its own wins),
     `seed` and `method` as of `verify`; `batch`, how many claims travel together; `certificates`, whether verdicts bring
-    theirs along.
+    theirs along; `apart`, whether each worker decides in a process beside it, which is killed where a claim overstays
+    its budget or needs more than `memory` bytes (default: a core's share of the machine's; False: in the worker
+    itself, whose time nothing but the deciders' own clock limits).
 
     **Yields:** (position, verdict); for an ill-posed claim (position, `InputError`). They are the same on every
     executor and in every order, as long as no budget ends a decision.
     """
-    settings = (budget, seed, method, certificates)
+    settings = (Settings(budget=budget, seed=seed, method=method, memory=memory), certificates, apart)
     if executor is None:
         with ProcessPoolExecutor(available_cores(), mp_context=get_context("spawn")) as own:
             yield from _answers(enumerate(claims), own, settings, batch)
@@ -61,11 +66,11 @@ def verify_many(
         yield from _answers(enumerate(claims), executor, settings, batch)
 
 
-Settings = tuple[float, int, Method, bool]
+How = tuple[Settings, bool, bool]
 
 
 def _answers(
-    numbered: Iterator[Numbered], executor: Executor, settings: Settings, batch: int
+    numbered: Iterator[Numbered], executor: Executor, settings: How, batch: int
 ) -> Iterator[tuple[int, Answer]]:
     out: dict[Future[list[Answer]], list[Numbered]] = {}
     again: list[Numbered] = []
@@ -97,22 +102,32 @@ def _answers(
             future.cancel()
 
 
-def decided(claims: Sequence[Claim], budget: float, seed: int, method: Method, certificates: bool) -> list[Answer]:
-    """The answers to a batch of claims, in this process: what a worker does."""
+def decided(claims: Sequence[Claim], settings: Settings, certificates: bool, apart: bool) -> list[Answer]:
+    """The answers to a batch of claims: what a worker does."""
+    if not apart:
+        return [decided_here(claim, settings, certificates) for claim in claims]
+    if settings.memory is None:
+        settings = replace(settings, memory=memory_limit(available_cores()))
     found: list[Answer] = []
     for claim in claims:
-        try:
-            with _ONE_AT_A_TIME:
-                verdict = verify(claim, budget=budget, seed=seed, method=method)
-            found.append(verdict if certificates else replace(verdict, certificate=None))
-        except InputError as error:
-            found.append(error)
-        except MemoryError:
-            found.append(without_verdict(claim, "stopped: out of memory", 0.0))
-        except Exception as error:
-            note = f"stopped by an internal error, {type(error).__name__}: {error}"
-            found.append(without_verdict(claim, note, 0.0))
+        answer = decided_apart(claim, settings, certificates)
+        found.append(decided_here(claim, settings, certificates) if answer is None else answer)
     return found
+
+
+def decided_here(claim: Claim, settings: Settings, certificates: bool) -> Answer:
+    """The answer to a claim, in this process."""
+    try:
+        with _ONE_AT_A_TIME:
+            verdict = verify(claim, budget=settings.budget, seed=settings.seed, method=settings.method)
+        return verdict if certificates else replace(verdict, certificate=None)
+    except InputError as error:
+        return error
+    except MemoryError:
+        return without_verdict(claim, "stopped: out of memory", 0.0)
+    except Exception as error:
+        note = f"stopped by an internal error, {type(error).__name__}: {error}"
+        return without_verdict(claim, note, 0.0)
 
 
 def _lost(claim: Claim, error: BaseException) -> Verdict:

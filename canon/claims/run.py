@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import multiprocessing
 import os
-import signal
 import sys
 import threading
 import time
@@ -20,7 +19,7 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Any
 
-from canon.claims.worker import Entry, Record, Recorder, Settings, serve, without_verdict
+from canon.claims.worker import Entry, Record, Recorder, Settings, cause_of_death, serve, without_verdict
 
 Watcher = Callable[[int, Sequence[int]], None]
 GIB = 1 << 30
@@ -173,12 +172,7 @@ class _Team:
 
     def _cause_of_death(self, worker: _Worker) -> str:
         worker.process.join(1.0)
-        code = worker.process.exitcode
-        if code is None or code >= 0:
-            return f"stopped: its worker process ended with status {code}"
-        name = signal.Signals(-code).name if -code in {s.value for s in signal.Signals} else f"signal {-code}"
-        likely = " (out of memory, most likely)" if name in {"SIGABRT", "SIGKILL", "SIGSEGV"} else ""
-        return f"stopped: its worker process was ended by {name}{likely}"
+        return cause_of_death(worker.process.exitcode)
 
 
 def _start_method() -> str:

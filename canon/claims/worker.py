@@ -62,7 +62,12 @@ class Settings:
     def grace(self, entry: Entry) -> float:
         """Return how many seconds past its budget a claim is left alone before its worker is killed."""
         writing = 0.0 if self.certificates is None and self.proof is None else CERTIFICATE_SECONDS + 2.0
-        return writing + min(5.0, max(1.0, 0.2 * self.seconds(entry)))
+        return writing + self.grace_of(self.seconds(entry))
+
+    @staticmethod
+    def grace_of(seconds: float) -> float:
+        """Return the same for a budget, if nothing is to be written."""
+        return min(5.0, max(1.0, 0.2 * seconds))
 
 
 Recorder = Callable[[Entry, Claim, Verdict], Record]
@@ -89,7 +94,7 @@ def serve(
     """
     for other in inherited:
         other.close()
-    _isolate(settings.memory)
+    isolate(settings.memory)
     while True:
         try:
             position = json.loads(connection.recv_bytes())
@@ -111,7 +116,7 @@ def _answer(entry: Entry, settings: Settings, recorder: Recorder) -> Record:
     start = time.monotonic()
     claim = entry.claim if entry.claim is not None else _read_again(entry)
     budget = settings.seconds(Entry(entry.file, entry.index, claim))
-    _alarm(budget + 3 * settings.grace(entry))
+    alarm(budget + 3 * settings.grace(entry))
     retire = False
     try:
         verdict = verify(claim, budget=budget, seed=settings.seed, method=settings.method)
@@ -126,7 +131,7 @@ def _answer(entry: Entry, settings: Settings, recorder: Recorder) -> Record:
         note = f"stopped by an internal error, {type(error).__name__}: {error} {_place(error)}".strip()
         verdict = without_verdict(claim, note, time.monotonic() - start)
     finally:
-        _alarm(0)
+        alarm(0)
     return {"claim": recorder(entry, claim, verdict), "retire": retire}
 
 
@@ -147,7 +152,16 @@ def _read_again(entry: Entry) -> Claim:
     return next(claim for claim in read_file(entry.path).claims if claim.index == entry.index)
 
 
-def _isolate(memory: int | None) -> None:
+def cause_of_death(code: int | None) -> str:
+    """Return what is said of a claim whose worker ended with this status (negative: by that signal)."""
+    if code is None or code >= 0:
+        return f"stopped: its worker process ended with status {code}"
+    name = signal.Signals(-code).name if -code in {s.value for s in signal.Signals} else f"signal {-code}"
+    likely = " (out of memory, most likely)" if name in {"SIGABRT", "SIGKILL", "SIGSEGV"} else ""
+    return f"stopped: its worker process was ended by {name}{likely}"
+
+
+def isolate(memory: int | None) -> None:
     """Leave Ctrl-C to the parent, be silent (libraries in C print as they abort), and limit memory where it can be."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     nowhere = os.open(os.devnull, os.O_RDWR)
@@ -163,7 +177,7 @@ def _isolate(memory: int | None) -> None:
         resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
 
 
-def _alarm(seconds: float) -> None:
+def alarm(seconds: float) -> None:
     """Let the system end this process after so many seconds (0: never), in case the parent is no longer there."""
     if hasattr(signal, "setitimer"):
         signal.signal(signal.SIGALRM, signal.SIG_DFL)

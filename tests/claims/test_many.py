@@ -8,17 +8,21 @@ import threading
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from canon import verify, verify_many
 from canon.claim import Claim
-from canon.claims import many
+from canon.claims import apart, many
+from canon.claims.apart import decided_apart
 from canon.claims.many import AHEAD
 from canon.claims.reader import read_text
+from canon.claims.worker import Settings
 from canon.cli.main import main
 from canon.errors import InputError
+from canon.verdict import Verdict
 
 HEAD = '[phase_space]\nq = ["q"]\np = ["p"]\n'
 
@@ -62,20 +66,20 @@ def test_the_same_on_every_executor() -> None:
     with ThreadPoolExecutor(3) as threads:
         for executor in (Here(), threads):
             for batch in (1, 7):
-                found = dict(verify_many(CLAIMS, executor=executor, batch=batch, seed=3))
+                found = dict(verify_many(CLAIMS, executor=executor, apart=False, batch=batch, seed=3))
                 assert [found[k].witness for k in range(20)] == [verdict.witness for verdict in alone]
                 assert words_of(found.items()) == WORDS
 
 
 def test_what_a_lost_worker_had_is_asked_again() -> None:
     executor = Here(lose=lambda number, claims: number in (1, 3))
-    assert words_of(verify_many(CLAIMS, executor=executor, batch=6)) == WORDS
+    assert words_of(verify_many(CLAIMS, executor=executor, apart=False, batch=6)) == WORDS
     assert executor.number == 4 + 12  # the claims of two batches, one by one
 
 
 def test_a_claim_that_takes_its_workers_along_is_undecided() -> None:
     executor = Here(lose=lambda number, claims: any(claim.index == 4 for claim in claims))
-    found = dict(verify_many(CLAIMS, executor=executor, batch=6))
+    found = dict(verify_many(CLAIMS, executor=executor, apart=False, batch=6))
     assert [k for k in range(20) if found[k].status != WORDS[k]] == [4]
     assert found[4].status == "undecided"
     assert "its worker was lost twice (BrokenExecutor: its machine is gone)" in found[4].detail["note"]
@@ -88,7 +92,7 @@ def test_a_pool_that_takes_nothing_more_loses_no_claim() -> None:
                 raise BrokenExecutor("the pool is broken")
             return super().submit(fn, *args, **kwargs)
 
-    found = Counter(words_of(verify_many(CLAIMS, executor=Broken(), batch=5)))
+    found = Counter(words_of(verify_many(CLAIMS, executor=Broken(), apart=False, batch=5)))
     assert found == {"proved": 7, "refuted": 3, "undecided": 10}
 
 
@@ -101,7 +105,7 @@ def test_claims_are_taken_as_they_are_needed() -> None:
             taken += 1
             yield CLAIMS[0]
 
-    answers = verify_many(endless(), executor=Here(), batch=2)
+    answers = verify_many(endless(), executor=Here(), apart=False, batch=2)
     assert next(answers)[1].status == "proved"
     assert taken <= 2 * AHEAD
     answers.close()
@@ -116,7 +120,7 @@ def test_what_is_no_verdict_stays_in_its_place(monkeypatch: pytest.MonkeyPatch) 
         return verify(claim, **options)
 
     monkeypatch.setattr(many, "verify", odd)
-    found = dict(verify_many(CLAIMS[:5], executor=Here()))
+    found = dict(verify_many(CLAIMS[:5], executor=Here(), apart=False))
     assert isinstance(found[1], InputError)
     assert [found[k].detail["note"] for k in (2, 3)] == [
         "stopped: out of memory",
@@ -125,10 +129,49 @@ def test_what_is_no_verdict_stays_in_its_place(monkeypatch: pytest.MonkeyPatch) 
     assert [found[k].status for k in (0, 2, 3, 4)] == ["proved", "undecided", "undecided", "proved"]
 
 
+class Hostile:
+    """A claim that does something else where it arrives."""
+
+    kind, title, budget, index = "bracket", None, 0.2, 0
+
+    def __init__(self, act, *arguments) -> None:
+        self.act = act, arguments
+
+    def __reduce__(self):
+        return self.act
+
+
+def test_a_claim_that_overstays_or_takes_its_process_along_costs_one_answer() -> None:
+    """Each is decided in a process beside the worker, which is killed in the middle of a call into C."""
+    claims = [Hostile(pow, 3, 10**9), CLAIMS[0], Hostile(os.abort), CLAIMS[2], CLAIMS[1]]  # a power that takes minutes
+    found = dict(verify_many(claims, executor=Here(), batch=3))  # type: ignore[arg-type]
+    assert [found[k].status for k in range(5)] == ["undecided", "proved", "undecided", "refuted", "proved"]
+    assert found[0].detail["note"] == "stopped: still busy well past its budget of 0.2 s"
+    assert found[2].detail["note"] == "stopped: its worker process was ended by SIGABRT (out of memory, most likely)"
+
+
+def test_what_cannot_be_sent_to_another_process_is_decided_here() -> None:
+    local = replace(CLAIMS[0], title=type("Words", (str,), {})("no other program knows this type"))
+    assert words_of(verify_many([local, CLAIMS[2]], executor=Here())) == ["proved", "refuted"]
+
+
+def test_a_process_that_waits_is_asked_again() -> None:
+    settings = Settings(memory=1 << 31)
+    kept = [(decided_apart(claim, settings, False), apart._IDLE[1 << 31][0]) for claim in CLAIMS[:2]]
+    assert kept[0][1] is kept[1][1]
+    kept[0][1].process.kill()
+    kept[0][1].process.wait()
+    again = decided_apart(CLAIMS[2], settings, False)
+    assert isinstance(again, Verdict)
+    assert again.status == "refuted"
+
+
 def test_certificates_travel_where_they_are_wanted() -> None:
     import pickle
 
-    (_, plain), (_, whole) = (next(verify_many(CLAIMS, executor=Here(), certificates=word)) for word in (False, True))
+    (_, plain), (_, whole) = (
+        next(verify_many(CLAIMS, executor=Here(), apart=False, certificates=word)) for word in (False, True)
+    )
     assert plain.certificate is None
     again = pickle.loads(pickle.dumps(whole))  # noqa: S301 - our own, just made
     assert dict(again.certificate) == dict(whole.certificate)
@@ -166,3 +209,37 @@ def test_a_worker_of_a_cluster_is_killed_and_nothing_lost(tmp_path: Path, capsys
     assert [claim["index"] for claim in record["claims"]] == list(range(400))
     assert record["summary"] == {"proved": 267, "refuted": 133, "supported": 0, "undecided": 0, "errors": 0}
     assert status == 1
+
+
+EXPONENTIALS = """
+[phase_space]
+q = ["q1", "q2"]
+p = ["p1", "p2"]
+[[claim]]
+kind = "hamiltonian_field"
+qdot = ["(1 - tanh(p1)**2)*p1 + tanh(1001*p1/1000)", "exp(p2/2)"]
+pdot = ["0", "0"]
+"""
+
+
+@pytest.mark.thorough
+@pytest.mark.filterwarnings("ignore")
+def test_a_claim_that_runs_away_on_a_cluster_is_killed_there(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A polynomial of degree 2000 in two names is beyond the budget, and beyond the clock of the deciders."""
+    import json
+
+    distributed = pytest.importorskip("distributed")
+    (tmp_path / "a.toml").write_text(EXPONENTIALS)
+    (tmp_path / "b.toml").write_text(brackets(30))
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=2, processes=True, dashboard_address=None, local_directory=str(tmp_path)
+    ) as cluster:
+        address = cluster.scheduler_address
+        assert main(["verify", "--json", str(tmp_path), "--cluster", address, "--budget", "1"]) == 1
+    claims = json.loads(capsys.readouterr().out)["claims"]
+    assert claims[0]["verdict"] == "undecided"
+    assert claims[0]["detail"]["note"].startswith("stopped: ")
+    assert [claim["verdict"] for claim in claims[1:4]] == ["proved", "proved", "refuted"]
+    assert len(claims) == 31

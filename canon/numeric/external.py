@@ -5,7 +5,9 @@ heyoka is an optional dependency, in the extra `peers`. Biscani and Izzo (2021),
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -31,6 +33,40 @@ def external_orbit(
 
     **Raises:** `InputError` where heyoka is not installed, cannot read a formula, or ends before the last time.
     """
+    found = external_grid(H, symbols, q, p, times, force)
+    if len(found.q) != len(times):
+        raise InputError(f"heyoka ended before t = {times[-1]:g}: {found.outcome}")
+    return found.q, found.p
+
+
+@dataclass(frozen=True)
+class Grid:
+    """The states q and p (k, n) at the first k of the times that were asked for: all of them, or those before the
+    orbit's end. `steps` of a Taylor polynomial of this `order` led there; `outcome` is what heyoka says of it, and
+    `compile_seconds` of CPU time its program took to make.
+    """
+
+    q: np.ndarray
+    p: np.ndarray
+    steps: int
+    order: int
+    outcome: str
+    compile_seconds: float
+
+
+def external_grid(
+    H: sp.Expr,
+    symbols: tuple[Sequence[sp.Symbol], Sequence[sp.Symbol], sp.Symbol],
+    q: Sequence[float],
+    p: Sequence[float],
+    times: Sequence[float],
+    force: Sequence[sp.Expr] = (),
+    tolerance: float | None = None,
+) -> Grid:
+    """The same as far as the orbit goes; `tolerance` of a step's relative error, 2^−52 where it is left out.
+
+    **Raises:** `InputError` where heyoka is not installed, or cannot read a formula.
+    """
     try:
         import heyoka  # pyright: ignore[reportMissingImports]
     except ImportError:
@@ -42,18 +78,24 @@ def external_orbit(
     rates = [*gradient(written, tuple(momenta))]
     rates += [F - slope for slope, F in zip(gradient(written, tuple(coordinates)), added, strict=True)]
     variables = heyoka.make_vars(*(f"z{k}" for k in range(2 * n)))
-    table: dict[Any, Any] = dict(zip((*coordinates, *momenta), variables, strict=True))
-    table[t] = heyoka.time
+    names = [sp.Symbol(symbol.name) for symbol in (*coordinates, *momenta)]
+    table: dict[Any, Any] = dict(zip(names, variables, strict=True))
+    table[sp.Symbol(t.name)] = heyoka.time
     try:
-        right = [heyoka.from_sympy(_in_doubles(rate), table) for rate in rates]
+        right = [heyoka.from_sympy(_with_roots(_in_doubles(rate)), table) for rate in rates]
     except (TypeError, ValueError) as reason:
         raise InputError(f"heyoka does not take this Hamiltonian: {reason}") from None
-    solver = heyoka.taylor_adaptive(list(zip(variables, right, strict=True)), [*map(float, q), *map(float, p)])
+    options = {} if tolerance is None else {"tol": tolerance}
+    begun = time.process_time()
+    start = [*map(float, q), *map(float, p)]
+    solver = heyoka.taylor_adaptive(list(zip(variables, right, strict=True)), start, **options)
+    compiling = time.process_time() - begun
     solver.time = float(times[0])
-    outcome, *_, grid = solver.propagate_grid([float(x) for x in times])
-    if len(grid) != len(times) or not np.isfinite(grid).all():
-        raise InputError(f"heyoka ended before t = {times[-1]:g}: {outcome}")
-    return grid[:, :n], grid[:, n:]
+    outcome, _, _, steps, _, grid = solver.propagate_grid([float(x) for x in times])
+    finite = np.isfinite(grid).all(axis=1)
+    good = len(grid) if finite.all() else int(np.argmin(finite))
+    said = str(outcome).rpartition(".")[2]
+    return Grid(grid[:good, :n], grid[:good, n:], int(steps), int(solver.order), said, compiling)
 
 
 def _in_doubles(formula: Any) -> Any:
@@ -61,3 +103,10 @@ def _in_doubles(formula: Any) -> Any:
     formula = sp.sympify(formula, strict=True)
     numbers = {x for x in formula.atoms(sp.Number, sp.NumberSymbol) if not x.is_Integer}
     return formula.xreplace({x: sp.Float(float(x), precision=53) for x in numbers})
+
+
+def _with_roots(formula: Any) -> Any:
+    """The formula with √(x²) in place of |x|, which heyoka doesn't know: in symbols of which nothing is assumed."""
+    formula = formula.replace(sp.sign, lambda x: x / sp.Abs(x))
+    formula = formula.xreplace({symbol: sp.Symbol(symbol.name) for symbol in formula.free_symbols})
+    return formula.replace(sp.Abs, lambda x: sp.sqrt(x**2))

@@ -31,7 +31,7 @@ class Run:
 
     `step` is the step's length, and `compensated` says whether the rounding of additions is kept. `per_sample` chunks
     of `per_chunk` steps lie between two stored states; `carry` is what the next chunk starts from, and `stored` has one
-    array (samples, …) for each of the state's.
+    array (samples, …) for each of the state's. `taken`: the steps of a method that chooses each of them by itself.
     """
 
     t0: float
@@ -45,6 +45,7 @@ class Run:
     carry: Any
     stored: State
     ended: bool = False
+    taken: int | None = None
 
     @property
     def chunks(self) -> int:
@@ -59,7 +60,7 @@ class Run:
     @property
     def steps(self) -> int:
         """Steps that were made."""
-        return self.done * self.per_chunk
+        return self.done * self.per_chunk if self.taken is None else self.taken
 
     @property
     def completed(self) -> int:

@@ -22,7 +22,8 @@ def run_lines(result: Result) -> list[str]:
     lines = [visible(result.scene.title)] if result.scene.title else []
     lines.append(f"  effects     {', '.join(active_effects(result)) or 'none'}")
     order = "" if result.problem.exact else f", order {method.traits.order}"
-    lines.append(f"  integrator  {integrator_name(result)}{order}, step {run.step:.6g}, {run.steps} steps")
+    mean = " on average" if run.taken is not None else ""
+    lines.append(f"  integrator  {integrator_name(result)}{order}, step {run.step:.6g}{mean}, {run.steps} steps")
     error = result.planned.error
     lines.append(f"  error       {'unknown' if error is None else f'{error:.1e}, estimated'}")
     lines.append(f"  time        {_time(result)}")
@@ -105,7 +106,8 @@ def explanation_lines(result: Result) -> list[str]:
     lines += [f"  {name or 'part':<18} {formula}" for name, formula in problem.parts]
     source = problem.source if problem.exact else choice.method.source
     lines += ["", f"Method: {integrator_name(result)}", f"  {choice.why}", *([f"  {source}"] if source else [])]
-    lines.append(f"  {result.operations} arithmetic operations a step")
+    if result.operations is not None:
+        lines.append(f"  {result.operations} arithmetic operations a step")
     prices = list(price_lines(result))
     if prices:
         lines += ["", "Price, estimated from this run", *prices]

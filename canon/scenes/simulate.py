@@ -17,7 +17,10 @@ from canon.numeric.integrators.constrained import Held
 from canon.numeric.observe import observe
 from canon.numeric.operations import operations_per_step
 from canon.numeric.planner import Planned, run_for_accuracy, run_with_step
+from canon.numeric.progress import Progress
 from canon.numeric.step_search import BUDGET_USED, Task
+from canon.scenes.external import NAME as EXTERNAL
+from canon.scenes.external import run_externally
 from canon.scenes.identity import identity_of
 from canon.scenes.methods import Choice, choose
 from canon.scenes.monitors import Reading, read_monitors
@@ -52,7 +55,7 @@ class Result:
     q: np.ndarray
     p: np.ndarray
     monitors: tuple[Reading, ...]
-    operations: int
+    operations: int | None
     seconds: tuple[float, float]
     messages: tuple[str, ...]
     ok: bool
@@ -79,6 +82,46 @@ def simulate(
     entered = time.monotonic()
     _check_start(scene)
     begun = time.process_time()
+    settings = scene.settings
+    if settings.integrator == EXTERNAL:
+        if resume is not None:
+            raise InputError(f"a run of {EXTERNAL} is not gone on with: it is made anew, and as a whole")
+        problem, choice, planned = run_externally(scene)
+    else:
+        problem, choice, planned = _run(scene, entered, watch=watch, keep=keep, resume=resume, warn=warn)
+    run = planned.run
+    state = (np.array(scene.q), np.array(scene.p))
+    operations = None
+    if settings.integrator != EXTERNAL:
+        operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)
+    q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
+    times = run.times[: planned.good]
+    value, method = problem.value, choice.method
+    closed = tuple(each.closed for each in problem.beside)
+    flow = Flow(scene.model, value, method, run, planned.good, planned.error, problem.closed, operations or 1, closed)
+    until = time.monotonic() + HURRY if planned.interrupted else None
+    monitors = read_monitors(settings.monitors, flow, times, q, p, until)
+    running = max(time.process_time() - begun - planned.compile_seconds, 0.0)
+    messages, ok = _judged(scene, planned, monitors)
+    if resume is not None and (other := differing_versions(resume)):
+        messages = (*messages, f"begun with {other}: the last bits may differ from those of one run")
+    going_on = {} if planned.progress == Progress() else resumable(planned.progress, identity_of(scene, method.name))
+    return Result(
+        scene, problem, choice, planned, times, q, p, monitors, operations, (planned.compile_seconds, running),
+        messages, ok, going_on, scattered(scene, p), events_of(flow),
+    )  # fmt: skip
+
+
+def _run(
+    scene: Scene,
+    entered: float,
+    *,
+    watch: Callable[[float], None] | None,
+    keep: Callable[[Arrays], None] | None,
+    resume: Arrays | None,
+    warn: Callable[[str], None] | None,
+) -> tuple[Problem, Choice, Planned]:
+    """The run by an integrator of this package, begun at the monotonic time `entered`."""
     settings = scene.settings
     problem = problem_of(scene.model, exact=settings.integrator is None)
     _check_constraints(scene, problem)
@@ -111,24 +154,7 @@ def simulate(
         )  # fmt: skip
     if limit is not None:
         planned = replace(planned, reached=False, reason=_words(limit))
-    run = planned.run
-    operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)
-    q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
-    times = run.times[: planned.good]
-    value, method = problem.value, choice.method
-    closed = tuple(each.closed for each in problem.beside)
-    flow = Flow(scene.model, value, method, run, planned.good, planned.error, problem.closed, operations, closed)
-    until = time.monotonic() + HURRY if planned.interrupted else None
-    monitors = read_monitors(settings.monitors, flow, times, q, p, until)
-    compiling = planned.compile_seconds + looked
-    running = max(time.process_time() - begun - compiling, 0.0)
-    messages, ok = _judged(scene, planned, monitors)
-    if resume is not None and (other := differing_versions(resume)):
-        messages = (*messages, f"begun with {other}: the last bits may differ from those of one run")
-    return Result(
-        scene, problem, choice, planned, times, q, p, monitors, operations, (compiling, running), messages, ok,
-        resumable(planned.progress, identity), scattered(scene, p), events_of(flow),
-    )  # fmt: skip
+    return problem, choice, replace(planned, compile_seconds=planned.compile_seconds + looked)
 
 
 def _limit(task: Task, settings: Settings) -> float | None:

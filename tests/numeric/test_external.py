@@ -42,3 +42,59 @@ def test_scenes_agree_with_it(name: str) -> None:
     places, momenta = external_orbit(model.H, (model.q, model.p, model.t), scene.q, scene.p, result.times)
     for ours, theirs in ((result.q, places), (result.p, momenta)):
         assert np.abs(ours - theirs).max() < 10 * (scene.settings.accuracy or 1e-9) * np.abs(theirs).max()
+
+
+HENON = """
+[system]
+q_names = ["x", "y"]
+p_names = ["px", "py"]
+H = "(px**2 + py**2)/2 + (x**2 + y**2)/2 + x**2*y - y**3/3"
+q = [0.0, 0.1]
+p = [0.5, 0.0]
+[run]
+duration = 20.0
+samples = 6
+integrator = "heyoka"
+monitor = ["energy", "volume"]
+"""
+
+
+def test_as_an_integrator_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "heyoka", None)
+    with pytest.raises(InputError, match=r"integrator: this needs the package heyoka: pip install"):
+        simulate(read_scene_text(HENON))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (HENON.replace("samples", "step = 0.1\nsamples"), "chooses each step by itself"),
+        (
+            '[[body]]\nmass = 1\nposition = [1, 0]\n[[effect]]\nkind = "rod"\nlength = 1\n'
+            '[run]\nduration = 1\nintegrator = "heyoka"\n',
+            "no rigid bodies, skates, rods",
+        ),
+    ],
+)
+def test_what_it_does_not_run(text: str, message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        simulate(read_scene_text(text))
+
+
+def test_as_an_integrator() -> None:
+    """The same interface: states, an estimate of the error that holds, monitors of the state, reasons for others."""
+    pytest.importorskip("heyoka")
+    theirs = simulate(read_scene_text(HENON))
+    ours = simulate(read_scene_text(HENON.replace('integrator = "heyoka"', "accuracy = 1e-12")))
+    assert theirs.ok
+    assert np.abs(theirs.q - ours.q).max() < 1e-11
+    assert 0 < theirs.planned.error < 1e-12
+    assert theirs.operations is None
+    energy, volume = theirs.monitors
+    assert energy.max_drift < energy.bound < 1e-10
+    assert "not ours to follow" in volume.extra["note"]
+    fall = '[[body]]\nmass = 1\nposition = [-1.0]\n[[effect]]\nkind = "inverse_distance"\na = 1.0\n'
+    ended = simulate(read_scene_text(fall + '[run]\nduration = 3.0\nsamples = 31\nintegrator = "heyoka"\n'))
+    assert "singularity" in ended.messages[0]
+    # a fall from rest at 1 takes π/√8
+    assert ended.times[-1] == pytest.approx(1.1, abs=0.11)

@@ -18,6 +18,7 @@ from canon.scenes.monitors.constraint import read_constraint
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.jerks import read_jerked
 from canon.scenes.monitors.loop import read_cartan, read_loop
+from canon.scenes.monitors.predicted import not_hamiltonian
 from canon.scenes.monitors.reading import Reading
 from canon.scenes.monitors.reversal import read_reversibility
 from canon.scenes.monitors.tangent import read_symplecticity, read_volume
@@ -86,6 +87,10 @@ def read_monitors(
 
 
 def _reading(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
+    if name in _UNDONE and flow.run.taken is not None:
+        broken = not_hamiltonian(flow.model)
+        note = f"the steps of {flow.method.name} are not ours to follow neighbours with: leave the integrator out"
+        return Reading(name, f"broken by {broken}" if broken else "conserved", None, None, None, extra={"note": note})
     if flow.model.beside and name in _UNDONE:
         return read_beside(partial(_reading, name), flow, times, q, p)
     if flow.model.strings and name in _UNDONE:

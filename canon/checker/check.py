@@ -1,29 +1,32 @@
 """Is what a certificate says so? Its claim's residuals are derived anew, its identities multiplied out.
 
 For each residual that is claimed to vanish: (1) its functions, one by one, have the values in the kernels that the
-certificate says, and the kernels satisfy their relations, at points of the domain in fifty digits; (2) with these
-values the residual is numerator / denominator, as a rational function of the kernels as free variables (at random
-values modulo a prime: an error has the probability degree / 2^127); (3) numerator = Σ cofactor · relation, exactly.
-Steps 2 and 3 are those of `canon.checker.core`.
+certificate says, and the kernels satisfy their relations, by rules (`canon.checker.values`), no denominator being a
+divisor of 0; (2) with these values the residual is numerator / denominator, as a rational function of the kernels as
+free variables (at random values modulo random primes); (3) numerator = Σ cofactor · relation, exactly. Steps 2 and 3
+are those of `canon.checker.core`. What the rules don't reach is seen in fifty digits at points of the domain, and
+named.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
+import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any
 
 from canon.checker import core
+from canon.checker.followed import Followed
 from canon.checker.functions import Rejected, Unknown, Unreadable
 from canon.checker.kinds import obligations
 from canon.checker.obligations import Case
 from canon.checker.points import CLOSE, Numbers, Outside, domain_of, independence, names_in, points
 from canon.checker.positive import is_positive
-from canon.checker.relations import is_proved
 from canon.checker.statement import KNOWN, Statement
+from canon.checker.values import Values
 from canon.checker.witness import refutes
 
 VERSION = 1
@@ -31,6 +34,8 @@ SIGNS = {
     "pos": lambda x: x > 0, "neg": lambda x: x < 0, "nonneg": lambda x: x >= 0, "nonpos": lambda x: x <= 0,
     "real": lambda x: x.imag == 0, "cplx": lambda x: True,
 }  # fmt: skip
+PRIMES = 2
+"""Modulo so many primes a residual is compared with its numerator and denominator."""
 MEASURED = 2
 """At so many points what takes an integral is measured."""
 Places = Sequence[tuple[dict[str, Any], dict[int, Any]]]
@@ -86,13 +91,14 @@ class _Check:
         words = chain.from_iterable(self.s.words.values())
         self.real = "complex" not in words and ("s", "1j") not in self.s.f.ops
         self.numbers = Numbers(real=self.real)
+        self.rng = random.SystemRandom()
+        self.primes = [core.random_prime(self.rng) for _ in range(PRIMES)]
 
     def run(self) -> list[str]:
         """What has to be taken on trust. Raises Rejected."""
         witness = self.data.get("witness")
         if self.verdict == "refuted" and witness is not None and all(case.found is not False for case in self.cases):
-            refutes(self.s, self.cases, witness, real=self.real)
-            return []
+            return refutes(self.s, self.cases, witness, real=self.real)
         if self.verdict == "proved" and witness is not None:
             raise Rejected("a proof with a witness against it")
         if len(self.data["cases"]) != len(self.cases):
@@ -123,31 +129,42 @@ class _Check:
         positive = [a for a, _ in case.positive]
         targets = [*case.zeros, *chain(*case.nonzeros), *case.independent, *positive]
         images = [s.pull(a) for a in case.images.values()]
-        leaves = names_in(s, [*targets, *kernels.values(), *domain_of(s), *images, *case.mentions])
-        if clash := kernels.keys() & (leaves & {*s.words, *s.coordinates, s.time, *s.names}):
+        leaves = names_in(s, [*targets, *domain_of(s), *images, *case.mentions])
+        if clash := kernels.keys() & (leaves | s.declared | {*s.words, *s.coordinates, s.time, *s.names, "pi", "1j"}):
             raise Rejected(f"the name {min(clash)} of a kernel is one of the claim's")
+        leaves |= names_in(s, [*kernels.values()])
         places = self._places(case, kernels, leaves - kernels.keys() - case.images.keys(), targets)
         if not places:
             raise Unknown("the checker found no point of the domain")
         relations = self._relations(data["kernels"], list(kernels), places)
-        used = {name for entry in data["residuals"] for name in entry.get("cofactors", {})} & relations.keys()
-        for name in sorted(n for n in used if not is_proved(f, n, relations[n], kernels, real=self.real)):
-            trusted.append(f"the relation of {f.text(kernels[name])[:80]} (seen to hold at {len(places)} points)")
         known = {str(text): tuple(map(core.read, value)) for text, value in data["atoms"].items()}
         atoms = self._atoms([*case.zeros, *s.surface], known, places)
+        followed = Followed(s, kernels, atoms, Values(s, self.primes[0], self.rng, real=self.real))
+        used = {name for entry in data["residuals"] for name in entry.get("cofactors", {})} & relations.keys()
+        for name in sorted(n for n in used if not followed.vanishes(relations[n])):
+            trusted.append(f"the relation of {f.text(kernels[name])[:80]} (seen to hold at {len(places)} points)")
+        shown = [a for a, entry in zip(case.zeros, data["residuals"], strict=True) if "cofactors" in entry]
+        for a in f.rational([*shown, *s.surface])[1]:
+            if not followed.is_value(a):
+                trusted.append(f"the value of {f.text(a)[:80]} in the kernels (seen at {len(places)} points)")
         for k, (a, entry) in enumerate(zip(s.surface, data.get("surface", []), strict=False), 1):
             self._denominator(entry, places)
-            relations[f"surface {k}"] = core.fraction(self._program(a, atoms), entry)
+            relations[f"surface {k}"] = core.fraction(self._program(a, atoms), entry, self.primes)
         for a, entry in zip(case.zeros, data["residuals"], strict=True):
             if any(abs(of[a]) > 10.0**-CLOSE * (1 + max(map(abs, of.values()))) for _, of in places):
                 raise Rejected("a residual doesn't vanish at a point of the domain")
             if "expression" in entry and entry["expression"] != f.text(a):
                 raise Rejected("a residual is written down wrongly")
-            if "cofactors" not in entry:
+            if "cofactors" not in entry and not followed.is_zero(a):
                 trusted.append(f"the argument {str(entry['argument'])[:200]!r} (seen to hold at {len(places)} points)")
+            if "cofactors" not in entry:
                 continue
             self._denominator(entry, places)
-            core.identity(self._program(a, atoms), entry, relations)
+            core.identity(self._program(a, atoms), entry, relations, self.primes)
+            if s.surface and not followed.is_number(entry["denominator"]):
+                trusted.append("that no denominator vanishes on a part of the surface")
+            elif not followed.has_inverse(core.read(entry["denominator"])):
+                trusted.append(f"that a denominator doesn't vanish identically (seen at {len(places)} points)")
         for group in case.nonzeros:
             if all(abs(of[a]) < 10.0**-CLOSE for a in group for _, of in places):
                 raise Rejected("what must not vanish everywhere is 0 at all points that were tried")

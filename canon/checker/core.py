@@ -12,14 +12,15 @@ from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from canon.checker.functions import Rejected, Unreadable
+from canon.checker.functions import Rejected, Unknown, Unreadable
 
 Polynomial = dict[tuple[tuple[str, int], ...], Fraction]
 ONE: Polynomial = {(): Fraction(1)}
 MOST = 3_000_000
 HIGHEST = 10_000
-PRIME = 2**127 - 1
-FREE_POINTS = 2
+TRIES, BITS = 5, 127
+STEEPEST = 2**60
+"""The highest degree of a residual: at random values modulo a prime a higher one may look like 0."""
 
 
 class Program(NamedTuple):
@@ -93,15 +94,31 @@ def value(a: Polynomial, of: Mapping[str, Any], number_of: Callable[[Fraction], 
     return total, size
 
 
-def modulo(a: Polynomial, of: Mapping[str, int]) -> int:
-    """Its value modulo the prime."""
+def random_prime(rng: random.Random) -> int:
+    """A prime of 127 bits, by Miller's and Rabin's test: nobody knows before which one it will be."""
+    while True:
+        n = rng.getrandbits(BITS) | 1 << BITS - 1 | 1
+        if all(n % p for p in (3, 5, 7, 11, 13, 17, 19, 23)) and all(_passes(n, rng) for _ in range(40)):
+            return n
+
+
+def _passes(n: int, rng: random.Random) -> bool:
+    d, twos = n - 1, 0
+    while d % 2 == 0:
+        d, twos = d // 2, twos + 1
+    x = pow(rng.randrange(2, n - 1), d, n)
+    return x == 1 or any(pow(x, 2**k, n) == n - 1 for k in range(twos))
+
+
+def modulo(a: Polynomial, of: Mapping[str, int], prime: int) -> int:
+    """Its value modulo a prime."""
     total = 0
     for monomial, c in a.items():
-        term = c.numerator * pow(c.denominator, -1, PRIME)
+        term = c.numerator * pow(c.denominator, -1, prime)
         for name, e in monomial:
-            term = term * pow(of[name], e, PRIME) % PRIME
+            term = term * pow(of[name], e, prime) % prime
         total += term
-    return total % PRIME
+    return total % prime
 
 
 # -- a residual is a fraction of polynomials in the kernels -----------------------------------------
@@ -122,64 +139,82 @@ def is_triangular(relation: Polynomial, name: str, later: Sequence[str]) -> bool
     )
 
 
-def identity(program: Program, entry: Mapping[str, Any], relations: Mapping[str, Polynomial]) -> None:
+def identity(
+    program: Program, entry: Mapping[str, Any], relations: Mapping[str, Polynomial], primes: Sequence[int]
+) -> None:
     """residual = numerator / denominator, and numerator = Σ cofactor · relation: so the residual is 0. Raises Rejected.
 
     **Arguments:** `program`, the residual as it follows from the claim; `entry`, what the certificate shows of it;
-    `relations`, polynomials that are known to be 0.
+    `relations`, polynomials that are known to be 0; `primes`, taken at random. That the denominator has an inverse is
+    for others to see (`canon.checker.tower`).
     """
-    rest = {m: -c for m, c in fraction(program, entry).items()}
+    rest = {m: -c for m, c in fraction(program, entry, primes).items()}
     for name, cofactor in entry["cofactors"].items():
         rest = combined(rest, relations[name], read(cofactor))
     if rest:
         raise Rejected("a numerator isn't the sum of cofactors times relations")
 
 
-def fraction(program: Program, entry: Mapping[str, Any]) -> Polynomial:
+def fraction(program: Program, entry: Mapping[str, Any], primes: Sequence[int]) -> Polynomial:
     """The numerator of a formula that is numerator / denominator, as rational functions of free kernels."""
     over, under = (read(entry[word]) for word in ("numerator", "denominator"))
     if not over and under != ONE:
         raise Rejected("0 is written as 0/1")
-    compared(program, over, under)
+    compared(program, over, under, primes)
     return over
 
 
-def compared(program: Program, over: Polynomial, under: Polynomial) -> None:
+def compared(program: Program, over: Polynomial, under: Polynomial, primes: Sequence[int]) -> None:
     """A formula is over / under, as rational functions of free kernels. Raises Rejected.
 
-    The two are compared at random values modulo a prime of 127 bits: an error goes unseen with a probability of about
-    degree / 2^127.
+    The two are compared at random values modulo each prime: an error goes unseen with a probability of about
+    degree / 2^127 for each.
     """
-    rng, done, leaves = random.SystemRandom(), 0, [p for pair in program.leaves.values() for p in pair]
+    rng, leaves = random.SystemRandom(), [p for pair in program.leaves.values() for p in pair]
+    if _degree(program) > STEEPEST:
+        raise Unknown("a residual of too high a degree")
     free = {name for p in (*leaves, over, under) for name in names(p)}
-    for _ in range(5 * FREE_POINTS):
-        of = {name: rng.randrange(PRIME) for name in free}
-        try:
-            value = _run(program, of)
-        except ZeroDivisionError:
-            continue
-        if (value * modulo(under, of) - modulo(over, of)) % PRIME:
-            raise Rejected("a formula of the claim isn't the numerator over the denominator that is stated")
-        done += 1
-    if done < FREE_POINTS:
-        raise Rejected("a formula of the claim has no value in the kernels")
-
-
-def _run(program: Program, of: Mapping[str, int]) -> int:
-    """The value of a program at free values of the kernels, modulo the prime."""
-    out = {a: modulo(over, of) * _inverse(modulo(under, of)) % PRIME for a, (over, under) in program.leaves.items()}
-    for a, op, parts in program.steps:
-        x = [out[b] for b in parts]
-        if op[0] == "n":
-            out[a] = op[1].numerator * _inverse(op[1].denominator) % PRIME
-        elif op[0] == "^":
-            out[a] = pow(x[0] if op[2] > 0 else _inverse(x[0]), abs(op[2]), PRIME)
+    for prime in primes:
+        for _ in range(TRIES):
+            of = {name: rng.randrange(prime) for name in free}
+            try:
+                value = _run(program, of, prime)
+                break
+            except ZeroDivisionError:
+                continue
         else:
-            out[a] = (x[0] + x[1] if op[0] == "+" else x[0] * x[1]) % PRIME
+            raise Rejected("a formula of the claim has no value in the kernels")
+        if (value * modulo(under, of, prime) - modulo(over, of, prime)) % prime:
+            raise Rejected("a formula of the claim isn't the numerator over the denominator that is stated")
+
+
+def _degree(program: Program) -> int:
+    """A bound for the degrees of numerator and denominator."""
+    out = {a: max(sum(e for _, e in m) for p in pair for m in [*p, ()]) for a, pair in program.leaves.items()}
+    for a, op, parts in program.steps:
+        degrees = [out[b] for b in parts]
+        out[a] = degrees[0] * abs(op[2]) if op[0] == "^" else sum(degrees)
     return out[program.target]
 
 
-def _inverse(x: int) -> int:
-    if x % PRIME == 0:
-        raise ZeroDivisionError
-    return pow(x, -1, PRIME)
+def _run(program: Program, of: Mapping[str, int], prime: int) -> int:
+    """The value of a program at free values of the kernels, modulo a prime."""
+
+    def inverse(x: int) -> int:
+        if x % prime == 0:
+            raise ZeroDivisionError
+        return pow(x, -1, prime)
+
+    out = {
+        a: modulo(over, of, prime) * inverse(modulo(under, of, prime)) % prime
+        for a, (over, under) in program.leaves.items()
+    }
+    for a, op, parts in program.steps:
+        x = [out[b] for b in parts]
+        if op[0] == "n":
+            out[a] = op[1].numerator * inverse(op[1].denominator) % prime
+        elif op[0] == "^":
+            out[a] = pow(x[0] if op[2] > 0 else inverse(x[0]), abs(op[2]), prime)
+        else:
+            out[a] = (x[0] + x[1] if op[0] == "+" else x[0] * x[1]) % prime
+    return out[program.target]

@@ -114,7 +114,7 @@ def points(
 
     They are looked for near the hints, which are trusted for nothing, and elsewhere.
     """
-    rng, found = random.Random(1), 0
+    rng, found = random.SystemRandom(), 0
     for attempt in range(TRIES * (1 + bool(hints))):
         hint = hints[attempt // 2 % len(hints)] if hints and attempt % 2 == 0 else {}
         of: dict[str, Any] = completed(s, numbers, {}, names - hint.keys(), rng, Fraction(1, 4 ** (attempt // 4 % 3)))
@@ -160,16 +160,24 @@ def completed(
     scale: Fraction = Fraction(1),
 ) -> dict[str, Any]:
     """The values that are given, any others for the remaining names, and formulas for the functions that have none."""
-    more = {name: _anywhere(s.words.get(name, ()), rng, numbers, scale) for name in sorted(names - given.keys())}
+    more = {name: _near(s.words.get(name, ()), rng, numbers, scale) for name in sorted(names - given.keys())}
     return {**functions_at_random(s, rng), **more, **given}
 
 
-def _anywhere(words: Sequence[str], rng: random.Random, numbers: Numbers, scale: Fraction) -> Any:
-    size = rng.randint(1, 5) if "integer" in words else numbers.number(scale * rng.getrandbits(60) / 2**58)
+def anywhere(words: Sequence[str], rng: random.Random, scale: Fraction) -> Fraction | None:
+    """A rational number for a real name, of the sign that is assumed of it; None for a complex one."""
     if "complex" in words:
-        return numbers.mp.mpc(size, rng.random() - 0.5)
+        return None
+    size = Fraction(rng.randint(1, 5)) if "integer" in words else scale * rng.getrandbits(60) / 2**58
     free = not {"positive", "negative", "nonnegative", "nonpositive"} & set(words)
     return -size if "negative" in words or "nonpositive" in words or (free and rng.random() < 0.5) else size
+
+
+def _near(words: Sequence[str], rng: random.Random, numbers: Numbers, scale: Fraction) -> Any:
+    size = anywhere(words, rng, scale)
+    if size is None:
+        return numbers.mp.mpc(numbers.number(scale * rng.getrandbits(60) / 2**58), rng.random() - 0.5)
+    return numbers.number(size)
 
 
 def inside(s: Statement, case: Case, numbers: Numbers, of: dict[str, Any]) -> bool:

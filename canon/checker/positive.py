@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
 
 from canon.checker import core
 from canon.checker.functions import Unreadable
+from canon.checker.intervals import Intervals, Open
 from canon.checker.statement import Statement
 
-MARGIN = 10.0**-20
+PRECISIONS = (40, 120, 400)
 
 
 def is_positive(s: Statement, a: int, *, strict: bool, real: bool) -> bool:
@@ -27,7 +28,7 @@ def is_positive(s: Statement, a: int, *, strict: bool, real: bool) -> bool:
         over, under = _fraction(s, a)
     except (Unreadable, ValueError):
         return False
-    signs = [_sign(s, over), _sign(s, under)]
+    signs = [sign_of(s.words, over), sign_of(s.words, under)]
     above, below = signs
     if not above[0] or not below[0] or not below[1] or above[0] != below[0]:
         return not over and not strict
@@ -35,14 +36,14 @@ def is_positive(s: Statement, a: int, *, strict: bool, real: bool) -> bool:
 
 
 def _number(s: Statement, a: int, *, strict: bool) -> bool:
-    """A number's interval, with rounding outwards."""
-    from canon.checker.points import Numbers, Outside
-
-    try:
-        value = Numbers(80).values(s.f, [a], {})[a]
-    except Outside:
-        return False
-    return bool(value > MARGIN) or (not strict and _exact_zero(s, a))
+    """A number's interval."""
+    for digits in PRECISIONS:
+        try:
+            if Intervals(digits).values(s.f, [a], {})[a].a > 0:
+                return True
+        except Open:
+            continue
+    return not strict and _exact_zero(s, a)
 
 
 def _exact_zero(s: Statement, a: int) -> bool:
@@ -78,21 +79,21 @@ def _fraction(s: Statement, target: int) -> tuple[core.Polynomial, core.Polynomi
     return out[target]
 
 
-def _sign(s: Statement, p: core.Polynomial) -> tuple[int, bool]:
+def sign_of(words: Mapping[str, Sequence[str]], p: core.Polynomial) -> tuple[int, bool]:
     """1 or -1 where all terms have this sign (0: they haven't), and whether one of them is never 0."""
     found: set[int] = set()
     never = False
     for monomial, c in p.items():
         sign, nowhere = (1 if c > 0 else -1), True
         for name, e in monomial:
-            words: Any = s.words.get(name, ())
-            if "complex" in words:
+            own = words.get(name, ())
+            if "complex" in own:
                 return 0, False
-            if "negative" in words or "nonpositive" in words:
+            if "negative" in own or "nonpositive" in own:
                 sign *= (-1) ** e
-            elif not ("positive" in words or "nonnegative" in words or e % 2 == 0):
+            elif not ("positive" in own or "nonnegative" in own or e % 2 == 0):
                 return 0, False
-            nowhere &= "positive" in words or "negative" in words or "nonzero" in words
+            nowhere &= "positive" in own or "negative" in own or "nonzero" in own
         found.add(sign)
         never |= nowhere
     return (found.pop(), never) if len(found) == 1 else (0, False)

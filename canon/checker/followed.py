@@ -1,0 +1,67 @@
+"""A case's kernels, relations, values and denominators, as far as the rules for functions can follow them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from canon.checker import core
+from canon.checker.functions import Unknown
+from canon.checker.roots import Undecided
+from canon.checker.statement import Statement
+from canon.checker.values import Values
+
+FAILURES = (Undecided, Unknown, ZeroDivisionError, RecursionError)
+
+
+class Followed:
+    """What the rules say of kernels and of functions' values in them; False stands for what they don't reach."""
+
+    def __init__(self, s: Statement, kernels: Mapping[str, int], atoms: Mapping[int, Any], values: Values) -> None:
+        self.s, self.atoms, self.values = s, atoms, values
+        self.lost = set[str]()
+        for name, a in kernels.items():
+            try:
+                values.kernel(name, a)
+            except FAILURES:
+                self.lost.add(name)
+        values.roots.claimed = {a: x for a, x in atoms.items() if not self._is_lost(*x)}
+
+    def _is_lost(self, *polynomials: core.Polynomial) -> bool:
+        return any(self.lost & core.names(p) for p in polynomials)
+
+    def vanishes(self, relation: core.Polynomial) -> bool:
+        """Whether a polynomial in the kernels is 0."""
+        try:
+            return not self._is_lost(relation) and not self.values.roots.fraction((relation, core.ONE))
+        except FAILURES:
+            return False
+
+    def has_inverse(self, under: core.Polynomial) -> bool:
+        """Whether a polynomial in the kernels is no divisor of 0: so it is identically 0 for no choice of roots."""
+        try:
+            return not self._is_lost(under) and bool(self.values.roots.fraction((core.ONE, under)))
+        except FAILURES:
+            return False
+
+    def is_value(self, a: int) -> bool:
+        """Whether a function, a constant or a name has the value that is stated."""
+        over, under = self.atoms[a]
+        try:
+            if self._is_lost(over, under):
+                return False
+            return self.values.value(a) == self.values.roots.fraction((over, under))
+        except FAILURES:
+            return False
+
+    def is_zero(self, a: int) -> bool:
+        """Whether a residual that isn't written as an identity is 0 all the same."""
+        try:
+            return not self.s.surface and not self.values.value(a)
+        except FAILURES:
+            return False
+
+    @staticmethod
+    def is_number(data: Any) -> bool:
+        """Whether a polynomial is a number."""
+        return set(core.read(data)) == {()}

@@ -1,0 +1,164 @@
+"""Intervals that hold a formula's value at a point: mpmath's, with functions that it has none of by their monotony.
+
+Sums, products, powers, exp, log, sin and cos are mpmath's own intervals, rounded outwards. Of atan, asinh, elliptic
+integrals and so on, mpmath's values at the ends of an interval are trusted but for their last ten digits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+import mpmath
+from mpmath.ctx_iv import MPIntervalContext
+
+from canon.checker.formulas import Formulas
+
+SPARE = 10
+"""So many of the last digits of a function's value are left open."""
+MONOTONE = {
+    "asin": "asin", "acos": "acos", "atan": "atan", "asinh": "asinh", "acosh": "acosh", "atanh": "atanh",
+    "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf",
+}  # fmt: skip
+"""Functions that are monotonic in each of their arguments, where these don't change their sign, and mpmath's names."""
+BOUNDED = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn"}
+"""Jacobi's functions, for a parameter between 0 and 1."""
+
+
+class Open(ValueError):
+    """An interval can't be given: the formula has no value there, or there is no rule."""
+
+
+class Intervals:
+    """Values of real formulas in intervals, with so many digits."""
+
+    def __init__(self, digits: int) -> None:
+        self.iv: Any = MPIntervalContext()
+        self.iv.dps = digits
+        self.mp: Any = mpmath.MPContext()
+        self.mp.dps = digits
+
+    def number(self, x: Fraction) -> Any:
+        """A rational number."""
+        return self.iv.mpf(x.numerator) / self.iv.mpf(x.denominator)
+
+    def values(self, f: Formulas, targets: Sequence[int], of: Mapping[str, Any]) -> dict[int, Any]:
+        """Intervals of the targets and of all below them; `of` has those of names, and formulas of declared functions.
+
+        Raises Open.
+        """
+        out: dict[int, Any] = {}
+        for a in f.reach(*targets):
+            op, parts = f.ops[a], [out[b] for b in f.parts(a)]
+            try:
+                if op[0] == "f" and op[1] in f.functions:
+                    body = f.body(of[op[1]], op[2])
+                    out[a] = self.values(f, [body], {f"#{k}": x for k, x in enumerate(parts, 1)})[body]
+                else:
+                    out[a] = self._value(op, parts, of)
+            except (ValueError, ZeroDivisionError, OverflowError, TypeError, KeyError, NotImplementedError):
+                raise Open from None
+            if not (self.mp.isfinite(self.mp.mpf(out[a].a)) and self.mp.isfinite(self.mp.mpf(out[a].b))):
+                raise Open
+        return out
+
+    def _value(self, op: tuple[Any, ...], x: list[Any], of: Mapping[str, Any]) -> Any:
+        iv = self.iv
+        if op[0] == "n":
+            return self.number(op[1])
+        if op[0] == "s":
+            return iv.pi if op[1] == "pi" and "pi" not in of else of[op[1]]
+        if op[0] in "+*":
+            return x[0] + x[1] if op[0] == "+" else x[0] * x[1]
+        if op[0] == "^":
+            if op[2] < 0 and 0 in x[0]:
+                raise Open
+            return x[0] ** op[2]
+        return self._function(str(op[1]), x)
+
+    def _function(self, name: str, x: list[Any]) -> Any:
+        iv = self.iv
+        if name in ("power", "log") and not x[0].a > 0:
+            raise Open
+        if name == "power":
+            return iv.exp(x[1] * iv.log(x[0]))
+        if name in ("exp", "log", "sin", "cos"):
+            return getattr(iv, name)(x[0])
+        if name in ("tan", "cot", "sec", "csc"):
+            sine, cosine = iv.sin(x[0]), iv.cos(x[0])
+            over, under = {"tan": (sine, cosine), "cot": (cosine, sine), "sec": (1, cosine), "csc": (1, sine)}[name]
+            return over / self._nonzero(under)
+        if name in ("sinh", "cosh", "tanh", "coth"):
+            up, down = iv.exp(x[0]), iv.exp(-x[0])
+            sinh, cosh = (up - down) / 2, (up + down) / 2
+            if name in ("sinh", "cosh"):
+                return sinh if name == "sinh" else cosh
+            return sinh / cosh if name == "tanh" else cosh / self._nonzero(sinh)
+        if name in ("abs", "sign"):
+            self._nonzero(x[0])
+            sign = 1 if x[0].a > 0 else -1
+            return x[0] * sign if name == "abs" else iv.mpf(sign)
+        if name == "atan2":
+            return self._angle(*x)
+        if name in MONOTONE:
+            return self._monotone(MONOTONE[name], x)
+        if name in BOUNDED and x[1].a >= 0 and x[1].b < 1:
+            return self._jacobi(BOUNDED[name], x[0], x[1])
+        raise Open
+
+    def _nonzero(self, x: Any) -> Any:
+        if 0 in x:
+            raise Open
+        return x
+
+    def _width(self, x: Any) -> Any:
+        return self.mp.mpf(x.b) - self.mp.mpf(x.a)
+
+    def _spare(self, value: Any) -> Any:
+        return (1 + abs(value)) * self.mp.mpf(10) ** (SPARE - self.mp.dps)
+
+    def _monotone(self, name: str, x: list[Any]) -> Any:
+        """The least and the largest value at the corners; an argument around 0 is left alone, but by odd functions."""
+        if len(x) > 1 and 0 in x[0]:
+            raise Open
+        corners = product(*((self.mp.mpf(t.a), self.mp.mpf(t.b)) for t in x))
+        found = [getattr(self.mp, name)(*corner) for corner in corners]
+        if any(self.mp.im(v) != 0 for v in found):
+            raise Open
+        low, high = min(map(self.mp.re, found)), max(map(self.mp.re, found))
+        return self.iv.mpf([low - self._spare(low), high + self._spare(high)])
+
+    def is_regular(self, rows: Sequence[Sequence[Any]]) -> bool:
+        """Whether a square matrix of intervals is seen to have no determinant 0, by Gauss's elimination."""
+        left = [list(row) for row in rows]
+        while left:
+            top = max(left, key=lambda row: min(abs(row[0].a), abs(row[0].b)) if 0 not in row[0] else -1)
+            if 0 in top[0]:
+                return False
+            left.remove(top)
+            left = [[x - row[0] / top[0] * y for x, y in zip(row[1:], top[1:], strict=True)] for row in left]
+        return True
+
+    def _jacobi(self, name: str, u: Any, m: Any) -> Any:
+        """The value in the middle, and bounds of its slopes: by u 1, by m from |∂ am/∂m| ≤ |u|/(2 (1 − m)^(3/2))."""
+        mp = self.mp
+        middles = [(mp.mpf(t.a) + mp.mpf(t.b)) / 2 for t in (u, m)]
+        rest = 1 - mp.mpf(m.b)
+        slope = (1 + max(abs(mp.mpf(u.a)), abs(mp.mpf(u.b))) / rest**1.5) / mp.sqrt(rest)
+        value = mp.ellipfun(name, middles[0], m=middles[1])
+        far = 2 * (self._width(u) + slope * self._width(m)) + self._spare(value)
+        return self.iv.mpf([value - far, value + far])
+
+    def _angle(self, y: Any, x: Any) -> Any:
+        """atan2(y, x), off the cut."""
+        iv = self.iv
+        if x.a > 0:
+            return self._monotone("atan", [y / x])
+        turn = iv.pi / 2
+        if y.a > 0:
+            return turn - self._monotone("atan", [x / y])
+        if y.b < 0:
+            return -turn - self._monotone("atan", [x / y])
+        raise Open

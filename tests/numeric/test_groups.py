@@ -7,7 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from canon.numeric.groups import lorentz, se3, so3, so4, symplectic
+from canon.numeric.groups import lorentz, se3, sl2c, so3, so4, symplectic
 from canon.numeric.precision import double
 
 Array = np.ndarray
@@ -105,6 +105,51 @@ def test_boosts_of_any_size():
     assert 1e-6 < np.max(np.abs(found[2][13] - omega[13])) < 1e-2
 
 
+def spinor(omega: Array, zeta: Array) -> Array:
+    """exp ½ (ζ − iω)·σ in 50 digits, rounded."""
+    with mpmath.workdps(50):
+        x, y, z = (mpmath.mpc(float(a), -float(b)) / 2 for a, b in zip(zeta, omega, strict=True))
+        f = mpmath.sqrt(x * x + y * y + z * z)
+        c, s = mpmath.cosh(f), mpmath.sinh(f) / f if f else mpmath.mpf(1)
+        entries = [[c + s * z, s * (x - 1j * y)], [s * (x + 1j * y), c - s * z]]
+        return np.array([[complex(e) for e in row] for row in entries])
+
+
+@pytest.mark.slow
+def test_mixed_boosts_and_rotations_keep_15_digits_in_sl2c():
+    """Rapidities up to acosh 1e8 with rotations up to 3 in other directions; null rotations, turns seen in motion.
+
+    Of the vector ζ − iω as a whole; the Lorentz matrices of the same lose digits of ω as e^ζ, and are right themselves.
+    """
+    rng = np.random.default_rng(2)
+    some = rng.normal(size=(2, 60, 3))
+    some /= np.linalg.norm(some, axis=2)[:, :, None]
+    zeta = rng.uniform(0, np.arccosh(1e8), (60, 1)) * some[0]
+    omega = rng.uniform(0, 3, (60, 1)) * some[1]
+    across = np.cross(some[0], some[1])[40:]
+    sizes = 10 ** rng.uniform(-1, 4, (20, 1))
+    zeta[40:] = sizes * some[0, 40:]
+    turns = np.repeat([[0.0], [0.3], [3.0], [3.14]], 5, 0)
+    omega[40:] = np.sqrt(sizes**2 + turns**2) * across / np.linalg.norm(across, axis=1)[:, None]
+    rounded = np.array([spinor(*pair) for pair in zip(omega, zeta, strict=True)])
+
+    def both(omega, zeta, rounded):
+        A = sl2c.exp(omega, zeta)
+        return A, lorentz.exp(omega, zeta), sl2c.lorentz(A), *sl2c.log(rounded), sl2c.log_error(rounded)
+
+    for k, (A, L, covered, back_omega, back, known) in enumerate(
+        zip(*compiled(both, omega, zeta, rounded), strict=True)
+    ):
+        assert error(A, rounded[k]) < 2 * FEW
+        assert error(covered, L) < 2 * FEW
+        off = max(np.max(np.abs(back_omega - omega[k])), np.max(np.abs(back - zeta[k])))
+        assert off <= known
+        if k < 40:
+            assert error(A, rounded[k]) < FEW
+            assert off < FEW * max(1.0, float(np.hypot(np.linalg.norm(zeta[k]), np.linalg.norm(omega[k]))))
+            assert known < 200 * FEW
+
+
 @pytest.mark.slow
 def test_flows_of_quadratic_hamiltonians():
     import jax.numpy as jnp
@@ -134,7 +179,9 @@ def test_derivatives():
     import jax.numpy as jnp
 
     def boosts(v):
-        return jnp.concatenate(lorentz.log(lorentz.exp(v[..., :3], v[..., 3:])), -1)
+        by_matrices = jnp.concatenate(lorentz.log(lorentz.exp(v[..., :3], v[..., 3:])), -1)
+        by_spinors = jnp.concatenate(sl2c.log(sl2c.exp(v[..., :3], v[..., 3:])), -1)
+        return jnp.stack([by_matrices, by_spinors])
 
     def rotations(v):
         return jnp.concatenate(so4.log(so4.exp(v[..., :3], v[..., 3:])), -1)

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from canon.numeric.groups.sl2c import arc, cosh_sinh
 from canon.numeric.groups.so3 import hat
-
-SMALL = 0.05
-"""Below this modulus the arc is taken from its series."""
-_SERIES = 7
 
 
 def generator(omega: Any, zeta: Any) -> Any:
@@ -29,10 +26,10 @@ def exp(omega: Any, zeta: Any) -> Any:
     A = F + F̄ with F² = f = (ζ + iω)²/4 and F̄ its conjugate, which commutes with it: exp A is the product of
     cosh √f + F sinh √f/√f with its conjugate, without cancellation for boosts of any size.
     """
-    F, f = _self_dual(omega, zeta)
-    c, s = _cosh_sinh(f)
     import jax.numpy as jnp
 
+    F = jnp.einsum("...k,kij->...ij", (zeta + 1j * omega) / 2, jnp.asarray(_basis()))
+    c, s = cosh_sinh(omega, zeta)
     half = c[..., None, None] * jnp.eye(4) + s[..., None, None] * F
     return jnp.real(half @ jnp.conj(half))
 
@@ -42,7 +39,8 @@ def log(boost: Any) -> tuple[Any, Any]:
 
     The matrix is M M̄ with M = m₀ + Σ m_k F_k: the products m_i m̄_j are sums of its entries, and √f = acosh m₀. They
     determine m up to a phase, which m₀² − m·m = 1 fixes. How well a rounded matrix knows them says `log_error`: at
-    rapidity 30 a rotation beside the boost to three digits, while a pure boost's ζ comes back to full precision.
+    rapidity 30 a rotation beside the boost to three digits, while a pure boost's ζ comes back to full precision. What
+    is composed in `canon.numeric.groups.sl2c` keeps both.
     """
     import jax.numpy as jnp
 
@@ -57,7 +55,7 @@ def log(boost: Any) -> tuple[Any, Any]:
     m = m * jnp.where(known, jnp.conj(norm) / jnp.where(known, jnp.abs(norm), 1.0), 1.0)
     m = jnp.where(jnp.real(m[..., :1]) < 0, -m, m)
     m0, vector = m[..., 0], m[..., 1:]
-    z = 2 * _arc(m0, jnp.sum(vector * vector, -1))[..., None] * vector
+    z = 2 * arc(m0, jnp.sum(vector * vector, -1))[..., None] * vector
     return jnp.imag(z), jnp.real(z)
 
 
@@ -71,15 +69,6 @@ def log_error(boost: Any) -> Any:
     import jax.numpy as jnp
 
     return 8 * jnp.finfo(boost.dtype).eps * jnp.max(jnp.abs(boost), axis=(-2, -1))
-
-
-def _self_dual(omega: Any, zeta: Any) -> tuple[Any, Any]:
-    """F, the half of the generator with F² = f a multiple of 1, and f."""
-    import jax.numpy as jnp
-
-    z = zeta + 1j * omega
-    F = jnp.einsum("...k,kij->...ij", z / 2, jnp.asarray(_basis()))
-    return F, jnp.sum(z * z, -1) / 4
 
 
 def _basis() -> Any:
@@ -102,32 +91,3 @@ def _products(boost: Any) -> Any:
     basis = np.concatenate([np.eye(4)[None].astype(complex), _basis()])
     table = np.einsum("iab,jbc->ijac", basis, basis.conj())
     return jnp.einsum("ijac,...ac->...ij", jnp.asarray(table.conj()), boost.astype(complex)) / 4
-
-
-def _cosh_sinh(f: Any) -> tuple[Any, Any]:
-    """cosh √f and sinh √f/√f."""
-    import jax.numpy as jnp
-
-    small = jnp.abs(f) < SMALL
-    root = jnp.sqrt(jnp.where(small, 1.0 + 0j, f))
-    series = jnp.ones_like(f)
-    first = jnp.ones_like(f)
-    near = jnp.where(small, f, 0)
-    for k in range(_SERIES, 0, -1):
-        series = 1 + near * series / ((2 * k) * (2 * k + 1))
-        first = 1 + near * first / ((2 * k - 1) * (2 * k))
-    return jnp.where(small, first, jnp.cosh(root)), jnp.where(small, series, jnp.sinh(root) / root)
-
-
-def _arc(m0: Any, square: Any) -> Any:
-    """acosh(m₀)/√(m₀² − 1) with Re m₀ ≥ 0, where `square` is m₀² − 1."""
-    import jax.numpy as jnp
-
-    small = jnp.abs(square) < SMALL
-    near = jnp.where(small, square, 0)
-    total = jnp.zeros_like(near)
-    for k in range(2 * _SERIES, -1, -1):  # asinh(s)/s = Σ (−1)^k (2k)!/(4^k k!² (2k+1)) s^2k
-        total = total * near * (-((2 * k + 1) ** 2)) / ((2 * k + 2) * (2 * k + 3)) + 1
-    root = jnp.sqrt(jnp.where(small, 1.0 + 0j, square))
-    root = jnp.where(jnp.real(root * jnp.conj(m0)) < 0, -root, root)
-    return jnp.where(small, total, jnp.log(m0 + root) / root)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Literal
 
 import sympy as sp
 from flint import arb
@@ -31,8 +31,15 @@ from canon.verdict import Evidence
 if TYPE_CHECKING:
     from canon.claims.question import Question
 
-NEAR = (8, 16, 24, 32)
+NEAR = (((8, 16, 24, 32), 128, 1), ((2, 4, 6, 8), 2048, 8))
+"""Distances 2^−k from the limit, bits to look with, and how often a difference must be halved from each to the next.
+
+The second where the balls of the first are wide, as of exponentials that nearly cancel: these fall fast.
+"""
+
 POINTS = 6
+ROUNDING = 2.0**-90
+"""Differences below this, in 128 bits, need not shrink any more."""
 
 
 def limit(question: Question) -> Outcome:
@@ -143,6 +150,30 @@ def _infinite(question: Question, approach: Approach, found: Limit, equals: Form
 
 def _near(question: Question, approach: Approach, node: Node, equals: Formula | str) -> Outcome:
     """Numbers ever nearer to the limit: supported where they approach it, else undecided."""
+    found = Outcome("undecided", note="no value near the limit could be evaluated")
+    for exponents, bits, halvings in NEAR:
+        rows = _rows(question, approach, node, equals, exponents, bits)
+        if not rows or not all(ball.is_finite() for row in rows for ball in row):
+            continue
+        if isinstance(equals, str):
+            settled = all(_grows([ball if equals == "infinity" else -ball for ball in row]) for row in rows)
+            evidence = Evidence(len(rows), 0.0, 0.0, bits)
+        else:
+            settled = all(_shrinks(row, halvings) for row in rows)
+            last = max((row[-1] for row in rows), key=lambda ball: float(abs(ball.mid())))
+            evidence = Evidence(len(rows), float(abs(last.mid())), float(last.rad()), bits)
+        note = "no expansion was found; the values near the limit " + ("approach it" if settled else "don't settle it")
+        status: Literal["supported", "undecided"] = "supported" if settled else "undecided"
+        found = Outcome(status, "values near the limit", numeric=evidence, note=note)
+        if all(ball.rad() <= max(ball.abs_lower(), ROUNDING) for row in rows for ball in row):
+            break
+    return found
+
+
+def _rows(
+    question: Question, approach: Approach, node: Node, equals: Formula | str, exponents: Sequence[int], bits: int
+) -> list[list[Any]]:
+    """At a few points, the differences from the limit (from 0, of an infinite one) at the distances 2^−k."""
     tape = question.tape
     target = substitute(tape, node, {approach.x: approach.image})
     other = tape.zero if isinstance(equals, str) else question.load(equals)
@@ -155,27 +186,27 @@ def _near(question: Question, approach: Approach, node: Node, equals: Formula | 
             tape, [other, *names], approach.region, random.Random(question.seed), count=POINTS, tries=20,
             budget=question.budget.share(0.5),
         ):  # fmt: skip
-            with precision(128):
+            with precision(bits):
                 at = ball_point(place.point, place.solved)
                 row = []
-                for k in NEAR:
+                for k in exponents:
                     balls = evaluate(tape, order, {**at, approach.s: arb(2) ** -k}, place.functions)
-                    row.append(balls[target] if isinstance(equals, str) else balls[target] - balls[other])
+                    row.append(balls[target] - balls[other])
             rows.append(row)
     except (Unsupported, OutOfDomain, ZeroDivisionError, OverflowError, BudgetExceeded):
-        rows = []
-    if not rows:
-        return Outcome("undecided", note="no value near the limit could be evaluated")
-    if isinstance(equals, str):
-        sign = 1 if equals == "infinity" else -1
-        grows = all(all(sign * b.mid() > sign * a.mid() for a, b in pairwise(row)) for row in rows)
-        evidence = Evidence(len(rows), 0.0, 0.0, 128)
-        return Outcome("supported" if grows else "undecided", "values near the limit", numeric=evidence)
-    last = max((row[-1] for row in rows), key=lambda ball: float(abs(ball.mid())))
-    evidence = Evidence(len(rows), float(abs(last.mid())), float(last.rad()), 128)
-    shrinks = all(all(abs(b.mid()) <= abs(a.mid()) / 2 + a.rad() + b.rad() for a, b in pairwise(row)) for row in rows)
-    note = "no expansion was found; the values near the limit " + ("approach it" if shrinks else "don't settle it")
-    return Outcome("supported" if shrinks else "undecided", "values near the limit", numeric=evidence, note=note)
+        return []
+    return rows
+
+
+def _shrinks(row: Sequence[Any], halvings: int) -> bool:
+    """Whether differences fall at each step, by their upper bounds: a ball that holds any value says nothing."""
+    return all(b.abs_upper() <= max(a.abs_upper() / 2**halvings, ROUNDING) for a, b in pairwise(row))
+
+
+def _grows(row: Sequence[Any]) -> bool:
+    """Whether values grow, each time by half of what they grew before at least, as logarithms of logarithms do."""
+    gained = [b.lower() - a.upper() for a, b in pairwise(row)]
+    return all(gain > 0 for gain in gained) and all(later > first / 2 for first, later in pairwise(gained))
 
 
 KINDS = {"limit": limit}

@@ -120,6 +120,20 @@ def test_what_has_no_expansion(status, f, equals, expected):
     assert status(_claim(f, "q", "0", equals, "+"), symbols=SYMBOLS) == expected
 
 
+@pytest.mark.parametrize("equals", ["2", "2002/1000"])
+def test_balls_that_hold_any_value_support_nothing(ask, equals):
+    numeric = {"method": "numeric"}  # 1 - tanh q is below the rounding of 128 bits where q is large
+    for f in ("(1 - tanh(q))*exp(2*q)", "sqrt(q**2 + 4*q) - q"):
+        (verdict,) = ask(_claim(f, "q", "infinity", equals), options=numeric)
+        assert verdict.status == ("supported" if equals == "2" else "undecided")
+
+
+@pytest.mark.parametrize(("f", "expected"), [("log(q)", "supported"), ("1 - 1/q", "undecided"), ("-q", "undecided")])
+def test_values_that_only_increase_support_no_infinite_limit(ask, f, expected):
+    (verdict,) = ask(_claim(f, "q", "infinity", "infinity"), options={"method": "numeric"})
+    assert verdict.status == expected
+
+
 def test_conditions_near_the_limit_are_part_of_the_claim(status):
     claim = _claim("sqrt(q - a)/sqrt(q - b)", "q", "infinity", "1")
     assert status(claim, symbols=SYMBOLS) == "proved"

@@ -119,3 +119,20 @@ def test_it_shows_itself_in_latex():
     assert repr(F1.F) == "Formula(m*omega*q**2*cot(phi)/2, where sin(phi) != 0)"
     assert "F_{1}(q, \\phi)" in F1._repr_latex_()
     assert F1.transformation()._repr_latex_() == F1._repr_latex_()
+
+
+def test_time_in_a_generating_function_is_what_the_hamiltonian_gains():
+    x, P, t = ONE.q[0], ONE.P[0], ONE.t
+    F = GeneratingFunction(ONE, 2, x * P + t**2 * x + 3 * t * P)
+    assert F.time_derivative() == 2 * t * x + 3 * P
+    assert GeneratingFunction(ONE, 2, x * P).time_derivative() == 0
+
+
+def test_the_inverse_of_a_map_that_is_known_by_its_function_alone():
+    x, P = ONE.q[0], ONE.P[0]
+    implicit = GeneratingFunction(ONE, 2, x * P + P**5 + x**5 * P).transformation()
+    there = implicit.generating_function
+    back = implicit.inverse().generating_function
+    assert back.types == (3,)
+    assert back.F.expr == -there.F.expr
+    assert back.space.old == there.space.new

@@ -125,7 +125,21 @@ def console(text: str) -> None:
             check(shown, printed)
 
 
-@pytest.mark.parametrize("page", PAGES, ids=[page.relative_to(DOCS).as_posix() for page in PAGES])
+LONG = {
+    "reference/scenes.md",
+    "how-to/simulate-tops-skates-and-strings.md",
+    "how-to/compute-actions.md",
+    "tutorial-scenes.md",
+}
+"""Pages that take seconds: others, and the README's scene, run the same commands."""
+
+
+def marked(page: Path) -> Any:
+    name = page.relative_to(DOCS).as_posix()
+    return pytest.param(page, id=name, marks=[pytest.mark.slow] if name in LONG else [])
+
+
+@pytest.mark.parametrize("page", [marked(page) for page in PAGES])
 def test_a_page_is_true(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "80")

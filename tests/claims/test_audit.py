@@ -597,7 +597,7 @@ def test_a_thousand_steps_in_jax_have_estimates_where_bounds_say_nothing():
             q = q + 0.1 * p
             return q, p - 0.05 * jnp.sin(q)
 
-        q, p = jax.lax.fori_loop(0, 1000, step, (z[0], z[1]))
+        q, p = jax.lax.fori_loop(0, 400, step, (z[0], z[1]))
         return jnp.stack([q * (1 + off), p])
 
     report = audit(flow, dimension=2, samples=20)

@@ -34,7 +34,9 @@ def circle(radius: float) -> Callable[[Array], Array]:
     return lambda s: radius * np.stack([np.cos(2 * np.pi * s), np.sin(2 * np.pi * s)], axis=1)
 
 
-@pytest.mark.parametrize("order", [1, 2, 3, 4])
+@pytest.mark.parametrize(
+    "order", [1, pytest.param(2, marks=pytest.mark.slow), pytest.param(3, marks=pytest.mark.slow), 4]
+)
 def test_a_truncated_series_changes_in_the_next_order(order: int) -> None:
     f = truncated(order)
     repair = symplectify(f, dimension=2, domain=(-0.2, 0.2), samples=40)

@@ -105,7 +105,7 @@ def test_law(law, size, name, other):
     assert verify(group(SPACE, composition, A, B, equals=other), budget=60).status == "refuted"
 
 
-@pytest.mark.parametrize("law", [euclidean, lorentz])
+@pytest.mark.parametrize("law", [pytest.param(euclidean, marks=pytest.mark.slow), lorentz])
 def test_a_thousandth_in_a_law_is_caught(law):
     A, B = (sp.symbols(f"{letter}1:7", real=True) for letter in "ab")
     composition = law(list(A), list(B))

@@ -31,7 +31,13 @@ def reference() -> tuple[np.ndarray, np.ndarray]:
     return run.states[0][-1], run.states[1][-1]
 
 
-@pytest.mark.parametrize("method", [*RUNGE_KUTTA, *GAUSS, Gauss(2, "newton")], ids=lambda method: method.name)
+@pytest.mark.parametrize(
+    "method",
+    [
+        pytest.param(method, id=method.name, marks=[pytest.mark.slow] if method.name in ("gauss6", "gauss8") else [])
+        for method in (*RUNGE_KUTTA, *GAUSS, Gauss(2, "newton"))
+    ],
+)
 def test_measured_order_and_traits(method: Method) -> None:
     few, many = STEPS[method.traits.order]
     coarse, fine = errors(FIELD, method, STATE, reference(), duration=3.0, steps=(few, many))

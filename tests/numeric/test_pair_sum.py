@@ -35,7 +35,12 @@ def numbers(of: PairSum, samples: int = 7) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("law", "bodies", "dimension"), [*((law, 4, 2) for law in LAWS), ("gravity", 5, 3), ("gravity", 6, 1)]
+    ("law", "bodies", "dimension"),
+    [
+        *((law, 4, 2) for law in LAWS),
+        ("gravity", 5, 3),
+        pytest.param("gravity", 6, 1, marks=pytest.mark.slow),
+    ],
 )
 def test_values_and_slopes_are_those_of_the_terms_written_out(law: str, bodies: int, dimension: int) -> None:
     of = pairs(bodies, dimension, LAWS[law], weighted=law != "softened" and bodies != 5)

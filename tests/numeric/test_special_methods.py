@@ -116,7 +116,10 @@ def test_two_constraints_of_two_orbits() -> None:
 CHARGE_STATE = (np.array([0.5, 0.2, 0.1]), np.array([0.3, -0.4, 0.5]))
 
 
-@pytest.mark.parametrize(("method", "c"), [(PUSHES[0], None), (PUSHES[0], 1.2), (PUSHES[1], None)])
+@pytest.mark.parametrize(
+    ("method", "c"),
+    [pytest.param(PUSHES[0], None, marks=pytest.mark.slow), (PUSHES[0], 1.2), (PUSHES[1], None)],
+)
 def test_pushes(method: OneStep, c: float | None) -> None:
     charge = Charge(
         lambda x, t: jnp.stack([-x[0], 0.3 * jnp.cos(t) + 0 * x[0], 0.1 * x[1]]),

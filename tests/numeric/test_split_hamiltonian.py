@@ -58,7 +58,10 @@ def test_nystrom_is_recognised() -> None:
     assert not split_hamiltonian(sp.exp(-t) * px**2 + x**2, (x,), (px,), t)[0].nystrom
 
 
-@pytest.mark.parametrize(("name", "rule", "steps"), [("kepler", 1, (6, 16)), ("rotating", 0, (8, 12))])
+@pytest.mark.parametrize(
+    ("name", "rule", "steps"),
+    [pytest.param("kepler", 1, (6, 16), marks=pytest.mark.slow), ("rotating", 0, (8, 12))],
+)
 def test_nystrom_methods_keep_their_order_beside_any_part_that_is_quadratic_in_the_momenta(
     name: str, rule: int, steps: tuple[int, int]
 ) -> None:

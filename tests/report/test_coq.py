@@ -58,6 +58,7 @@ def coqc(folder: Path, text: str) -> str:
     return "" if done.returncode == 0 else done.stderr or "refused"
 
 
+@pytest.mark.slow
 @needs_coqc
 def test_coqc_accepts_the_catalogue(tmp_path: Path) -> None:
     """The oscillator, polar coordinates, families, SO(3), Kepler's SO(4), Jacobi's identity, refutations, in a file."""

@@ -32,7 +32,9 @@ def test_an_oscillator_is_one_part_and_exact() -> None:
     assert np.allclose(result.p[:, 0], -np.sin(result.times), atol=1e-14)
 
 
-@pytest.mark.parametrize("accuracy", [1e-3, 1e-6, 1e-9, 1e-11])
+@pytest.mark.parametrize(
+    "accuracy", [1e-3, pytest.param(1e-6, marks=pytest.mark.slow), pytest.param(1e-9, marks=pytest.mark.slow), 1e-11]
+)
 def test_the_accuracy_that_is_asked_for_is_reached(accuracy: float) -> None:
     """The driven quartic oscillator, against a run of another method with a small step."""
     H = "p**2/2 + q**4/4 - q*cos(t)"
@@ -101,7 +103,7 @@ def test_what_is_stopped_keeps_what_was_computed() -> None:
     assert np.isfinite(result.q).all()
 
 
-@pytest.mark.parametrize("momentum", [2 * (1 - 1e-8), 2.5])
+@pytest.mark.parametrize("momentum", [2 * (1 - 1e-8), pytest.param(2.5, marks=pytest.mark.slow)])
 def test_a_pendulum_is_known_in_closed_form(momentum: float) -> None:
     """With another wave number, phase and sign: Q = 2q + 1 − π and P = p/2 make it the plain one, at twice the pace.
     Where an integrator is asked for it is split, and agrees.

@@ -55,7 +55,9 @@ def test_the_bracket_itself() -> None:
         (half, ("antisymmetry", "no self-bracket"), ("linearity", "Leibniz' rule", "chain rule")),
         (doubled, ("fundamental brackets",), ("antisymmetry", "Jacobi's identity")),
         (moyal, ("Leibniz' rule", "chain rule"), ("antisymmetry", "fundamental brackets")),
-        (weighted, ("Jacobi's identity", "fundamental brackets"), ("Leibniz' rule",)),
+        pytest.param(
+            weighted, ("Jacobi's identity", "fundamental brackets"), ("Leibniz' rule",), marks=pytest.mark.slow
+        ),
         (squared, ("linearity",), ("antisymmetry",)),
     ],
 )

@@ -123,7 +123,7 @@ def actions_and_energy(x: np.ndarray) -> np.ndarray:
     return np.array([*reference(*x, nodes=60), 2 * mp.pi * L, E])
 
 
-@pytest.mark.parametrize("height", [0.2, 1e-7])
+@pytest.mark.parametrize("height", [pytest.param(0.2, marks=pytest.mark.slow), 1e-7])
 def test_frequencies_are_derivatives_of_the_energy(height: float) -> None:
     """dE = ν·dJ along each direction of phase space: differences in 40 digits, so that steps may be tiny."""
     state = np.array([1.0, height / 3, 0.2, height, 0.7])

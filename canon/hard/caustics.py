@@ -114,29 +114,26 @@ def _pole(m: Any, q: Number, p: Number) -> Quantities:
 
 
 SWEPT = tuple((0.7, 0.3, 10.0**-k) for k in (2, 5, 8, 11, 14))
+
+
+def _swept(what: str, about: str, exact: Any, name: str) -> HardCase:
+    """Type 1 of a map by h, which is the identity at h = 0: there Q = q, and no F(q, Q)."""
+    return HardCase(
+        f"{what}'s type 1, h = 1e-2 to 1e-14",
+        "caustics",
+        about,
+        _INPUTS,
+        SWEPT,
+        exact,
+        _our(name),
+        peers={"scipy.optimize": each(_scipy_newton(name))},
+        digits=80,
+    )
+
+
 CASES = (
-    HardCase(
-        "a flow's type 1, h = 1e-2 to 1e-14",
-        "caustics",
-        "images by F(q, Q) of a turn by h, whose second derivatives go as 1/h",
-        _INPUTS,
-        SWEPT,
-        _flow,
-        _our("flow"),
-        peers={"scipy.optimize": each(_scipy_newton("flow"))},
-        digits=80,
-    ),
-    HardCase(
-        "a leapfrog step's type 1, h = 1e-2 to 1e-14",
-        "caustics",
-        "images by an F(q, Q) that has no formula of another type",
-        _INPUTS,
-        SWEPT,
-        _leapfrog,
-        _our("leapfrog"),
-        peers={"scipy.optimize": each(_scipy_newton("leapfrog"))},
-        digits=80,
-    ),
+    _swept("a flow", "images by F(q, Q) of a turn by h, whose second derivatives go as 1/h", _flow, "flow"),
+    _swept("a leapfrog step", "images by an F(q, Q) that has no formula of another type", _leapfrog, "leapfrog"),
     HardCase(
         "a caustic in one of two degrees of freedom",
         "caustics",

@@ -1,16 +1,12 @@
 """What the checker measures: actions and frequencies of orbits, periods of angles. Evidence, and refutations."""
 
 import copy
-from functools import cache
 from typing import Any
 
 import pytest
 
-from canon.checker.check import check, checksum
-from canon.claims import document
-from canon.claims.certificate_data import certificate, statement_tables
-from canon.claims.reader import read_tables
-from canon.claims.verify import verify
+from canon.checker.check import check
+from tests.checker.certified import certified, resealed
 
 OSCILLATOR = """
 [phase_space]
@@ -55,16 +51,8 @@ CLAIMS = {
 }
 
 
-@cache
 def made(name: str) -> Any:
-    text, keys = CLAIMS[name]
-    tables = document.parse(f"{text}\n[[claim]]\n{keys}")
-    (claim,) = read_tables(tables).claims
-    return certificate(claim, verify(claim), statement_tables(tables, 0))
-
-
-def resealed(data: Any) -> Any:
-    return {**data, "checksum": checksum(data)}
+    return certified(*CLAIMS[name])
 
 
 @pytest.mark.parametrize("name", sorted(CLAIMS))
@@ -130,9 +118,7 @@ MORE = {
     ],
 )
 def test_integrals_limits_and_paths(name: str, status: str, other: dict[str, Any]) -> None:
-    tables = document.parse(f"{PLAIN}[[claim]]\n{MORE[name]}")
-    (claim,) = read_tables(tables).claims
-    data = certificate(claim, verify(claim), statement_tables(tables, 0))
+    data = certified(PLAIN, MORE[name])
     assert check(data).status == status
     data["tables"]["claim"] |= other
     sure = name in ("integral", "limit", "path")

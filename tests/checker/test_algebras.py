@@ -2,19 +2,15 @@
 
 import copy
 from fractions import Fraction
-from functools import cache
 from typing import Any
 
 import pytest
 
-from canon.checker.check import check, checksum
+from canon.checker.check import check
 from canon.checker.functions import Unreadable
 from canon.checker.lie import Algebra, is_named, named, total
 from canon.checker.linear import kernel, rank, signature, solved
-from canon.claims import document
-from canon.claims.certificate_data import certificate, statement_tables
-from canon.claims.reader import read_tables
-from canon.claims.verify import verify
+from tests.checker.certified import certified, resealed
 
 PLANE = '[phase_space]\nq = ["x", "y"]\np = ["px", "py"]\n'
 SPACE = '[phase_space]\nq = ["x", "y", "z"]\np = ["px", "py", "pz"]\n'
@@ -50,16 +46,8 @@ CLAIMS = {
 REFUTED = {"not sl(2)", "not closed", "not pauli", "not affine", "not squares"}
 
 
-@cache
 def made(name: str) -> Any:
-    text, keys = CLAIMS[name]
-    tables = document.parse(f"{text}\n[[claim]]\n{keys}")
-    (claim,) = read_tables(tables).claims
-    return certificate(claim, verify(claim), statement_tables(tables, 0))
-
-
-def resealed(data: Any) -> Any:
-    return {**data, "checksum": checksum(data)}
+    return certified(*CLAIMS[name])
 
 
 @pytest.mark.parametrize("name", sorted(CLAIMS))

@@ -1,19 +1,14 @@
 """The checker: it confirms what the deciders prove, says what it takes on trust, and rejects whatever was changed."""
 
 import copy
-import json
 from collections.abc import Iterator
-from functools import cache
 from typing import Any
 
 import pytest
 
-from canon.checker.check import check, checksum
+from canon.checker.check import check
 from canon.checker.functions import Unreadable
-from canon.claims import document
-from canon.claims.certificate_data import certificate, statement_tables
-from canon.claims.reader import read_tables
-from canon.claims.verify import verify
+from tests.checker.certified import certified, resealed
 
 POLAR = """
 [phase_space]
@@ -55,23 +50,14 @@ CLAIMS = {
     "implicit": (TYPE_2, 'kind = "canonical"'),
     "independent": (POLAR, 'kind = "independent"\nfunctions = ["x*py - y*px", "px"]'),
     "dependent": (
-        POLAR,
-        'kind = "independent"\nfunctions = ["x**2*px", "x*px**(1/2)*2"]\n[domain]\nwhere = ["px > 0"]',
+        f'{POLAR}[domain]\nwhere = ["px > 0"]',
+        'kind = "independent"\nfunctions = ["x**2*px", "x*px**(1/2)*2"]',
     ),
 }
 
 
-@cache
-def written(name: str) -> str:
-    text, claim = CLAIMS[name]
-    claim, _, domain = claim.partition("[domain]")
-    tables = document.parse(f"{text}\n{'[domain]' + domain if domain else ''}\n[[claim]]\n{claim}")
-    (made,) = read_tables(tables).claims
-    return json.dumps(certificate(made, verify(made), statement_tables(tables, 0)))
-
-
 def made(name: str) -> Any:
-    return json.loads(written(name))
+    return certified(*CLAIMS[name])
 
 
 @pytest.mark.parametrize("name", sorted(CLAIMS))
@@ -156,10 +142,6 @@ def test_a_changed_proof_is_rejected_with_the_right_checksum_too(name: str) -> N
         assert status in ("rejected", "unreadable", "not confirmed"), (path, status)
 
 
-def resealed(data: Any) -> Any:
-    return {**data, "checksum": checksum(data)}
-
-
 @pytest.mark.parametrize("coordinate", ["px", "x"])
 def test_a_witness_that_is_none_is_rejected(coordinate: str) -> None:
     """L is conserved at every point: no witness against it is one."""
@@ -213,11 +195,9 @@ def test_a_relation_defines_its_own_kernel_and_nothing_else() -> None:
 
 def test_what_is_known_of_a_proof_says_nothing_of_a_refutation() -> None:
     """The order at which a series fails would leave a proof of a closed form little to show."""
-    text = '[phase_space]\nq = ["q"]\np = ["p"]\n[symbols]\ns = "real"\n[[claim]]\nkind = "lie_series"\n'
-    keys = 'generator = "p"\nparameter = "s"\nf = "q**2"\nequals = "(q + s)**2"'
-    tables = document.parse(text + keys)
-    (claim,) = read_tables(tables).claims
-    data = certificate(claim, verify(claim), statement_tables(tables, 0))
+    text = '[phase_space]\nq = ["q"]\np = ["p"]\n[symbols]\ns = "real"\n'
+    keys = 'kind = "lie_series"\ngenerator = "p"\nparameter = "s"\nf = "q**2"\nequals = "(q + s)**2"'
+    data = certified(text, keys)
     assert check(data).status == "confirmed"
     data["tables"]["claim"]["equals"] = "q**2"
     data["known"] = {"fails_at_order": 0}

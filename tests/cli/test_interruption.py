@@ -14,6 +14,7 @@ import pytest
 from canon.cli.main import main
 from canon.interruption import ABANDONED, Late, Left, heeding, interruptible, left_behind
 from canon.scenes import monitors
+from tests.pendulum import PENDULUM
 
 LONG = 60.0
 SOON = 10.0
@@ -99,20 +100,7 @@ def test_errors_and_answers_pass(release: threading.Event) -> None:
         interruptible(lambda: release.wait(LONG), until=time.monotonic() + 0.1)
 
 
-SCENE = """
-[system]
-q_names = ["q"]
-p_names = ["p"]
-H = "p**2/2 - cos(q)"
-q = [0.1]
-p = [0.5]
-[run]
-duration = 2.0
-samples = 5
-step = 0.1
-integrator = "verlet"
-monitor = ["energy", "loop", "cartan"]
-"""
+SCENE = PENDULUM + 'monitor = ["energy", "loop", "cartan"]\n'
 
 
 def test_a_monitor_is_left_and_the_run_reported(

@@ -21,6 +21,7 @@ from canon.claims.remembered import Memory, recall, remember
 from canon.claims.worker import Entry, Settings
 from canon.cli.main import main
 from canon.report.record import claim_record
+from tests.pendulum import PENDULUM
 
 CLAIMS = """
 [phase_space]
@@ -38,19 +39,6 @@ f = "q"
 g = "p"
 equals = "2"
 expect = "fails"
-"""
-SCENE = """
-[system]
-q_names = ["q"]
-p_names = ["p"]
-H = "p**2/2 - cos(q)"
-q = [0.1]
-p = [0.5]
-[run]
-duration = 2.0
-samples = 5
-step = 0.1
-integrator = "verlet"
 """
 CANON = [sys.executable, "-m", "canon"]
 
@@ -85,7 +73,7 @@ def test_output_to_a_full_disk_is_an_error_of_its_own(tmp_path: Path) -> None:
 
 def test_a_full_disk_costs_the_files_and_not_the_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     scene, states = tmp_path / "scene.toml", tmp_path / "states.npz"
-    scene.write_text(SCENE)
+    scene.write_text(PENDULUM)
     states.write_bytes(b"what was here before")
     with full_disk(200):
         assert main(["simulate", str(scene), "--out", str(states)]) == 74
@@ -111,7 +99,7 @@ def test_a_certificate_that_is_missing_is_missed(
 
 def test_no_device_is_replaced_by_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Who may write into /dev could otherwise lose it: a file is written beside its place and put there."""
-    (tmp_path / "scene.toml").write_text(SCENE)
+    (tmp_path / "scene.toml").write_text(PENDULUM)
     os.mkfifo(tmp_path / "pipe")
     for name in ("/dev/null", str(tmp_path / "pipe"), str(tmp_path)):
         assert main(["simulate", str(tmp_path / "scene.toml"), "--out", name]) == 3

@@ -1,4 +1,5 @@
 import importlib
+import pkgutil
 import subprocess
 import sys
 
@@ -22,3 +23,12 @@ def test_the_lists_of_names_agree():
     assert {*homes, "__version__"} == {*canon.__all__}
     for name, module in homes.items():
         assert getattr(importlib.import_module(module), name) is getattr(canon, name)
+
+
+def test_no_module_stands_where_a_public_name_is_meant():
+    """Once a submodule is imported, it is an attribute of its package: `hamiltonians` was a module then."""
+    import canon.testing
+
+    for package in (canon, canon.testing):
+        modules = {module.name for module in pkgutil.iter_modules(package.__path__)}
+        assert not modules & {*package.__all__}

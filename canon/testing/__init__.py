@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     )
     from canon.testing.checking import check_laws
     from canon.testing.curves import Loop, Surface, loops, surfaces
+    from canon.testing.energies import hamiltonians, waves
     from canon.testing.flows import assert_hamiltonian_flow
-    from canon.testing.hamiltonians import hamiltonians, waves
     from canon.testing.laws import (
         BRACKET_LAWS,
         GENERATING_LAWS,
@@ -40,7 +40,7 @@ _HOMES = {
     "checking": ("check_laws",),
     "curves": ("Loop", "Surface", "loops", "surfaces"),
     "flows": ("assert_hamiltonian_flow",),
-    "hamiltonians": ("hamiltonians", "waves"),
+    "energies": ("hamiltonians", "waves"),
     "laws": (
         "BRACKET_LAWS",
         "GENERATING_LAWS",

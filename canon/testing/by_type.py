@@ -8,7 +8,7 @@ from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.hamiltonian import Hamiltonian
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.transformation import Transformation
-from canon.testing.hamiltonians import hamiltonians
+from canon.testing.energies import hamiltonians
 from canon.testing.maps import canonical_maps
 from canon.testing.strategies import generating_functions, phase_spaces
 

@@ -45,7 +45,10 @@ def model_of_bodies(surroundings: Surroundings, effects: Sequence[Named]) -> Mod
     turning = angular_momenta(places, momenta)
     slack = [part.unilateral for _, part in effects for _ in part.constraints]
     strings = tuple(k for k, unilateral in enumerate(slack) if unilateral)
-    return Model(q, p, surroundings.t, tuple(terms), frictions, total, turning, lrl, held, strings, mass, scatters)
+    charge = tuple(body.charge or sp.S.Zero for body in bodies for _ in body.x)
+    return Model(
+        q, p, surroundings.t, tuple(terms), frictions, total, turning, lrl, held, strings, mass, charge, scatters
+    )
 
 
 def _check_constrained(effects: Sequence[Named], surroundings: Surroundings) -> None:

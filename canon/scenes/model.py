@@ -52,7 +52,7 @@ class Model:
     **Arguments:** `q` and `p` (n,) symbols, `t` the time; `terms`, whose sum is the Hamiltonian; `momenta`,
     `angular_momenta` and `lrl`, those that the monitors of these names follow, each with its name; empty where there
     are none; `constraints` g(q, t) = 0, each with its effect (g ≤ 0 for those at the places
-    `strings`), and the `mass` of every coordinate, or body, for bodies;
+    `strings`), and the `mass` and `charge` of every coordinate, for bodies;
     `scatters`, for the name of a body that is deflected the potential V(r), in one symbol.
 
     Of `rigid` bodies q are the attitudes and p the angular momenta in the bodies' frames: they have other brackets, and
@@ -74,6 +74,7 @@ class Model:
     constraints: tuple[tuple[str, Formula], ...] = ()
     strings: tuple[int, ...] = ()
     mass: tuple[Formula, ...] = ()
+    charge: tuple[Formula, ...] = ()
     scatters: Mapping[str, Formula] = field(default_factory=dict)
     rigid: tuple[RigidBody, ...] = ()
     casimirs: Mapping[str, Formula] = field(default_factory=dict)

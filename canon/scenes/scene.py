@@ -14,7 +14,7 @@ MOST_SAMPLES: Final = 1_000_000
 
 MONITORS: Final = (
     "energy", "momentum", "angular_momentum", "lrl", "casimir", "symplecticity", "volume", "loop", "cartan",
-    "reversibility", "constraint",
+    "reversibility", "constraint", "charges",
 )  # fmt: skip
 """The monitors of the format."""
 

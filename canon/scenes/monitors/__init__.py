@@ -13,6 +13,7 @@ from canon.errors import InputError
 from canon.interruption import Late, interruptible
 from canon.scenes.monitors.arcs import read_arcs
 from canon.scenes.monitors.beside import read_beside
+from canon.scenes.monitors.charges import read_charges
 from canon.scenes.monitors.conserved import read_conserved
 from canon.scenes.monitors.constraint import read_constraint
 from canon.scenes.monitors.flow import Flow
@@ -44,6 +45,7 @@ AVAILABLE: Final[dict[str, Callable[..., Reading]]] = {
     "cartan": read_cartan,
     "reversibility": read_reversibility,
     "constraint": read_constraint,
+    "charges": read_charges,
 }
 """The monitors of this version: (flow, times, q, p) to a reading."""
 
@@ -59,6 +61,8 @@ _NEEDS: Final = {
 def check_monitors(names: Sequence[str], model: Any, where: str) -> None:
     """Refuse monitors that this scene, or this version, has not got. **Raises:** `InputError`."""
     for name in names:
+        if name == "charges" and model.gliders:
+            raise InputError("the monitor 'charges' needs a Poisson bracket, and a body on a skate has none", where)
         if name == "constraint" and not model.constraints:
             raise InputError("the monitor 'constraint' needs a constraint: a rod, a string or a surface", where)
         quantities = {

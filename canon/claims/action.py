@@ -61,10 +61,10 @@ Statement = Callable[[Setting, ClosedAction], tuple[str, Any]]
 
 def _decided(question: Question, statement: Statement) -> Outcome:
     try:
-        setting = _setting(question)
+        setting = setting_of(question)
     except NotQuadratic as reason:
         return Outcome("undecided", note=str(reason))
-    branch = _branch(question, setting)
+    branch = branch_of(question, setting)
     reasons: list[str] = []
     try:
         proved = _by_closed_form(question, setting, branch, statement, reasons)
@@ -140,8 +140,10 @@ def _fixed(question: Question) -> dict[sp.Symbol, Formula]:
     return dict(question.key("fixed") or {})
 
 
-def _setting(question: Question) -> Setting:
-    """**Raises** `InputError` where the coordinate doesn't separate from the others, or time occurs."""
+def setting_of(question: Question, *also: Formula) -> Setting:
+    """What the claim is about; `also` are formulas of it besides `equals`.
+
+    **Raises** `InputError` where the coordinate doesn't separate from the others, or time occurs."""
     space, H = question.space, question.hamiltonian()
     q = question.key("coordinate")
     if q not in space.q:
@@ -159,7 +161,7 @@ def _setting(question: Question) -> Setting:
             "key 'coordinate'",
         )
     energy, level = question.key("energy"), None
-    if question.claim.kind == "frequency":
+    if question.claim.kind in ("frequency", "average"):
         level = rules.get(energy)
     else:
         energy = rules.get(energy, energy)
@@ -167,24 +169,29 @@ def _setting(question: Question) -> Setting:
     if equals is None:
         raise InputError(f"a claim of kind {question.claim.kind!r} needs the key 'equals'")
     for symbol in sorted(equals.expr.free_symbols & {q, p, space.t, *space.new}, key=str):
-        raise InputError(f"an action is a function of energy and constants, not of {symbol}", "key 'equals'")
+        raise InputError(f"{_what(question)} is a function of energy and constants, not of {symbol}", "key 'equals'")
     others = {*space.new}
     asked = question.subject.domain
     if asked.surface:
-        raise InputError("an action is one on the whole phase space, not on a surface")
+        raise InputError(f"{_what(question)} is one on the whole phase space, not on a surface")
     conditions = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
-    for formula in (H, equals, *fixed.values()):
+    for formula in (H, equals, *also, *fixed.values()):
         conditions += formula.conditions
     here = tuple(dict.fromkeys(c.substitute(rules) for c in conditions))
+    others_too = tuple(formula.expr.xreplace(rules) for formula in also)
     try:
         motion, solved = one_degree(moved, q, p, energy, here), None
     except NotQuadratic:
         solved = solved_momentum(moved, q, p, energy, here)
         motion = solved.motion
-    return Setting(q, p, moved, energy, equals.expr.xreplace(rules), here, motion, level, solved)
+    return Setting(q, p, moved, energy, equals.expr.xreplace(rules), here, motion, level, solved, others_too)
 
 
-def _branch(question: Question, setting: Setting) -> str:
+def _what(question: Question) -> str:
+    return "an average over an orbit" if question.claim.kind == "average" else "an action"
+
+
+def branch_of(question: Question, setting: Setting) -> str:
     """**Raises** `InputError` for a branch that isn't there, and where there are two and none is named."""
     branch = question.key("branch")
     if branch not in (None, "libration", "rotation"):

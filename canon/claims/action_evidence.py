@@ -117,15 +117,15 @@ def _refuted(question: Question, place: Place, actual: Ball, difference: Ball) -
 def _value(question: Question, setting: Setting, place: Place, branch: str, wants_frequency: bool) -> Ball | None:
     integrand, budget = place.integrand, question.budget
     energy = place.energy if wants_frequency else None
-    if not _constants_hold(question, setting, integrand):
+    if not constants_hold(question, setting, integrand):
         return None
     if branch == "rotation":
         return _rotation(question, setting, place, energy)
     orbit = libration(integrand, place.inside, budget)
-    if orbit is None or not _stays(question, setting, integrand, orbit.left, orbit.right):
+    if orbit is None or not stays_inside(question, setting, integrand, orbit.left, orbit.right):
         return None
     if question.key("well") is None:
-        _check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
+        check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
     with precision(BITS):
         if not guarded(question, setting, integrand, [place.inside, (orbit.left + orbit.right) / 2]):
             return None
@@ -145,7 +145,7 @@ def _rotation(question: Question, setting: Setting, place: Place, energy: Node |
         end = place.inside + Fraction(float(length.lower())) * Fraction(10**12 - 1, 10**12)
         rest = arb(rational(place.inside)) + length - arb(rational(end))
     beyond = Fraction(float(rest.upper())) * 2 + end
-    if not _stays(question, setting, integrand, place.inside, beyond):
+    if not stays_inside(question, setting, integrand, place.inside, beyond):
         return None
     with precision(BITS):
         if not guarded(question, setting, integrand, [place.inside]):
@@ -181,14 +181,14 @@ def _at(question: Question, integrand: Integrand) -> str:
     return ", ".join(f"{question.tape.symbol_at(n)} = {v}" for n, v in sorted(integrand.point.items())) or "this energy"
 
 
-def _constants_hold(question: Question, setting: Setting, integrand: Integrand) -> bool:
+def constants_hold(question: Question, setting: Setting, integrand: Integrand) -> bool:
     """The conditions on constants, the energy among them, certified."""
     variables = {setting.q, setting.p}
     wanted = [c for c in setting.conditions if not any(t.free_symbols & variables for t in c.terms)]
     return _all_hold(question, wanted, {n: arb(rational(v)) for n, v in integrand.point.items()})
 
 
-def _stays(question: Question, setting: Setting, integrand: Integrand, left: Fraction, right: Fraction) -> bool:
+def stays_inside(question: Question, setting: Setting, integrand: Integrand, left: Fraction, right: Fraction) -> bool:
     """The conditions on coordinate and momentum, and that the coefficient of p² isn't 0, certified along the orbit."""
     variables = {setting.q, setting.p}
     leading = nonzero(setting.motion.leading) if setting.motion.leading.free_symbols & variables else ()
@@ -224,7 +224,7 @@ def translation(square: sp.Expr, q: sp.Symbol) -> Fraction | None:
     return None
 
 
-def _check_one_well(question: Question, integrand: Integrand, orbit: Orbit, length: Fraction | None) -> None:
+def check_one_well(question: Question, integrand: Integrand, orbit: Orbit, length: Fraction | None) -> None:
     """**Raises** `InputError` where another well shows at the same energy, among a hundred points on either side.
 
     Of a square with a period the wells between the orbit and its next images count: the images are the same well.

@@ -101,7 +101,7 @@ class _Builder:
         self.square, self.mean = question.load(motion.square), question.load(motion.mean)
         self.q, self.p = question.tape.symbol(setting.q), question.tape.symbol(setting.p)
         tape = question.tape
-        loaded = (question.load(setting.H), self.square, question.load(setting.equals))
+        loaded = (question.load(setting.H), self.square, *map(question.load, (setting.equals, *setting.also)))
         self.names = set().union(*(tape.support(node) for node in loaded)) - {self.q, self.p}
 
     def place(self, values: Mapping[Node, Fraction], inside: Fraction, energy: Fraction | None) -> Place | None:

@@ -32,7 +32,7 @@ class Setting:
     **Arguments:** the coordinate and its momentum; `H`, with what is fixed put in; `energy`; `equals`, likewise;
     `conditions`, all of the domain; `motion`, the orbits H = energy; `level`, the value that an energy with a name has
     in the end, where that is fixed (a frequency is a derivative by it); `solved`, how the square was found where H
-    isn't quadratic in p.
+    isn't quadratic in p; `also`, other formulas that the claim is about.
     """
 
     q: sp.Symbol
@@ -44,6 +44,7 @@ class Setting:
     motion: OneDegree
     level: Any = None
     solved: SolvedMomentum | None = None
+    also: tuple[Any, ...] = ()
 
     def at_level(self, expression: Any) -> Any:
         """A formula in the energy at the value that is fixed, if there is one."""

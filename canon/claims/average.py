@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from canon.claims.along_a_range import Unproved, holds, is_positive, range_of
+from canon.claims.average_orbit import over_orbits
 from canon.claims.integral import integral_is
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
@@ -31,17 +32,29 @@ def average(question: Question) -> Outcome:
     With `virial` G and `bound` B, along every motion of H that stays in the domain, for ever: f − {G, H} − ∂G/∂t is a
     constant of the motion, and |G| ≤ B, a constant too, so that it is the average (Clausius' virial theorem; Goldstein
     § 3.4). With `motion`, formulas for coordinates, momenta and time in a `parameter`, over the stretch `from`, `to` of
-    it: ∫ f dt = `equals` ∫ dt.
+    it: ∫ f dt = `equals` ∫ dt. With a `coordinate` and the name `energy`, over one period of its libration at that
+    energy, enclosed at some choices of the constants.
     """
-    if (question.key("virial") is None) == (question.key("motion") is None):
-        raise InputError("give either 'virial' with its 'bound', or a 'motion' in a 'parameter', 'from' and 'to'")
-    return _along(question) if question.key("motion") is not None else _virial(question)
+    ways = {"virial": _virial, "motion": _along, "coordinate": _over_orbits}
+    given = [word for word in ways if question.key(word) is not None]
+    if len(given) != 1:
+        raise InputError(
+            "give either 'virial' with its 'bound', or a 'motion' in a 'parameter', 'from' and 'to', or a 'coordinate' "
+            "with the name of its 'energy'"
+        )
+    return ways[given[0]](question)
 
 
 def _needed(question: Question, *words: str) -> None:
     for word in words:
         if question.key(word) is None:
             raise InputError(f"the key {word!r} is missing")
+
+
+def _over_orbits(question: Question) -> Outcome:
+    _needed(question, "energy")
+    question.hamiltonian()
+    return over_orbits(question)
 
 
 def _virial(question: Question) -> Outcome:

@@ -12,6 +12,7 @@ from canon.budget import Budget, BudgetExceeded
 from canon.claims.along_a_range import Range, Unproved, holds
 from canon.claims.approach import Limit, approaching, limit_of
 from canon.claims.outcome import Outcome, Residual
+from canon.claims.to_infinity import over_infinity
 from canon.decide.answer import Witness
 from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
 from canon.decide.derivative import derivative
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
 
 POINTS = 8
+COARSEST = 1e-6
+"""The relative error above which an enclosure supports nothing."""
 FOUND_NONE = (
     ArithmeticError, AttributeError, InputError, LookupError, NotImplementedError, RecursionError, TypeError,
     ValueError,
@@ -95,16 +98,15 @@ def exact_value(question: Question, span: Range, f: Node, F: Formula) -> tuple[L
 def at_points(question: Question, span: Range, f: Node, equals: Node, budget: Budget) -> Outcome:
     """The integral enclosed at points of the other names: refuted by one of them, else supported."""
     tape = question.tape
-    if isinstance(span.low, str) or isinstance(span.high, str):
-        return Outcome("undecided", note="an infinite range has no certified quadrature")
     if tape.functions_of([f, equals]):
         return Outcome("undecided", note="arbitrary functions have no quadrature")
-    ends = [question.load(end) for end in (span.low, span.high)]  # type: ignore[arg-type]
+    ends = [question.load(end) for end in (span.low, span.high) if not isinstance(end, str)]
     x = tape.symbol(span.x)
     names = sorted(set().union(*(tape.support(n) for n in (f, equals, *ends))) - {x})
     order = tape.reach([equals, *ends])
+    infinite = isinstance(span.low, str) or isinstance(span.high, str)
     worst: list[Any] = []
-    rng = random.Random(question.seed)
+    rng, open_places = random.Random(question.seed), 0
     try:
         for place in samples(
             tape, [*names, equals], span.others, rng, count=POINTS, tries=20, budget=budget, nice=True
@@ -112,8 +114,12 @@ def at_points(question: Question, span: Range, f: Node, equals: Node, budget: Bu
             with precision(BITS):
                 at = ball_point(place.point, place.solved)
                 balls = evaluate(tape, order, at, place.functions)
-                value = enclosed(tape, f, x, (balls[ends[0]], balls[ends[1]]), at, place.functions)
+                if infinite:
+                    value = over_infinity(question, span, f, at, place.point)
+                else:
+                    value = enclosed(tape, f, x, (balls[ends[0]], balls[ends[1]]), at, place.functions)
                 if value is None:
+                    open_places += 1
                     continue
                 gap = value - balls[equals]
             if excludes_zero(gap):
@@ -121,13 +127,16 @@ def at_points(question: Question, span: Range, f: Node, equals: Node, budget: Bu
                 evidence = Evidence(1, float(abs(gap.mid())), float(gap.rad()), BITS)
                 detail = {"value": value.str(15, radius=False), "residual": gap.str(12, radius=False)}
                 return Outcome("refuted", "certified quadrature", witness=table, numeric=evidence, detail=detail)
-            worst.append(gap)
+            if gap.rad() < COARSEST * (1 + abs(value)):
+                worst.append(gap)
             if not names:
                 break
     except (*FAILURES, BudgetExceeded):
         pass
     if not worst:
         return Outcome("undecided", note="the integral could not be enclosed at any point")
+    if infinite and open_places:  # it may diverge there
+        return Outcome("undecided", note=f"at {open_places} points the integral could not be enclosed")
     gap = max(worst, key=lambda ball: float(abs(ball.mid()) + ball.rad()))
     evidence = Evidence(len(worst), float(abs(gap.mid())), float(gap.rad()), BITS)
     return Outcome("supported", "certified quadrature", numeric=evidence)

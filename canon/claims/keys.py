@@ -241,6 +241,11 @@ KEYS: Final[Mapping[str, KeySpec]] = {
             "from": Key("end", optional=True),
             "to": Key("end", optional=True),
             "antiderivative": Key(optional=True),
+            "coordinate": Key("coordinate", optional=True),
+            "energy": Key("name", optional=True),
+            "branch": Key("word", optional=True),
+            "well": Key(side="parameters", optional=True),
+            "fixed": Key("values", "parameters", optional=True),
         }
     ),
     "inequality": KeySpec({"lhs": Key(side="both"), "relation": Key("relation"), "rhs": Key(side="both")}),

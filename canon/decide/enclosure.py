@@ -100,10 +100,21 @@ def _product(factors: Sequence[tuple[Node, int]], ball: Mapping[Node, Ball]) -> 
         if exponent < 0:
             if factor.contains(0):
                 raise OutOfDomain("a denominator that may be zero")
-            factor = 1 / (factor if exponent == -1 else factor ** (-exponent))
+            factor = 1 / (factor if exponent == -1 else whole_power(factor, -exponent))
         elif exponent > 1:
-            factor = factor**exponent
+            factor = whole_power(factor, exponent)
         value = factor if value is None else value * factor
+    return value
+
+
+def whole_power(base: Ball, exponent: int) -> Ball:
+    """base ** exponent for an exponent of at least 1; flint answers nan for a real ball whose midpoint is 0."""
+    value = base**exponent
+    if value.is_finite() or not base.is_finite():
+        return value
+    value = base
+    for _ in range(exponent - 1):
+        value = value * base
     return value
 
 

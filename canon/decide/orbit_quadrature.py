@@ -163,7 +163,7 @@ def _covered(
 def action(integrand: Integrand, orbit: Orbit) -> Ball | None:
     """∮ p dq of a libration: twice the integral of √square."""
     with precision(BITS):
-        inner = _integral(integrand, lambda values: values[integrand.square].sqrt(), [integrand.square], orbit)
+        inner = integral_between(integrand, lambda values: values[integrand.square].sqrt(), [integrand.square], orbit)
         if inner is None:
             return None
         total = inner
@@ -182,7 +182,7 @@ def period(integrand: Integrand, orbit: Orbit, energy: Node) -> Ball | None:
     rate = derivative(tape, integrand.square, energy)
     slope = derivative(tape, integrand.square, integrand.coordinate)
     with precision(BITS):
-        total = _integral(
+        total = integral_between(
             integrand,
             lambda values: values[rate] / values[integrand.square].sqrt(),
             [integrand.square, rate],
@@ -190,14 +190,22 @@ def period(integrand: Integrand, orbit: Orbit, energy: Node) -> Ball | None:
         )
         if total is None:
             return None
-        for near, far in ((orbit.left, orbit.outer[0]), (orbit.right, orbit.outer[1])):
-            steep, above = _over(integrand, slope, near, far), _over(integrand, rate, near, far)
-            if steep is None or above is None or steep.contains(0):
+        for edge in ((orbit.left, orbit.outer[0]), (orbit.right, orbit.outer[1])):
+            part = at_the_edge(integrand, edge, slope, rate)
+            if part is None:
                 return None
-            size = abs(arb(rational(near - far)))
-            part = arb(above.abs_upper()) * 2 * (size / arb(steep.abs_lower())).sqrt()
-            total += _upto(part) if certainly_positive(above) else part * arb(0, 1)
+            total += part
         return total
+
+
+def at_the_edge(integrand: Integrand, edge: tuple[Fraction, Fraction], slope: Node, rate: Node) -> Ball | None:
+    """The time spent between a turning point and the inner edge."""
+    steep, above = _over(integrand, slope, *edge), _over(integrand, rate, *edge)
+    if steep is None or above is None or steep.contains(0):
+        return None
+    size = abs(arb(rational(edge[0] - edge[1])))
+    part = arb(above.abs_upper()) * 2 * (size / arb(steep.abs_lower())).sqrt()
+    return _upto(part) if certainly_positive(above) else part * arb(0, 1)
 
 
 def turn(
@@ -227,7 +235,7 @@ def turn(
                 return v[rates[0]] + v[rates[1]] / v[square].sqrt() / 2
 
             nodes, value = [square, *rates], slowness
-        whole = _integral(integrand, value, nodes, orbit)
+        whole = integral_between(integrand, value, nodes, orbit)
         values = {name: arb(rational(number)) for name, number in integrand.point.items()}
         where = arb(rational((last + beyond) / 2), rational((beyond - last) / 2))
         try:
@@ -272,7 +280,7 @@ def _over(integrand: Integrand, node: Node, near: Fraction, far: Fraction) -> Ba
         return None
 
 
-def _integral(
+def integral_between(
     integrand: Integrand, value: Callable[[Mapping[Node, Ball]], Ball], nodes: list[Node], orbit: Orbit
 ) -> Ball | None:
     """The integral of a function of these nodes from left to right."""

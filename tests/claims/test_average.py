@@ -109,3 +109,42 @@ def test_a_motion_there_and_back_has_no_average(status):
 def test_faults(ask, claim, message):
     with pytest.raises((InputError, AssertionError), match=message):
         ask(claim, symbols=SYMBOLS, hamiltonian=OSCILLATOR)
+
+
+def _orbit(f: str, equals: str, *more: str) -> str:
+    return "\n".join([f'kind = "average"\nf = "{f}"\nequals = "{equals}"\ncoordinate = "q"\nenergy = "E"', *more])
+
+
+AT_ONE = "fixed = {E = 1}"
+
+
+@pytest.mark.parametrize(
+    ("H", "f", "equals", "more", "expected"),
+    [
+        ("p**2/2 + q**4", "p**2/2", "2*E/3", AT_ONE, "supported"),  # the virial theorem of a quartic
+        ("p**2/2 + q**4", "p**2/2", "2*E/3 + 1e-9", AT_ONE, "refuted"),
+        ("p**2/2 + q**4", "q**4", "E/2", AT_ONE, "refuted"),
+        ("p**2/2 + q**4", "q**2", "4*(gamma(3/4)/gamma(1/4))**2*sqrt(E)", AT_ONE, "supported"),
+        ("p**2/2 + q**4", "p", "1e-6", AT_ONE, "refuted"),
+        ("(p - q)**2/2 + a*q**2", "(p - q)**2/2", "E/2", AT_ONE, "supported"),
+        ("p**2/2 - cos(q)", "p**2 - q*sin(q)", "0", 'branch = "libration"\nfixed = {E = "1/2"}', "supported"),
+        ("p**2/2 - cos(q)", "p**2 - q*sin(q)", "1e-9", 'branch = "libration"\nfixed = {E = "1/2"}', "refuted"),
+        ("p**2/2 + q**4", "1/q", "0", AT_ONE, "undecided"),  # the orbit goes through its pole
+    ],
+)
+def test_over_an_orbit(status, H, f, equals, more, expected):
+    assert status(_orbit(f, equals, more), symbols=SYMBOLS, hamiltonian=f'H = "{H}"') == expected
+
+
+@pytest.mark.parametrize(
+    ("H", "claim", "message"),
+    [
+        ("p**2/2 - cos(q)", _orbit("p", "0", 'branch = "rotation"'), "over librations"),
+        ("p**2/2 + q**4", _orbit("p", "q", AT_ONE), "not of q"),
+        ("p**2/2 + q**4", _orbit("p", "0", 'virial = "q"'), "give either"),
+        ("p**2/2 - q**2", _orbit("p", "0", AT_ONE), "E|energy|minimum|orbit"),
+    ],
+)
+def test_faults_over_an_orbit(ask, H, claim, message):
+    with pytest.raises((InputError, AssertionError), match=message):
+        ask(claim, symbols=SYMBOLS, hamiltonian=f'H = "{H}"')

@@ -43,6 +43,35 @@ def test_integrals(status, f, x, low, high, equals, expected):
 
 
 @pytest.mark.parametrize(
+    ("f", "low", "equals", "expected"),
+    [
+        ("exp(-q**2)", "-infinity", "sqrt(pi)", "proved"),
+        ("exp(-q**2)", "-infinity", "sqrt(pi) + 1e-12", "refuted"),
+        ("exp(-a*q**2 + b*q)", "-infinity", "sqrt(pi/a)*exp(b**2/(4*a))", "proved"),
+        ("exp(-a*q**2 + b*q)", "-infinity", "sqrt(pi/a)*exp(b**2/(2*a))", "refuted"),
+        ("exp(-a*q**2)*cos(w*q)", "-infinity", "sqrt(pi/a)*exp(-w**2/(4*a))", "proved"),
+        ("q*exp(-a*q**2)*sin(w*q)", "-infinity", "w/(2*a)*sqrt(pi/a)*exp(-w**2/(4*a))", "proved"),
+        ("q**4*exp(-a*q**2)", "0", "3*sqrt(pi)/(8*a**2*sqrt(a))", "proved"),
+        ("q**4*exp(-a*q**2)", "0", "3*sqrt(pi)/(4*a**2*sqrt(a))", "refuted"),  # over all q
+        ("exp(-k*q**2)", "-infinity", "sqrt(pi)", "refuted"),  # at k > 0; for others there is none
+        ("exp(a*q**2)", "-infinity", "1", "undecided"),
+        ("1/(1 + exp(k*q))", "0", "log(2)/k", "undecided"),  # it diverges for k < 0
+        ("exp(-q**2)", "1", "sqrt(pi)/2", "refuted"),  # a tail is bounded
+        ("1/cosh(q)", "-infinity", "pi", "supported"),
+        ("cos(w*q)/cosh(q)", "-infinity", "pi/sinh(pi*w/2)", "refuted"),
+        ("1/(1 + q**4)", "0", "pi/(2*sqrt(2))", "supported"),
+        ("1/(1 + q**4)", "0", "pi/(2*sqrt(2)) + 1e-12", "refuted"),
+        ("1/sqrt(1 + q**2)", "0", "100", "refuted"),  # by its antiderivative, which grows
+        ("sin(q)/q", "1", "0.6247", "undecided"),  # its tail has no bound but by cancellation
+        ("sin(q)/q**3", "1", "0.378530017", "supported"),
+        ("sin(q)/q**3", "1", "0.3786", "refuted"),
+    ],
+)
+def test_over_infinite_ranges(status, f, low, equals, expected):
+    assert status(_claim(f, "q", low, "infinity", equals), symbols=SYMBOLS) == expected
+
+
+@pytest.mark.parametrize(
     ("F", "expected"),
     [
         ("2/sqrt(3)*atan(tan(q/2)/sqrt(3))", "undecided"),  # it jumps at pi

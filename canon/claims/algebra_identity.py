@@ -42,10 +42,10 @@ def identity_outcome(question: Question, region: Region, algebra: LieAlgebra, eq
     named = None if equals is None else read_name(equals)
     try:
         found, reason = _for_all_parameters(algebra)
+        if found is None:
+            return _at_values(question, region, algebra, equals)
     except ArithmeticError as error:
         return Outcome("undecided", note=f"not identified: {error}")
-    if found is None:
-        return _at_values(question, region, algebra, equals)
     detail = described(found)
     if named is None:
         return exact("proved", CLASSIFIED, **detail)

@@ -21,6 +21,7 @@ from canon.decide.search import Sample
 from canon.decide.tape import Node
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.mechanics.vanishing import vanishes
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -73,7 +74,7 @@ def tensor_of(question: Question) -> tuple[tuple[tuple[Formula, ...], ...], tupl
     for i in range(size):
         for j in range(i, size):
             total = question.tape.plus(question.load(rows[i][j]), question.load(rows[j][i]))
-            if question.tape.value(total) != 0 and sp.expand(rows[i][j].expr + rows[j][i].expr) != 0:
+            if question.tape.value(total) != 0 and not vanishes(rows[i][j].expr + rows[j][i].expr):
                 raise InputError(
                     f"not antisymmetric: see the entries {i + 1},{j + 1} and {j + 1},{i + 1}", "key 'tensor'"
                 )

@@ -192,11 +192,11 @@ def germ(
     outcome = question.decide(residuals, near, budget=budget)
     if outcome.status == "proved":
         return outcome
-    if outcome.status == "refuted" and _is_analytic_near(question, residuals, near, names, outcome.witness):
-        return outcome
     refuted = _coefficient(question, residuals, names, at_zero)
     if refuted is not None:
         return refuted
+    if outcome.status == "refuted" and _is_analytic_near(question, residuals, near, names, outcome.witness):
+        return outcome
     if outcome.status == "refuted":
         label = outcome.failed.residual.label if outcome.failed is not None else "the law"
         return Outcome(

@@ -131,10 +131,11 @@ def _powers(
     """The power of each parameter in each constant that isn't 0; None where it is no power."""
     powers: Powers = {}
     for x in parameters:
-        there = None
-        for factor in (FACTOR, 1 / FACTOR):
+        there, factor = None, FACTOR
+        whole = declared(question.tape.symbol_at(x)).get("integer")
+        for factor in (Fraction(7), Fraction(1, 7)) if whole else (FACTOR, 1 / FACTOR):
             moved = {**values, x: values[x] * factor} if values[x] else {**values, x: Fraction(1)}
-            if not declared(question.tape.symbol_at(x)).get("integer"):
+            if not whole or moved[x].denominator == 1:
                 there = _solution(question, region, basis, products, moved)
             if there is not None:
                 break

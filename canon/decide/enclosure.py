@@ -112,9 +112,12 @@ def whole_power(base: Ball, exponent: int) -> Ball:
     value = base**exponent
     if value.is_finite() or not base.is_finite():
         return value
-    value = base
-    for _ in range(exponent - 1):
-        value = value * base
+    value = None
+    while exponent:
+        if exponent % 2:
+            value = base if value is None else value * base
+        exponent //= 2
+        base = base * base if exponent else base
     return value
 
 
@@ -189,7 +192,9 @@ def _integer_power(base: Ball, exponent: Ball) -> Ball:
         raise OutOfDomain("a large exponent")
     if n < 0 and base.contains(0):
         raise OutOfDomain("a denominator that may be zero")
-    return base**n if n >= 0 else 1 / base ** (-n)
+    if n == 0:
+        return base**0
+    return whole_power(base, n) if n > 0 else 1 / whole_power(base, -n)
 
 
 def _gamma(u: Ball) -> Ball:

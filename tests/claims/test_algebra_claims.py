@@ -171,6 +171,12 @@ def test_what_has_no_identity_and_what_is_abelian(ask):
     assert none.detail["fails"] == "θ1(a, 0) at order 2"
 
 
+def test_a_law_that_fails_at_a_high_order_alone(ask):
+    """Beyond the Taylor coefficients that are looked at: polynomials are smooth on the whole box about 0."""
+    (found,) = ask(law(["a1 + b1 + a1**4*b1**5/10**20"], 1, equals='"u(1)"'), space='q = ["q"]\np = ["p"]\n')
+    assert (found.status, found.detail["fails"]) == ("refuted", "associativity of θ1")
+
+
 @pytest.mark.parametrize("entry", [f"{u}{i},{v}{j}" for u, v in ("MM", "MA", "AA") for i, j in ("xy", "yz", "zx")])
 def test_a_thousandth_in_any_structure_constant_is_caught(ask, entry):
     wrong = table("-2*m*E0").replace(f'"{entry}" = "', f'"{entry}" = "1.001*')
@@ -210,6 +216,16 @@ def test_an_arbitrary_function_in_the_basis(ask):
 def test_small_and_odd_bases(ask, basis, name, verdict):
     (found,) = ask(stated(basis, equals=f'"{name}"'), space=SPACE)
     assert found.status == verdict, found
+
+
+@pytest.mark.parametrize("kind", ["real", "nonzero", "negative", "integer", ["integer", "positive"]])
+def test_rotations_one_of_which_is_scaled(ask, kind):
+    """1/k is among the constants, of either sign; where k may be 0 the basis is dependent there."""
+    basis = {"Ax": "k*Mx", "My": "My", "Mz": "Mz"}
+    symbols = f"{KEPLER['symbols']}\nk = {json.dumps(kind)}"
+    (found,) = ask(stated(basis, equals='"so(3)"'), **{**KEPLER, "symbols": symbols})
+    may_vanish = kind in ("real", "integer")
+    assert found.status in ("undecided", "refuted") if may_vanish else found.status == "proved", found
 
 
 def test_what_vanishes_on_the_surface_is_not_independent_there(ask):

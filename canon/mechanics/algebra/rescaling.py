@@ -99,7 +99,7 @@ def monomial(value: Number) -> tuple[Fraction, Powers] | None:
             continue
         sign = known_sign(base)
         if sign == "negative" and exponent.is_Integer:
-            base, number = -base, number * (-1) ** int(exponent)
+            base, number = -base, number * Fraction(-1) ** int(exponent)
         elif sign != "positive":
             return None
         powers[base] = powers.get(base, sp.S.Zero) + exponent

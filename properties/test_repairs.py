@@ -51,7 +51,7 @@ def spoiled(M: Array, size: float) -> Any:
     return step
 
 
-@pytest.mark.parametrize("size", [0.0, 1e-3, 1e-6])
+@pytest.mark.parametrize("size", [0.0, pytest.param(1e-3, marks=pytest.mark.slow), 1e-6])
 @few
 @given(st.data())
 def test_a_map_moves_by_about_its_defect_and_keeps_loops(size: float, data: st.DataObject) -> None:

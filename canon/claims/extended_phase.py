@@ -85,7 +85,7 @@ def _of_functions(
         moved = timed_map(map, states)
         return moved, timed_function(H, states), timed_function(K, moved(states[:1]))
     if map.direction != "forward":
-        raise InputError("a transformation given as new in terms of old is needed here", "map")
+        raise InputError("a transformation given as new in terms of old is needed here: pass its .forward()", "map")
     space = map.space
     known = {symbol.name: symbol for symbol in space.parameters}
     for name in parameters:

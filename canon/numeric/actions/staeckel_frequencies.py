@@ -9,18 +9,13 @@ one of two terms with the ratio of ⟨n⟩⟨1/l⟩ < 1. de Zeeuw (1985), Mon. N
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from canon.errors import InputError
 from canon.numeric.actions import staeckel
-from canon.numeric.actions.central import doubled, sorted_out, spread
-from canon.numeric.actions.orbit_blocks import as_function, blocks, on_block
 from canon.numeric.actions.oscillation import NARROW_NODES, Narrow, Scalar, quadrature
-from canon.numeric.actions.separable import NOT_BOUND, read_orbits
-from canon.numeric.precision import double
+from canon.numeric.actions.staeckel_orbits import Parts, sums_of
 
 ROUNDING: Final = 2.0**-46
 CLOSE: Final = 0.1
@@ -34,15 +29,6 @@ class StaeckelFrequencies(NamedTuple):
     vertical: Any
     azimuthal: Any
     relative_bound: Any
-
-
-class _Kernels(NamedTuple):
-    guess: Any
-    near: Any
-    ends: Any
-    wide: Any
-    top: Any
-    across: Any
 
 
 def staeckel_frequencies(
@@ -65,19 +51,7 @@ def staeckel_frequencies(
 
     **Raises:** `InputError` where G is no such formula, or an orbit is not bound or on the axis, with its index.
     """
-    formula, symbol, shape, state = read_orbits(G, delta, (R, z, p_R, p_z, L_z), variable, parameters)
-    count = state[0].size
-    along, across = np.full((4, count), np.nan), np.full((4, count), np.nan)
-    kernels = _kernels(formula, symbol, float(delta), float(m))
-    with double():
-        wide, ends = sorted_out(kernels, state, along, lambda *row: np.stack(row))
-        top = np.concatenate([on_block(kernels.top, block, state)[0] for block in blocks(np.arange(count))])
-        lost = ~np.isfinite(top)
-        lost[wide] |= ~np.isfinite(ends).all(axis=0)
-        if lost.any():
-            raise InputError(NOT_BOUND.format(int(np.argmax(lost))), "E")
-        doubled(kernels.wide, wide, [*state, *spread(ends, wide, count)], along, lambda *row: np.stack(row))
-        doubled(kernels.across, np.arange(count), [*state, top], across, lambda *row: np.stack(row))
+    shape, state, along, across = sums_of(PARTS, (4, 4), G, delta, (R, z, p_R, p_z, L_z), m, variable, parameters)
     by_E, by_2, by_3, off = m / 2 * along  # there and back
     across_3, across_E, across_2, across_off = m * across
     with np.errstate(all="ignore"):
@@ -86,39 +60,6 @@ def staeckel_frequencies(
         bound = 4 * (off / by_E + across_off / across_3 + ROUNDING) / (1 - part)
         found = (across_3 / D, by_3 / D, state[4] * (by_2 * across_3 + by_3 * across_2) / (2 * np.pi * m * D), bound)
     return StaeckelFrequencies(*(x.reshape(shape) for x in found))
-
-
-@lru_cache(maxsize=32)
-def _kernels(formula: Any, symbol: Any, delta: float, m: float) -> _Kernels:
-    import jax
-
-    G, D2 = as_function(formula, symbol), delta * delta
-
-    def place(*state: Any) -> staeckel.Place:
-        return staeckel.place_of(G, delta, m, *state)
-
-    @lru_cache(maxsize=4)
-    def near(degree: int) -> Any:
-        @jax.jit
-        def run(*state: Any) -> Any:
-            at = place(*state)
-            orbit = staeckel.narrow_radial(G, D2, at, degree)
-            return orbit.holds, *_narrow_sums(orbit, m, at)
-
-        return run
-
-    @lru_cache(maxsize=8)
-    def wide(count: int) -> Any:
-        return jax.jit(lambda *row: _wide_sums(G, D2, m, place(*row[:5]), row[5], row[6], count))
-
-    @lru_cache(maxsize=8)
-    def across(count: int) -> Any:
-        return jax.jit(lambda *row: _vertical_sums(G, D2, m, place(*row[:5]), row[5], count))
-
-    guess = jax.jit(lambda *state: (staeckel.amplitude(G, D2, place(*state)),))
-    ends = jax.jit(lambda *state: staeckel.wide_ends(G, D2, place(*state)))
-    top = jax.jit(lambda *state: (staeckel.vertical_end(G, D2, place(*state)),))
-    return _Kernels(guess, near, ends, wide, top, across)
 
 
 def _wide_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, low: Any, high: Any, count: int) -> tuple[Any, ...]:
@@ -138,7 +79,7 @@ def _wide_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, low: Any, high
     return *(half * value for value in sums), 2.0**-51 * half * off
 
 
-def _narrow_sums(orbit: Narrow, m: Any, place: staeckel.Place) -> tuple[Any, ...]:
+def _narrow_sums(G: Scalar, D2: Any, orbit: Narrow, m: Any, place: staeckel.Place) -> tuple[Any, ...]:
     """The same sums of an orbit whose l hardly changes."""
     import jax.numpy as jnp
 
@@ -178,3 +119,7 @@ def _vertical_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, end: Any, 
 
     first, second, third = quadrature(term, -jnp.ones_like(end), jnp.ones_like(end), count)
     return first, second, third, ROUNDING * first * (1 + place.size / jnp.abs(stiffness(jnp.zeros_like(end))))
+
+
+PARTS = Parts(_narrow_sums, _wide_sums, _vertical_sums)
+"""The derivatives of the actions by the constants, up to factors."""

@@ -105,6 +105,7 @@ if TYPE_CHECKING:
     from canon.numeric.actions.orbit import Orbit
     from canon.numeric.actions.pendulum import pendulum_actions, pendulum_angle
     from canon.numeric.actions.separable import staeckel_actions
+    from canon.numeric.actions.staeckel_angles import staeckel_angles
     from canon.numeric.actions.staeckel_frequencies import staeckel_frequencies
     from canon.numeric.chains import chain_frequencies
     from canon.numeric.cycloid import Descent, fastest_descent
@@ -139,6 +140,7 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.numeric.actions.central": ("central_actions",),
     "canon.numeric.actions.frequency_analysis": ("Lines", "frequency_lines"),
     "canon.numeric.actions.separable": ("staeckel_actions",),
+    "canon.numeric.actions.staeckel_angles": ("staeckel_angles",),
     "canon.numeric.actions.staeckel_frequencies": ("staeckel_frequencies",),
     "canon.numeric.actions.isochrone": ("isochrone_actions", "isochrone_angle"),
     "canon.numeric.actions.motion": ("Motion", "motion"),
@@ -332,6 +334,7 @@ __all__ = [
     "separation",
     "split_boost",
     "staeckel_actions",
+    "staeckel_angles",
     "staeckel_frequencies",
     "standard_j",
     "surface_invariant",

@@ -1,5 +1,6 @@
 """Elliptic actions between given roots beside quadrature of the same integrand; and what they must refuse."""
 
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -22,6 +23,7 @@ def positive(expression: Any) -> bool:
     return bool(expression.xreplace(VALUES) > 0)
 
 
+@cache
 def found(motion: OneDegree, well: Any = None) -> ClosedAction:
     return next(elliptic(motion, integrands(motion), positive, well))
 

@@ -170,6 +170,31 @@ def horner(coefficients: Sequence[Any], x: Any) -> Any:
     return total
 
 
+def partial_quadrature(
+    term: Callable[[Any, Any], tuple[Any, ...]], low: Any, high: Any, phase: Any, count: int
+) -> tuple[Any, ...]:
+    """∫ of each `term`(u, sin θ) dθ from 0 to the `phase`, for u = mid − half cos θ; the phase may be any angle.
+
+    A function that is even in θ and smooth is a series of cosines, which the nodes of `quadrature` determine.
+    """
+    import jax.numpy as jnp
+    from jax import lax
+
+    mid, half = (low + high) / 2, (high - low) / 2
+    angles = (np.arange(count) + 0.5) * np.pi / count
+    cosines, sines = jnp.asarray(np.cos(angles)), jnp.asarray(np.sin(angles))
+    orders = np.arange(1, count)
+    waves = jnp.sin(orders[:, None] * phase) / orders[:, None]
+    weights = (phase + 2 * jnp.asarray(np.cos(np.outer(angles, orders))) @ waves) / count
+
+    def add(k: Any, sums: Any) -> Any:
+        values = term(mid - half * cosines[k], sines[k])
+        return tuple(a + weights[k] * b for a, b in zip(sums, values, strict=True))
+
+    width = len(term(mid, sines[0]))
+    return lax.fori_loop(0, count, add, (jnp.zeros_like(mid),) * width)
+
+
 def quadrature(term: Callable[[Any, Any], tuple[Any, ...]], low: Any, high: Any, count: int) -> tuple[Any, ...]:
     """The sums over `count` nodes of `term`(u, sin θ) times π/count, for u = mid − half cos θ."""
     import jax.numpy as jnp

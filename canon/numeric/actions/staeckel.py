@@ -24,7 +24,8 @@ from canon.numeric.actions.oscillation import (
 
 
 class Place(NamedTuple):
-    """A phase point by what separates: l and l − Δ², n and Δ² − n, E, I₂, I₃, F(l), and the size of E's terms."""
+    """A phase point by what separates: l and l − Δ², n and Δ² − n, E, I₂, I₃, F(l), the size of E's terms;
+    `outward` and `across`, √(l − Δ²) p_l and √n p_n, each with the size of its terms, and the sign of z."""
 
     l: Any
     beyond: Any
@@ -35,6 +36,11 @@ class Place(NamedTuple):
     I3: Any
     F: Any
     size: Any
+    outward: Any
+    outward_size: Any
+    across: Any
+    across_size: Any
+    side: Any
 
 
 def place_of(G: Scalar, delta: Any, m: Any, R: Any, z: Any, p_R: Any, p_z: Any, L: Any) -> Place:
@@ -54,11 +60,15 @@ def place_of(G: Scalar, delta: Any, m: Any, R: Any, z: Any, p_R: Any, p_z: Any, 
     depth = (l * G(l) - n * G(n)) / spread
     E, I2 = kinetic - depth, L * L / (2 * m)
     # √n p_n and √(l − Δ²) p_l, which are finite where n or l − Δ² vanish
-    along = jnp.where(z < 0, -1.0, 1.0)
-    across = along * jnp.sqrt(l) * p_z / (2 * delta) - jnp.sqrt(n) * R * p_R / (2 * within)
-    outward = jnp.sqrt(within) * p_R / (2 * delta) + jnp.sqrt(beyond) * z * p_z / (2 * l)
+    side = jnp.where(z < 0, -1.0, 1.0)
+    risen, sunk = side * jnp.sqrt(l) * p_z / (2 * delta), jnp.sqrt(n) * R * p_R / (2 * within)
+    pushed, pulled = jnp.sqrt(within) * p_R / (2 * delta), jnp.sqrt(beyond) * z * p_z / (2 * l)
+    across, across_size = risen - sunk, jnp.abs(risen) + jnp.abs(sunk)
+    outward, outward_size = pushed + pulled, jnp.abs(pushed) + jnp.abs(pulled)
     I3 = n * (G(n) + E + I2 / within) + 2 * within * across * across / m
-    return Place(l, beyond, n, within, E, I2, I3, 2 * l * outward * outward / m, kinetic + jnp.abs(depth))
+    F = 2 * l * outward * outward / m
+    size = kinetic + jnp.abs(depth)
+    return Place(l, beyond, n, within, E, I2, I3, F, size, outward, outward_size, across, across_size, side)
 
 
 def wide_ends(G: Scalar, D2: Any, place: Place) -> tuple[Any, Any]:

@@ -9,16 +9,14 @@ one of two terms with the ratio of ⟨n⟩⟨1/l⟩ < 1. de Zeeuw (1985), Mon. N
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Final, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from canon.numeric.actions import staeckel
 from canon.numeric.actions.oscillation import NARROW_NODES, Narrow, Scalar, quadrature
 from canon.numeric.actions.staeckel_orbits import Parts, sums_of
-
-ROUNDING: Final = 2.0**-46
-CLOSE: Final = 0.1
+from canon.numeric.actions.staeckel_rates import ROUNDING, narrow_rate, vertical_rate, wide_rate
 
 
 class StaeckelFrequencies(NamedTuple):
@@ -64,61 +62,24 @@ def staeckel_frequencies(
 
 def _wide_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, low: Any, high: Any, count: int) -> tuple[Any, ...]:
     """∫ dl/p_l over l − Δ², over its square and over (l − Δ²) l, between the ends; the rounding of the first."""
-    import jax.numpy as jnp
-
-    def term(u: Any, sine: Any) -> tuple[Any, ...]:
-        beyond = jnp.exp(u)
-        l = D2 + beyond
-        F = l * (G(l) + place.E - place.I2 / beyond) - place.I3
-        F = jnp.where(F > 0, F, jnp.inf)
-        rate = sine * jnp.sqrt(2 * l * beyond / (m * F))
-        return rate, rate / beyond, rate / l, rate * l * place.size / F
-
     half = (high - low) / 2
-    *sums, off = quadrature(term, low, high, count)
+    *sums, off = quadrature(wide_rate(G, D2, m, place), low, high, count)
     return *(half * value for value in sums), 2.0**-51 * half * off
 
 
 def _narrow_sums(G: Scalar, D2: Any, orbit: Narrow, m: Any, place: staeckel.Place) -> tuple[Any, ...]:
     """The same sums of an orbit whose l hardly changes."""
-    import jax.numpy as jnp
-
-    def term(y: Any, sine: Any) -> tuple[Any, ...]:
-        beyond, l = place.beyond + y, place.l + y
-        rate = jnp.sqrt(2 * l / (m * beyond * orbit.stiffness(y)))
-        return rate, rate / beyond, rate / l
-
-    first, *others = quadrature(term, orbit.low, orbit.high, NARROW_NODES)
+    first, *others = quadrature(narrow_rate(orbit, m, place), orbit.low, orbit.high, NARROW_NODES)
     return first, *others, ROUNDING * first
 
 
 def _vertical_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, end: Any, count: int) -> tuple[Any, ...]:
-    """∫ dn/p_n over (Δ² − n) n, over Δ² − n and over its square, up to the largest n; the rounding of the first.
-
-    I₃ is the value of n [G(n) + E + I₂/(Δ² − n)] at that end, so that what is under p_n's root is a divided difference
-    of it: near the end one by Gauss's rule for its mean slope.
-    """
-    import jax
+    """∫ dn/p_n over (Δ² − n) n, over Δ² − n and over its square, up to the largest n; the rounding of the first."""
     import jax.numpy as jnp
 
-    def stiffness(n: Any) -> Any:
-        return G(n) + place.E + place.I2 / (D2 - n)
-
-    nodes, weights = np.polynomial.legendre.leggauss(8)
-
-    def term(half_turn: Any, _: Any) -> tuple[Any, ...]:
-        # n = end sin²(θ/2) at the nodes u = −cos θ: dn / √(n (end − n)) = dθ
-        n = end * (1 + half_turn) / 2
-        rest = end - n
-        places = n + rest * (nodes[:, None] + 1) / 2
-        slopes = jax.jvp(lambda t: t * G(t), (places,), (jnp.ones_like(places),))[1]
-        close = jnp.tensordot(weights / 2, slopes, axes=1) + place.E + place.I2 * D2 / ((D2 - n) * (D2 - end))
-        apart = (place.I3 - n * stiffness(n)) / jnp.where(rest > 0, rest, 1.0)
-        rate = jnp.sqrt(2 / (m * (D2 - n) * jnp.where(rest > CLOSE * end, apart, close)))
-        return rate, rate * n, rate * n / (D2 - n)
-
-    first, second, third = quadrature(term, -jnp.ones_like(end), jnp.ones_like(end), count)
-    return first, second, third, ROUNDING * first * (1 + place.size / jnp.abs(stiffness(jnp.zeros_like(end))))
+    rate, stiffness = vertical_rate(G, D2, m, place, end)
+    first, second, third = quadrature(rate, -jnp.ones_like(end), jnp.ones_like(end), count)
+    return first, second, third, ROUNDING * first * (1 + place.size / jnp.abs(stiffness))
 
 
 PARTS = Parts(_narrow_sums, _wide_sums, _vertical_sums)

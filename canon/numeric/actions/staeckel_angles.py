@@ -1,8 +1,9 @@
 """Angles of many orbits in a Stäckel potential: w = ∂S/∂J of the generating function S = ∫ p_l dl + ∫ p_n dn + L φ.
 
-The integrals ∂S/∂(E, I₂, I₃) run from the lower turning point of l and from the plane, each along its own oscillation;
-with ∂(E, I₂, I₃)/∂J, the inverse of the actions' derivatives, they make the angles. Phases near a turning point are
-taken from the momentum there, which is what the state has digits of. de Zeeuw (1985), Mon. Not. R. Astron. Soc. 216, 273.
+The integrals ∂S/∂(E, I₂, I₃) run from the lower turning point of l and from the plane, each along its own
+oscillation; with ∂(E, I₂, I₃)/∂J, the inverse of the actions' derivatives, they make the angles. Phases near a
+turning point are taken from the momentum there, which is what the state has digits of. de Zeeuw (1985), Mon. Not. R.
+Astron. Soc. 216, 273.
 """
 
 from __future__ import annotations

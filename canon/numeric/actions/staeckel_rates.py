@@ -1,8 +1,8 @@
 """∂p/∂(E, I₂, I₃) along orbits in a Stäckel potential, as functions of the phase θ of l and of n, up to factors.
 
-∂p_l/∂(E, I₂, I₃) = (1, −1/(l − Δ²), −1/l) m/(4 (l − Δ²) p_l), and
-∂p_n/∂(I₃, E, I₂) = (1, −n, −n/(Δ² − n)) m/(4 (Δ² − n) n p_n). What is under the root of a momentum vanishes at a turning point as the distance from it does: their quotient is a
-mean slope.
+∂p_l/∂(E, I₂, I₃) = (1, −1/(l − Δ²), −1/l) m/(4 (l − Δ²) p_l), and ∂p_n/∂(I₃, E, I₂) = (1, −n, −n/(Δ² − n)) m/(4 (Δ² −
+n) n p_n). What is under the root of a momentum vanishes at a turning point as the distance from it does: their
+quotient is a mean slope.
 """
 
 from __future__ import annotations

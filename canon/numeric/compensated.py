@@ -47,3 +47,14 @@ def sum_of_products(pairs: Any) -> tuple[Any, Any]:
 def add_increment(value: Any, lost: Any, increment: Any) -> tuple[Any, Any]:
     """value + lost + increment, as a new value and what its rounding lost. Neumaier (1974), ZAMM 54, 39."""
     return two_sum(value, lost + increment)
+
+
+def add_product(value: Any, lost: Any, a: Any, b: Any) -> tuple[Any, Any]:
+    """value + lost + a·b likewise, with what rounding took from the product, too.
+
+    Products with one factor are rounded with a bias where its digits repeat, as those of 1/20 do: what is lost adds up
+    to more than a random walk.
+    """
+    product, beyond = two_product(a, b)
+    total, rounded = two_sum(value, product)
+    return two_sum(total, lost + (rounded + beyond))

@@ -109,3 +109,16 @@ def test_what_cannot_be_run_is_an_input_error() -> None:
         integrate(Field(lambda state, t: state), VERLET, STATE, duration=1.0, steps=1)
     with pytest.raises(InputError, match="two samples"):
         integrate(PENDULUM, VERLET, STATE, duration=1.0, steps=1, samples=1)
+
+
+def test_the_energy_walks_and_does_not_drift_where_products_round_with_a_bias():
+    """Steps of 1/20: what rounding takes from h·p has a mean that isn't 0, 3e-14 of the energy in a million steps."""
+    angles = np.linspace(0.1, 6.2, 64)
+    start = (np.cos(angles), np.sin(angles))
+    oscillators = separable(lambda p: p, lambda q: -q)
+    run = integrate(oscillators, VERLET, start, duration=0.05 * 1e6, steps=1_000_000, compensated=True)
+    q, p = (np.longdouble(np.asarray(slot)) for slot in run.states)
+    energy = q * q + (1 - np.longdouble(run.step) ** 2 / 4) * p * p
+    drift = np.asarray((energy[-1] - energy[0]) / energy[0], dtype=float)
+    assert abs(drift.mean()) < 3e-15
+    assert np.sqrt(np.mean(drift**2)) < 8e-15

@@ -15,7 +15,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from canon.errors import InputError
-from canon.numeric.compensated import add_increment
+from canon.numeric.compensated import add_product
 from canon.numeric.integrators.problem import Part, Shear, Splitting, State
 from canon.numeric.integrators.stepper import Stepper, Time
 from canon.numeric.integrators.traits import Traits
@@ -207,6 +207,6 @@ def _moved(part: Part, carry: Any, prepared: Any, t: Any) -> Any:
         if left is None:
             state[slot] = jax.tree.map(lambda x, r: x + prepared * r, state[slot], rate)
             continue
-        pairs = jax.tree.map(lambda x, e, r: add_increment(x, e, prepared * r), state[slot], left[slot], rate)
+        pairs = jax.tree.map(lambda x, e, r: add_product(x, e, prepared, r), state[slot], left[slot], rate)
         state[slot], left[slot] = jax.tree.transpose(jax.tree.structure(state[slot]), None, pairs)
     return (*state,), None if left is None else (*left,)

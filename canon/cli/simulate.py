@@ -52,6 +52,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
     how.add_argument("--step", type=positive, metavar="H", help="a fixed step")
     parser.add_argument("--integrator", metavar="NAME", help="instead of the one that the planner would choose")
     parser.add_argument(
+        "--compare", action="store_true", help="try every candidate for the integrator first, however short the run"
+    )
+    parser.add_argument(
         "--explain", action="store_true", help="show the Hamiltonian, its splitting, the method, its price"
     )
 
@@ -156,7 +159,7 @@ def _with_options(scene: Scene, arguments: argparse.Namespace) -> Scene:
         settings = replace(settings, accuracy=arguments.accuracy, step=None)
     if arguments.integrator is not None:
         settings = replace(settings, integrator=arguments.integrator)
-    return replace(scene, settings=settings)
+    return replace(scene, settings=replace(settings, compare=arguments.compare))
 
 
 def _check_folders(arguments: argparse.Namespace) -> None:

@@ -20,6 +20,7 @@ from canon.claims.outcome import Residual
 from canon.claims.question import Question
 from canon.claims.verify import verify
 from canon.cost.clock import Timing, timed
+from canon.cost.in_pairs import evaluate_in_pairs
 from canon.cost.study import Point, Study
 from canon.decide.enclosure import OutOfDomain
 from canon.decide.floating import UNIT, Rounded, evaluate_many
@@ -27,13 +28,19 @@ from canon.decide.region import Region
 from canon.decide.search import Sample, evaluate_again, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.errors import BudgetExceeded
+from canon.numeric import pairs
 from canon.numeric.lower import lower
 from canon.numeric.precision import UNIT_32
 
 POINTS: Final = 8
-BITS: Final = (64, 106, 300, 1000)
-"""Of balls: 106 bits are those of pairs of doubles, of which no library has the elementary functions."""
-FLOATS: Final = (("float32", np.float32, 24, UNIT_32), ("float64", np.float64, 53, UNIT))
+BITS: Final = (64, 100, 300, 1000)
+"""Of balls."""
+FLOATS: Final = (
+    ("float32", np.float32, 24, UNIT_32),
+    ("float64", np.float64, 53, UNIT),
+    ("double-double", None, 106, pairs.UNIT),
+)
+"""Names, types (none of numpy's for pairs of doubles), bits and unit roundoffs."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +94,7 @@ def _stated(tape: Tape, residuals: Sequence[Residual], region: Region, seed: int
 
 
 def _floats(tape: Tape, stated: Sequence[Stated], messages: list[str]) -> Iterator[Point]:
-    """Residuals in single and in double precision, beside a bound of their rounding."""
+    """Residuals in single and double precision and in pairs of doubles, beside a bound of their rounding."""
     usable = [each for each in stated if not any(sample.solved or sample.functions for sample in each.points)]
     if len(usable) < len(stated):
         messages.append("floats leave out what is stated on a surface or of an arbitrary function: they have no points")
@@ -95,7 +102,7 @@ def _floats(tape: Tape, stated: Sequence[Stated], messages: list[str]) -> Iterat
         seen, hidden, total = False, list[float](), Timing(0.0, 0.0, 0.0, 1)
         for each in usable:
             try:
-                values, timing = _in_floats(tape, each, kind)
+                values, timing = _in_pairs(tape, each) if kind is None else _in_floats(tape, each, kind)
                 rounded = evaluate_many(tape, tape.reach(each.nodes), _columns(each.points, np.float64))
             except (Unsupported, OverflowError, TypeError, ValueError) as reason:
                 messages.append(f"{name}: {reason}")
@@ -121,6 +128,16 @@ def _in_floats(tape: Tape, stated: Stated, kind: Any) -> tuple[list[Any], Timing
     def look() -> list[Any]:
         with np.errstate(all="ignore"):
             return list(function(*arguments, numbers=np))
+
+    return timed(look, cap=1.0)
+
+
+def _in_pairs(tape: Tape, stated: Stated) -> tuple[list[Any], Timing]:
+    order, columns = tape.reach(stated.nodes), _columns(stated.points, np.float64)
+
+    def look() -> list[Any]:
+        place = evaluate_in_pairs(tape, order, columns)
+        return [place[node].high for node in stated.nodes]
 
     return timed(look, cap=1.0)
 

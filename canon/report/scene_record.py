@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, Final
 
+from canon.numeric.candidates import Prediction
 from canon.numeric.forecast import digit_factor, forecast_of
 from canon.scenes.monitors import Reading
 from canon.scenes.simulate import Result
@@ -31,6 +32,7 @@ def scene_record(result: Result) -> Record:
             "symplectic": method.traits.symplectic,
             "step": planned.run.step,
             "why": result.choice.why,
+            "candidates": [candidate_record(each) for each in result.choice.candidates],
         },
         "operations": {"per_step": result.operations},
         "steps": planned.run.steps,
@@ -48,6 +50,19 @@ def scene_record(result: Result) -> Record:
         "p": result.p.tolist(),
         **{name: rows.tolist() for name, rows in own_states(result).items()},
         **{word: {name: rows.tolist() for name, rows in table.items()} for word, table in named_states(result).items()},
+    }
+
+
+def candidate_record(each: Prediction) -> Record:
+    """What a candidate for the integrator was predicted to cost, and why it was not taken."""
+    return {
+        "name": each.method.name,
+        "operations": each.operations or None,
+        "measured_order": each.order and round(each.order, 2),
+        "steps": each.steps and round(each.steps),
+        "error": _finite(each.error),
+        "seconds": each.seconds and round(each.seconds, 6),
+        "rejected": each.why or None,
     }
 
 

@@ -108,11 +108,25 @@ def explanation_lines(result: Result) -> list[str]:
     lines += ["", f"Method: {integrator_name(result)}", f"  {choice.why}", *([f"  {source}"] if source else [])]
     if result.operations is not None:
         lines.append(f"  {result.operations} arithmetic operations a step")
+    lines += candidate_lines(result)
     prices = list(price_lines(result))
     if prices:
         lines += ["", "Price, estimated from this run", *prices]
     if result.scene.absent:
         lines += ["", "Left out, as no effect calls for it", f"  {', '.join(result.scene.absent)}"]
+    return lines
+
+
+def candidate_lines(result: Result) -> list[str]:
+    """What each candidate was predicted to cost before the run, the one that was taken first."""
+    candidates = result.choice.candidates
+    if not candidates:
+        return []
+    lines = ["", "Candidates, as predicted from short runs"]
+    for each in candidates:
+        known = each.steps is not None and each.seconds is not None
+        cost = f"{each.steps:10.0f} steps   {duration(max(each.seconds or 0.0, 1e-6))}" if known else ""
+        lines.append(f"  {each.method.name:<20} {cost}{'   ' * bool(cost and each.why)}{each.why}")
     return lines
 
 

@@ -5,20 +5,61 @@ from __future__ import annotations
 from typing import Any, Final, NamedTuple
 
 from canon.errors import InputError
+from canon.numeric.candidates import Prediction, predicted
 from canon.numeric.integrators import catalogue
 from canon.numeric.integrators.constrained import Held
 from canon.numeric.integrators.side_by_side import Together
+from canon.numeric.step_search import Task
 from canon.scenes.problem import Problem
+from canon.scenes.scene import Settings
 
 COARSE: Final = 1e-4
 FINE: Final = 1e-10
 
 
+SPLITTING: Final = ("blanes_moan4", "blanes_moan6", "kahan_li8", "sofroniou_spaletta10")
+NYSTROM: Final = ("nystrom4", "nystrom6a", "nystrom8", "sofroniou_spaletta10")
+WHOLE: Final = ("gauss4", "gauss6", "gauss8")
+"""Candidates by the form of the problem, one an order."""
+
+
 class Choice(NamedTuple):
-    """A method and why it was chosen."""
+    """A method and why it was chosen; with `candidates`, what each was predicted to cost."""
 
     method: Any
     why: str
+    candidates: tuple[Prediction, ...] = ()
+
+
+def chosen_for(
+    problem: Problem, task: Task, settings: Settings, rule: Choice, *, began_with: str | None = None
+) -> Choice:
+    """The candidate whose predicted work for the accuracy is least, or the most exact one within the budget; what the
+    rules say where a method or a step is given, where the motion is in closed form, and where trying would take longer
+    than what it could save.
+
+    **Arguments:** `began_with`, the method of the run that is gone on with.
+    """
+    names = _names(problem)
+    if began_with in names and settings.integrator is None:
+        return Choice(catalogue.method(began_with), "chosen when the run was begun")
+    if settings.integrator is not None or settings.step is not None or problem.exact or settings.accuracy is None:
+        return rule
+    others = [catalogue.method(name) for name in names if name != rule.method.name]
+    found = predicted(task, [rule.method, *others], settings.accuracy, compare=settings.compare)
+    if found[0].method is rule.method:
+        return rule._replace(candidates=tuple(found))
+    return Choice(found[0].method, f"of least predicted work among {len(found)} candidates", tuple(found))
+
+
+def _names(problem: Problem) -> tuple[str, ...]:
+    if problem.exact:
+        return ()
+    if isinstance(problem.value, Held):
+        return tuple(method.name for method in catalogue.CONSTRAINED)
+    if not problem.splits:
+        return WHOLE
+    return NYSTROM if problem.value.nystrom else SPLITTING  # pyright: ignore[reportAttributeAccessIssue]
 
 
 def choose(problem: Problem, accuracy: float | None, name: str | None, where: str = "") -> Choice:

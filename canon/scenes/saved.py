@@ -40,6 +40,13 @@ def restored(arrays: Arrays, identity: dict[str, Any], begin: Begin) -> Progress
     return unpack(Packed(header, arrays), begin)
 
 
+def integrator_of(arrays: Arrays) -> str | None:
+    """The name of the integrator that a run was begun with, where it says so."""
+    identity = _header(arrays).get("identity")
+    name = identity.get("integrator") if isinstance(identity, dict) else None
+    return name if isinstance(name, str) else None
+
+
 def differing_versions(arrays: Arrays) -> str:
     """The versions that a run was begun with, where they are others than today's; nothing where they are the same."""
     then, now = _header(arrays).get("versions"), versions()

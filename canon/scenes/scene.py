@@ -23,7 +23,7 @@ MONITORS: Final = (
 class Settings:
     """How a scene is run: to an `accuracy`, or with a fixed `step`, or as exactly as `budget` seconds allow.
 
-    Time begins at `start`.
+    Time begins at `start`. With `compare` every candidate for an integrator is tried, however short the run.
     """
 
     duration: float
@@ -34,6 +34,7 @@ class Settings:
     samples: int = DEFAULT_SAMPLES
     monitors: tuple[str, ...] = ()
     start: float = 0.0
+    compare: bool = False
 
 
 @dataclass(frozen=True)

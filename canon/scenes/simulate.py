@@ -22,12 +22,12 @@ from canon.numeric.step_search import BUDGET_USED, Task
 from canon.scenes.external import NAME as EXTERNAL
 from canon.scenes.external import run_externally
 from canon.scenes.identity import identity_of
-from canon.scenes.methods import Choice, choose
+from canon.scenes.methods import Choice, choose, chosen_for
 from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.price import price
 from canon.scenes.problem import Problem, problem_of
-from canon.scenes.saved import Arrays, differing_versions, restored, resumable, saved
+from canon.scenes.saved import Arrays, differing_versions, integrator_of, restored, resumable, saved
 from canon.scenes.scattering import Scattered, scattered
 from canon.scenes.scene import Scene, Settings
 from canon.scenes.string_events import Event, events_of
@@ -127,9 +127,11 @@ def _run(
     _check_constraints(scene, problem)
     choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
     state = (np.array(scene.q), np.array(scene.p))
-    identity = identity_of(scene, choice.method.name)
     task = Task(problem.value, choice.method, state, settings.duration, settings.samples, settings.start)
     looking = time.process_time()
+    choice = chosen_for(problem, task, settings, choice, began_with=None if resume is None else integrator_of(resume))
+    task = replace(task, method=choice.method)
+    identity = identity_of(scene, choice.method.name)
     limit = _limit(task, settings)
     looked = time.process_time() - looking
     if limit is not None and warn is not None:

@@ -34,8 +34,8 @@ class Choice(NamedTuple):
 def chosen_for(
     problem: Problem, task: Task, settings: Settings, rule: Choice, *, began_with: str | None = None
 ) -> Choice:
-    """The candidate whose predicted work for the accuracy is least, or the most exact one within the budget; what the
-    rules say where a method or a step is given, where the motion is in closed form, and where trying would take longer
+    """The candidate whose predicted work for the accuracy is least; what the rules say where a method, a step or a
+    budget is given, where the motion is in closed form or of systems side by side, and where trying would take longer
     than what it could save.
 
     **Arguments:** `began_with`, the method of the run that is gone on with.
@@ -43,7 +43,7 @@ def chosen_for(
     names = _names(problem)
     if began_with in names and settings.integrator is None:
         return Choice(catalogue.method(began_with), "chosen when the run was begun")
-    if settings.integrator is not None or settings.step is not None or problem.exact or settings.accuracy is None:
+    if not names or settings.integrator is not None or settings.step is not None or settings.accuracy is None:
         return rule
     others = [catalogue.method(name) for name in names if name != rule.method.name]
     found = predicted(task, [rule.method, *others], settings.accuracy, compare=settings.compare)
@@ -53,7 +53,7 @@ def chosen_for(
 
 
 def _names(problem: Problem) -> tuple[str, ...]:
-    if problem.exact:
+    if problem.exact or problem.beside:
         return ()
     if isinstance(problem.value, Held):
         return tuple(method.name for method in catalogue.CONSTRAINED)

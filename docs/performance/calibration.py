@@ -3,9 +3,10 @@
     python docs/performance/calibration.py [--accuracy 1e-9] [--longer 1] [--json FILE]
 
 For each system that `canon scenes` lists: the steps and seconds that short runs predicted of the method before any run
-was made, the error and seconds that the planner expected of its last run when that run began, what it took, the error that it estimated, and the true one, against a reference of its own (Taylor
-series with 34 digits where it has them). At the end the shares: seconds within a factor 2, errors within a factor 10,
-and scenes whose true error is within the accuracy that was asked for, at the first try.
+was made; the error and seconds that the planner expected of its last run when that run began; what it took, the error
+that it estimated, and the true one, against a reference of its own (Taylor series with 34 digits where it has them). At
+the end the shares: seconds within a factor 2, errors within a factor 10, and scenes whose true error is within the
+accuracy that was asked for, at the first try.
 """
 
 from __future__ import annotations
@@ -74,9 +75,8 @@ def main() -> None:
     parser.add_argument("--json")
     arguments = parser.parse_args()
     rows, refused = [], []
-    print(
-        "| system | method | steps predicted | steps | error foretold | estimated | true | predicted | foretold | taken |"
-    )
+    heads = "steps predicted | steps | error foretold | estimated | true | s predicted | s foretold | s taken"
+    print(f"| system | method | {heads} |")
     print("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|")
     for name in system_names():
         try:
@@ -102,9 +102,8 @@ def main() -> None:
         print(f"\nno reference finer than the run, so that nothing is known of its error: {', '.join(coarse)}")
         rows, stepped = ([r for r in each if r["reference_is_finer"]] for each in (rows, stepped))
     print(f"\nseconds predicted before the first run within a factor 2: {early.count(True)} of {len(early)}")
-    print(
-        f"seconds foretold before the last run within a factor 2: {times.count(True)} of {sum(t is not None for t in times)}"
-    )
+    known = sum(t is not None for t in times)
+    print(f"seconds foretold before the last run within a factor 2: {times.count(True)} of {known}")
     errors = [within(r["foretold_error"], r["true_error"], 10) for r in stepped if r["foretold_error"]]
     reached = [r["true_error"] <= arguments.accuracy for r in rows]
     print(f"errors within a factor 10: {errors.count(True)} of {sum(e is not None for e in errors)}")

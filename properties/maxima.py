@@ -29,6 +29,7 @@ FUNCTIONS: Final = {
 }  # fmt: skip
 KINDS: Final = ("identity", "bracket", "conserved", "involution", "canonical", "fundamental_brackets")
 DIGITS: Final = 120
+FINER: Final = 400
 POINTS: Final = 30
 HEAD: Final = f"""display2d:false$ fpprec:{DIGITS}$ domain:complex$ radexpand:false$ ratprint:false$ c_root(x):=x^(1/3)$
 linel:100000$ inflag:true$
@@ -37,9 +38,13 @@ small(v):=is(cabs(v)<1.0b-60)$
 real(v):=is(numberp(imagpart(v)) and abs(imagpart(v))<1.0b-60)$
 positive(c,s):=block([v:number(subst(s,c))], if v=false or not numberp(realpart(v)) then false
  else if not real(v) then false else is(realpart(v)>1.0b-60))$
-at(r,conds,s):=block([v,out:"vanishes"], if not every(lambda([c],positive(c,s)),conds) then return("outside"),
- for e in r do (v:number(subst(s,e)), if v=false or not numberp(realpart(v)) or not numberp(imagpart(v))
-  then (out:"unknown",return(done)), if not small(v) then out:"differs"), out)$
+rounded(s):=map(lambda([e],lhs(e)=bfloat(rhs(e))),s)$
+finer(e,s):=block([fpprec:{FINER}], number(subst(rounded(s),e)))$
+at(r,conds,s):=block([v,w,x:rounded(s),out:"vanishes"],
+ if not every(lambda([c],positive(c,x)),conds) then return("outside"),
+ for e in r do (v:number(subst(x,e)), w:finer(e,s),
+  if v=false or w=false or not numberp(realpart(v)) or not numberp(imagpart(v)) then (out:"unknown",return(done)),
+  if small(w) then false else if is(cabs(v-w)<cabs(w)/100) then out:"differs" else (out:"unknown",return(done))), out)$
 inside(e):=if atom(e) then [] else block([o:op(e),a:args(e),r], r:apply(append,map(inside,a)),
  if o="^" and not integerp(second(a)) or member(o,[log,c_root]) then cons(first(a),r)
  else if member(o,[asin,acos,atanh]) then cons(1-first(a)^2,r) else if o=acosh then cons(first(a)-1,r) else r)$
@@ -183,7 +188,7 @@ def point(rng: random.Random, names: Mapping[str, str]) -> dict[str, Fraction]:
 
 def substitution(place: Mapping[str, Any]) -> str:
     """A point in Maxima's words."""
-    return "[" + ",".join(f"c_{name}=bfloat({Fraction(value)})" for name, value in place.items()) + "]"
+    return "[" + ",".join(f"c_{name}={Fraction(value)}" for name, value in place.items()) + "]"
 
 
 def ask(questions: Sequence[tuple[Question, list[dict[str, Any]]]], seconds: float) -> list[list[str]]:

@@ -75,6 +75,18 @@ def test_no_zero_is_shown_just_where_there_is_none(f: sp.Expr, positive: tuple[s
         (-1 - x**2, (), "neg", True),
         (x**2, (), None, False),
         (sp.exp(y) * x, (x,), "pos", True),
+        (sp.exp(x) - 1, (x,), "pos", True),
+        (1 - sp.exp(x), (x,), "neg", True),
+        (sp.exp(x) - 1, (), None, False),
+        (sp.sqrt(x) - 2, (x - 4,), "pos", True),
+        (2 - sp.sqrt(x), (x - 4,), "neg", True),
+        (sp.sqrt(x) - 2, (x - 3,), None, False),
+        (sp.sqrt(1 + x**2) - sp.Rational(1, 2), (), "pos", True),
+        (2 + sp.cos(x), (), "pos", True),
+        (1 + sp.cos(x), (), None, False),
+        (x**2 - x + 1, (), "pos", True),
+        (x**2 - 2 * x + 1, (), None, False),
+        (x**2 + y * (y - 2) + 2, (), "pos", True),
     ],
 )
 def test_a_sign_on_a_box(f: sp.Expr, positive: tuple[sp.Expr, ...], sign: str | None, free: bool):

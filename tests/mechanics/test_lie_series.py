@@ -74,3 +74,11 @@ def test_a_generator_moves_the_variables(vanishes):
 def test_without_a_closed_form_an_order_is_asked_for():
     with pytest.raises(InputError, match="give an order"):
         InfinitesimalTransformation(SPACE, p**2 / 2 + q**4).finite(s)
+
+
+def test_a_function_is_summed_by_itself_where_the_flow_of_its_variables_is_not_found():
+    """The pendulum's energy: its variables move by elliptic functions, and it doesn't move."""
+    space = PhaseSpace("q", "p")
+    x, y = space.symbols("q p")
+    energy = y**2 / 2 - sp.cos(x)
+    assert closed_lie_series(energy, energy, sp.Symbol("s"), space) == energy

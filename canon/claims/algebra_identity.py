@@ -7,16 +7,23 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
+from flint import fmpq
 
+from canon.claims.algebra_in_balls import killing_signature
 from canon.claims.outcome import Outcome, exact
 from canon.claims.scale import never_zero
+from canon.claims.structure_search import BITS
 from canon.errors import InputError
+from canon.mechanics.algebra import linear
+from canon.mechanics.algebra.by_signature import semisimple_of
+from canon.mechanics.algebra.coefficients import sympy_of
 from canon.mechanics.algebra.identify import Identification, identify
 from canon.mechanics.algebra.identity import isomorphic
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.mechanics.algebra.names import read_name
 from canon.mechanics.algebra.rescaling import rescaled
 from canon.mechanics.formulas import replaced
+from canon.mechanics.vanishing import ball_of
 from canon.sign import declared
 
 if TYPE_CHECKING:
@@ -26,6 +33,7 @@ if TYPE_CHECKING:
 INVARIANTS = "real Lie algebras of different dimension, Levi subalgebra or abelian factors aren't isomorphic"
 CLASSIFIED = "its Levi decomposition, complex types and real forms determine a real Lie algebra of this kind"
 RIGID = "semisimple Lie algebras don't change their isomorphism class where their structure constants are continuous"
+BY_SIGNATURE = "of semisimple algebras of this dimension one alone has a Killing form of this signature, found in balls"
 LARGEST_SYMBOLIC = 10
 MOST_CASES = 3
 """The most parameters of open sign whose cases are looked at one by one."""
@@ -79,11 +87,32 @@ def _for_all_parameters(algebra: LieAlgebra) -> tuple[Identification | None, str
             return identify(scaled.algebra), ""
         scales = ", ".join(f"{n} by {s}" for n, s in zip(algebra.names, scaled.scales, strict=True) if s != 1)
         return identify(scaled.algebra), f"the basis rescaled, {scales}"
+    if not algebra.parameters:
+        return _by_signature(algebra), BY_SIGNATURE
     if not _is_semisimple_throughout(algebra):
         return _in_each_case(algebra)
     values = next(_tables(algebra.parameters))
     there = at(algebra, values)
-    return (identify(there), RIGID) if there is not None and there.is_rational else (None, "")
+    if there is None:
+        return None, ""
+    return (identify(there), RIGID) if there.is_rational else (_by_signature(there), f"{RIGID}; {BY_SIGNATURE}")
+
+
+def _by_signature(algebra: LieAlgebra) -> Identification | None:
+    """A semisimple algebra of irrational constants, by its Killing form in balls; None where that doesn't tell."""
+    size = algebra.dimension
+    balls: dict[tuple[int, int], list[Any]] = {}
+    for pair, row in algebra.constants.items():
+        found = [ball_of(sympy_of(row.get(c, Fraction(0))), {}, BITS) for c in range(size)]
+        if any(ball is None or not ball.imag.contains(0) for ball in found):
+            return None
+        balls[pair] = [ball.real for ball in found if ball is not None]
+    signature = killing_signature(size, balls) if size else None
+    identity = None if signature is None else semisimple_of(*signature)
+    if signature is None or identity is None:
+        return None
+    every = linear.matrix([[fmpq(int(i == j)) for j in range(size)] for i in range(size)], size)
+    return Identification(identity, algebra, every, linear.matrix([], size), (), (*signature, 0))
 
 
 def _in_each_case(algebra: LieAlgebra) -> tuple[Identification | None, str]:

@@ -165,3 +165,19 @@ def test_casimirs(ask):
     assert (square.status, component.status, bent.status, factor.status) == ("proved", *["refuted"] * 3)
     assert (component.detail["fails"], component.detail["value"]) == ("{x, y}", "z")
     assert bent.detail["fails"].startswith("Jacobi's identity")
+
+
+@pytest.mark.parametrize(("name", "status"), [("so(3)", "proved"), ("sl(2,R)", "refuted"), ("e(2)", "refuted")])
+def test_rotations_about_three_corners_of_an_icosahedron(ask, name, status):
+    """Structure constants in Q(√5) that no change of scale makes rational: the Killing form, enclosed, tells."""
+    axes = {"A": ("1", "f", "0"), "B": ("0", "1", "f"), "C": ("f", "0", "1")}
+    lines = [
+        f'{k} = [["0", "-({z})", "{y}"], ["{z}", "0", "-({x})"], ["-({y})", "{x}", "0"]]'
+        for k, (x, y, z) in axes.items()
+    ]
+    claim = f'kind = "matrix_algebra"\nequals = "{name}"\n[claim.basis]\n' + "\n".join(lines).replace(
+        "f", "(1 + sqrt(5))/2"
+    )
+    (found,) = ask(claim, space='q = ["q"]\np = ["p"]\n')
+    assert found.status == status, found
+    assert found.detail["algebra"] == "so(3)"

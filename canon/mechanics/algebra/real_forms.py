@@ -56,6 +56,13 @@ def is_ambiguous(kind: ComplexType, is_complex: bool, compact_dimension: int) ->
     return sum(compact == compact_dimension for _, compact in _forms(kind)) != 1
 
 
+def compact_dimensions(kind: ComplexType) -> tuple[int, ...]:
+    """The dimensions of the maximal compact subalgebras of all real forms, as often as there are forms with them."""
+    forms = [(name, compact) for name, compact in _forms(kind)]
+    usual = sorted({compact for key, compact in _USUAL if key == str(kind)})
+    return tuple(usual) if kind.letter in "AB" and usual else tuple(sorted(compact for _, compact in forms))
+
+
 def _complex_name(kind: ComplexType) -> str:
     n = kind.rank
     names = {"A": f"sl({n + 1},C)", "B": f"so({2 * n + 1},C)", "C": f"sp({2 * n},C)", "D": f"so({2 * n},C)"}

@@ -154,6 +154,14 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     for name in (q, p, space.t):
         if name in rules:
             raise InputError(f"{name} moves: it can't be fixed", "key 'fixed'")
+    named = question.key("energy")
+    for name, formula in fixed.items():
+        if question.claim.kind == "frequency" and name != named and named in formula.expr.free_symbols:
+            raise InputError(
+                f"{name} is held fixed while a frequency differentiates by {named}, so it can't be given by {named}: "
+                "write a constant of its own for it",
+                "key 'fixed'",
+            )
     moved: Any = H.expr.xreplace(rules)
     for symbol in sorted(moved.free_symbols & ({*space.q, space.t} - {q}), key=str):
         raise InputError(

@@ -17,12 +17,14 @@ from canon.decide.sign_on_box import definite_sign
 from canon.decide.tape import Unsupported
 from canon.domain import Condition, Domain, nonzero
 from canon.errors import InputError
-from canon.mechanics.action_angle import ClosedAction, OneDegree, at_most, linear_edge
+from canon.mechanics.action_angle import NOT_NEGATIVE, ClosedAction, OneDegree, at_most, linear_edge
 from canon.mechanics.solved_momentum import SolvedMomentum
 from canon.sign import known_sign
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
+
+MOST_GIVEN, LONGEST_SUM = 8, 3
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,24 @@ def is_positive(question: Question, region: Region, expression: Any) -> bool:
         return known == "positive"
     plain: Any = sp.factor(expression)
     requirement = Requirement("positive", (question.tape.load(plain),), plain)
-    return follows(question.tape, requirement, region, question.budget)
+    if follows(question.tape, requirement, region, question.budget):
+        return True
+    given = [r.said.terms[0] for r in region.requirements if r.kind == "positive" and isinstance(r.said, Condition)]
+    return _is_sum(sp.expand(expression), given[:MOST_GIVEN], LONGEST_SUM)
+
+
+def _is_sum(rest: Any, given: list[Any], most: int) -> bool:
+    """Whether something linear is a sum of conditions, as b of b − a > 0 and a > 0, and of what isn't negative."""
+    names = sorted(rest.free_symbols, key=str)
+    if not names or not rest.is_polynomial(*names) or sp.Poly(rest, *names).total_degree() > 1:
+        return False
+    for condition in (c for c in given if most and c.free_symbols & set(names)):
+        left = sp.expand(rest - condition)
+        if len(left.free_symbols) <= len(rest.free_symbols) and (
+            known_sign(left) in NOT_NEGATIVE or _is_sum(left, given, most - 1)
+        ):
+            return True
+    return False
 
 
 def oriented(

@@ -4,7 +4,7 @@ With H quadratic in p the two branches of the orbit H = E are mean ± √square;
 that J = 2 ∫ √square dq between turning points; for a rotation it stays. Goldstein, Poole and Safko (2002), 10.6.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +13,15 @@ import sympy as sp
 from canon.domain import Condition
 from canon.sign import known_sign
 
+Test = Callable[[Any], bool]
+"""Whether an expression in the constants is certainly positive wherever a claim is made."""
+
 NOT_NEGATIVE = ("positive", "zero", "nonnegative")
+
+
+def nowhere(_: Any) -> bool:
+    """The test of one who knows nothing of the constants."""
+    return False
 
 
 class NotQuadratic(ValueError):

@@ -5,8 +5,8 @@ from itertools import tee
 
 import sympy as sp
 
-from canon.mechanics.action_angle import ClosedAction, OneDegree
-from canon.mechanics.elliptic_actions import Test, elliptic, nowhere
+from canon.mechanics.action_angle import ClosedAction, OneDegree, Test, nowhere
+from canon.mechanics.elliptic_actions import elliptic
 from canon.mechanics.quartic_wells import quartic_wells
 from canon.mechanics.residues import by_residues
 from canon.mechanics.standard_actions import pendulum_like, power_well
@@ -23,5 +23,5 @@ def librations(motion: OneDegree, positive: Test = nowhere, well: sp.Expr | None
     yield from by_residues(motion, first)
     yield from pendulum_like(motion)
     yield from power_well(motion)
-    yield from quartic_wells(motion)
+    yield from quartic_wells(motion, positive, well)
     yield from elliptic(motion, second, positive, well)

@@ -12,25 +12,16 @@ the integral is 2αK(m) + 2β(K(m) − E(m))/m + Σ 2γΠ(n, m) (Byrd and Friedm
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
 
-from canon.mechanics.action_angle import ClosedAction, OneDegree, degree
+from canon.mechanics.action_angle import ClosedAction, OneDegree, Test, degree
 from canon.mechanics.legendre import S, decomposed
 from canon.mechanics.residues import factored, root_and_factor
 from canon.mechanics.substitutions import Substitution, U
-
-Test = Callable[[Any], bool]
-"""Whether an expression in the constants is certainly positive wherever the claim is made."""
-
-
-def nowhere(_: Any) -> bool:
-    """The test of one who knows nothing of the constants."""
-    return False
-
 
 MOST_POLES = 3
 LOWEST, HIGHEST = -8, 4

@@ -15,7 +15,7 @@ from typing import Any
 
 import sympy as sp
 
-from canon.mechanics.action_angle import NOT_NEGATIVE, ClosedAction, OneDegree
+from canon.mechanics.action_angle import NOT_NEGATIVE, ClosedAction, OneDegree, Test, nowhere
 from canon.mechanics.standard_actions import SEPARATRIX
 from canon.sign import known_sign
 
@@ -35,8 +35,10 @@ def _one_well(A: Any, B: Any) -> bool:
     return False
 
 
-def quartic_wells(motion: OneDegree) -> Iterator[ClosedAction]:
+def quartic_wells(motion: OneDegree, positive: Test = nowhere, well: sp.Expr | None = None) -> Iterator[ClosedAction]:
     """The action of the libration through q = 0, or of the one to the right of it where the range ends at 0.
+
+    Where a point inside, `well`, is given, and `positive` says that E − V < 0 at q = 0, it is that of either side.
 
     Where wells on either side of 0 aren't excluded by the signs of the coefficients, the whole line has no closed form.
     """
@@ -51,6 +53,7 @@ def quartic_wells(motion: OneDegree) -> Iterator[ClosedAction]:
     root = sp.sqrt(B**2 - 4 * A * C)
     whole = (motion.low, motion.high) == (sp.S.NegativeInfinity, sp.S.Infinity)
     right = (motion.low, motion.high) == (sp.S.Zero, sp.S.Infinity)
+    right = right or (whole and well is not None and positive(-A))
     if known_sign(C) == "negative":
         outer = (B + root) / (-2 * C)
         if right and A == 0:

@@ -338,3 +338,29 @@ def test_roots_of_unknown_order_are_not_argued_about(status):
     open_order = {**ROOTS, "domain": 'where = ["a < b", "c > b - 1"]'}
     claim = _claim(CUBIC.replace("sqrt(c-a)**5", "abs(c-a)**(5/2)"), fixed='{E = "-a*b*c/2"}', well='"(a+b)/2"')
     assert status(claim, space=LINE, **open_order) != "proved"
+
+
+def test_a_frequency_differentiates_at_constants_that_the_energy_does_not_move(ask):
+    """With L given by E, dE/dJ along that curve would be no frequency of the motion."""
+    sections = {"hamiltonian": 'H = "(p_r**2 + p_theta**2/r**2)/2 - 1/r"', "symbols": 'r = "positive"\nE = "negative"'}
+    along_the_curve = "1/(2*pi*(1/sqrt(-2*E)**3 + 1/(2*sqrt(-E))))"
+    with pytest.raises(InputError, match="held fixed"):
+        ask(_claim(along_the_curve, "r", "frequency", fixed='{p_theta = "sqrt(-E)"}'), space=PLANE, **sections)
+    claim = _claim("2*pi*(1/sqrt(-2*E) - sqrt(-E))", "r", fixed='{p_theta = "sqrt(-E)"}')
+    assert ask(claim, space=PLANE, **sections)[0].status == "proved"
+
+
+@pytest.mark.parametrize(("factor", "well", "expected"), [("2", "(a+b)/2", "proved"), ("2.001", "-(a+b)/2", "refuted")])
+def test_either_well_of_an_even_quartic_by_a_point_inside(status, factor, well, expected):
+    equals = f"{factor}*b/3*((a**2+b**2)*elliptic_e(1-a**2/b**2) - 2*a**2*elliptic_k(1-a**2/b**2))"
+    sections = {"symbols": 'a = "positive"\nb = "positive"', "domain": 'where = ["a < b"]'}
+    claim = _claim(equals, fixed='{E = "0"}', well=f'"{well}"')
+    assert status(claim, space=LINE, hamiltonian='H = "p**2/2 + (q**2-a**2)*(q**2-b**2)/2"', **sections) == expected
+
+
+def test_the_order_of_roots_and_ends_follows_from_sums_of_conditions(status):
+    """0 < a < b: b > 0 is neither of them."""
+    inside = {**ROOTS, "domain": 'where = ["a < b", "b < c", "q > 0", "a > 0"]'}
+    assert status(_claim(CUBIC, fixed='{E = "-a*b*c/2"}'), space=LINE, **inside) == "proved"
+    cut = {**ROOTS, "domain": 'where = ["a < b", "b < c", "q > 0"]'}
+    assert status(_claim(CUBIC, fixed='{E = "-a*b*c/2"}'), space=LINE, **cut) != "proved"

@@ -51,6 +51,15 @@ if TYPE_CHECKING:
         SICM,
         Conventions,
     )
+    from canon.mechanics.four_tensors import (
+        FourTensor,
+        doppler,
+        field_tensor,
+        fields_of,
+        four_force,
+        four_vector,
+        four_velocity,
+    )
     from canon.mechanics.generating_function import GeneratingFunction
     from canon.mechanics.hamilton_jacobi import CompleteIntegral
     from canon.mechanics.hamiltonian import Hamiltonian
@@ -97,6 +106,7 @@ if TYPE_CHECKING:
     )
     from canon.mechanics.subject import Subject
     from canon.mechanics.transformation import Transformation
+    from canon.mechanics.two_body import TwoBodies, two_bodies
     from canon.numeric.actions.bounded import Bounded
     from canon.numeric.actions.central import central_actions
     from canon.numeric.actions.frequency_analysis import Lines, frequency_lines
@@ -111,6 +121,8 @@ if TYPE_CHECKING:
     from canon.numeric.cycloid import Descent, fastest_descent
     from canon.numeric.lie_sum import LieSum, lie_sum, nested_bracket
     from canon.numeric.normal_modes import NormalModes, Williamson, normal_modes, williamson
+    from canon.numeric.refraction import LayeredRay, ray_through_layers, reflected, refracted
+    from canon.numeric.scattering import Scattering, scattering
     from canon.numeric.values import value_at
     from canon.report.proof.of_claim import Proof, proof
     from canon.scenes.audit import audit
@@ -177,6 +189,18 @@ _HOMES: dict[str, tuple[str, ...]] = {
     "canon.mechanics.inertia": ("RigidBody", "composite", "point_masses", "polyhedron", "principal_moments"),
     "canon.mechanics.picard": ("picard",),
     "canon.numeric.cycloid": ("Descent", "fastest_descent"),
+    "canon.numeric.refraction": ("LayeredRay", "ray_through_layers", "reflected", "refracted"),
+    "canon.numeric.scattering": ("Scattering", "scattering"),
+    "canon.mechanics.two_body": ("TwoBodies", "two_bodies"),
+    "canon.mechanics.four_tensors": (
+        "FourTensor",
+        "doppler",
+        "field_tensor",
+        "fields_of",
+        "four_force",
+        "four_vector",
+        "four_velocity",
+    ),
     "canon.numeric.normal_modes": ("NormalModes", "Williamson", "normal_modes", "williamson"),
     "canon.mechanics.lie_series": ("InfinitesimalTransformation", "closed_lie_series", "truncated_lie_series"),
     "canon.mechanics.separation.actions": ("separated_actions",),
@@ -226,6 +250,7 @@ __all__ = [
     "Descent",
     "Domain",
     "Formula",
+    "FourTensor",
     "GeneratingFunction",
     "Hamiltonian",
     "Identification",
@@ -235,6 +260,7 @@ __all__ = [
     "InputError",
     "Invariance",
     "Lagrangian",
+    "LayeredRay",
     "LieAlgebra",
     "LieSum",
     "Lines",
@@ -254,10 +280,12 @@ __all__ = [
     "RigidBody",
     "Root",
     "RootSystem",
+    "Scattering",
     "Separability",
     "Separation",
     "Subject",
     "Transformation",
+    "TwoBodies",
     "Verdict",
     "Williamson",
     "__version__",
@@ -284,10 +312,16 @@ __all__ = [
     "conserved",
     "delaunay_variables",
     "direct_sum",
+    "doppler",
     "effective_potential",
     "equations_of_motion",
     "extended_by_time",
     "fastest_descent",
+    "field_tensor",
+    "fields_of",
+    "four_force",
+    "four_vector",
+    "four_velocity",
     "frequency",
     "frequency_lines",
     "group",
@@ -325,8 +359,12 @@ __all__ = [
     "principal_moments",
     "proof",
     "radial_regions",
+    "ray_through_layers",
     "recovered",
+    "reflected",
+    "refracted",
     "roots_of",
+    "scattering",
     "semidirect_sum",
     "separated_actions",
     "separates",
@@ -340,6 +378,7 @@ __all__ = [
     "surface_invariant",
     "symplectify",
     "truncated_lie_series",
+    "two_bodies",
     "value_at",
     "verify",
     "verify_many",

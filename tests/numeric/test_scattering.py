@@ -1,0 +1,47 @@
+"""Deflections and cross-sections of one particle."""
+
+from math import isclose, pi, sqrt
+
+import pytest
+import sympy as sp
+
+from canon.errors import InputError
+from canon.numeric.scattering import scattering
+
+r, a, L = sp.symbols("r a lam", positive=True)
+BEAM = {"energy": 1.5, "impact_parameter": 2.0}
+
+
+def test_rutherford_and_a_screened_potential_that_is_hardly_screened():
+    exact = scattering(a / r, r, **BEAM, parameters={a: 3})
+    assert isclose(exact.cross_section, (3 / 6) ** 2 / sp.sin(exact.angle / 2) ** 4, rel_tol=1e-14)
+    far = scattering(a / r * sp.exp(-r / L), r, **BEAM, parameters={"a": 3, "lam": 1e9})
+    assert isclose(far.angle, exact.angle, rel_tol=1e-8)
+    assert isclose(far.cross_section, exact.cross_section, rel_tol=1e-7)
+
+
+def test_an_inverse_square_in_closed_form():
+    """chi = pi (1 - b/sqrt(b^2 + a/E)) (Goldstein, Poole and Safko, problem 3.35)."""
+    found = scattering(a / r**2, r, **BEAM, parameters={a: 3})
+    assert isclose(found.angle, pi * (1 - 2 / sqrt(4 + 2)), rel_tol=1e-13)
+    assert isclose(found.angle + found.backward, pi, rel_tol=1e-14)
+
+
+def test_attraction_and_a_fall_into_the_centre():
+    assert scattering(-a / r, r, **BEAM, parameters={a: 3}).angle < 0
+    assert scattering(-a / r**3, r, energy=1.5, impact_parameter=0.1, parameters={a: 3}) is None
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: scattering(a / r, r, **BEAM), "the value of a"),
+        (lambda: scattering(1 / r, r, energy=-1.0, impact_parameter=1.0), "a positive number"),
+        (lambda: scattering(1 / r, r, energy=1.0, impact_parameter=-1.0), "from 0 on"),
+        (lambda: scattering(sp.Function("V")(r), r, **BEAM), "arbitrary function"),
+        (lambda: scattering(1 / r**2, r, **BEAM, begin=-1.0), "a positive distance"),
+    ],
+)
+def test_faults(call, message):
+    with pytest.raises(InputError, match=message):
+        call()

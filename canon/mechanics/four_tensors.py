@@ -1,7 +1,7 @@
 """Four-vectors and tensors of special relativity with the metric diag(1, −1, −1, −1); exact, with sympy.
 
-Components are those of (ct, x, y, z). An index is upper (contravariant) or lower; an upper one is summed with a lower one
-only, so that what is formed is a tensor again (Jackson, Classical Electrodynamics (1999), sections 11.6 and 11.9).
+Components are those of (ct, x, y, z). An index is upper (contravariant) or lower; an upper one is summed with a lower
+one only, so that what is formed is a tensor again (Jackson, Classical Electrodynamics (1999), sections 11.6 and 11.9).
 """
 
 from __future__ import annotations
@@ -171,12 +171,12 @@ def doppler(velocity: Vector, direction: Vector, c: Any = 1) -> Any:
 
     **Arguments:** `direction`, n or any multiple of it. **Raises:** `InputError` for no direction, or no slower source.
     """
-    n = sp.Matrix(_three(direction, "direction"))
-    length = sp.sqrt(n.dot(n))
+    ways = _three(direction, "direction")
+    length = sp.sqrt(sum(x**2 for x in ways))
     if vanishes(length):
         raise InputError("a direction isn't 0", "direction")
     u = four_velocity(velocity, c)
-    light = four_vector([1, *(-x / length for x in n)])
+    light = four_vector([1, *(-x / length for x in ways)])
     return sp.simplify(as_expression(c, "c") / u.dot(light))
 
 

@@ -23,8 +23,8 @@ class Scattering:
     """What a particle of this energy and impact parameter does.
 
     **Arguments:** `angle` χ, positive where it is repelled; `backward`, π − |χ|, which has digits of its own;
-    `nearest`, the distance at which it turns round; `cross_section`, dσ/dΩ of a beam at this impact parameter, None where
-    all of it goes the same way.
+    `nearest`, the distance at which it turns round; `cross_section`, dσ/dΩ of a beam at this impact parameter, None
+    where all of it goes the same way.
     """
 
     angle: float

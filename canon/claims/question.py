@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import islice
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -20,6 +20,7 @@ from canon.decide.region import Region, Requirement
 from canon.decide.sampling import sample
 from canon.decide.search import Sample
 from canon.decide.tape import Node, Tape
+from canon.decide.to_accuracy import sample_to
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
@@ -49,6 +50,7 @@ class Question:
     budget: Budget
     seed: int = 0
     method: Method = "symbolic"
+    accuracy: float | None = None  # what sampled residuals are to be bounded by
     tape: Tape = field(default_factory=Tape)
     listen: Callable[[Sequence[Residual], Region], None] | None = None
     """Is told what the kind asks to be decided."""
@@ -250,7 +252,8 @@ class Question:
         """Numerical evidence: refuted where a ball excludes 0, else supported."""
         nodes = [residual.node for residual in batch]
         part = (budget or self.budget).share(0.4)
-        evidence, answer = sample(self.tape, nodes, region, points=points, seed=self.seed, budget=part)
+        look = sample if self.accuracy is None else partial(sample_to, accuracy=self.accuracy)
+        evidence, answer = look(self.tape, nodes, region, points=points, seed=self.seed, budget=part)
         if answer is not None and answer.status == "refuted":
             index = getattr(answer, "index", None)
             residual = batch[index if index is not None else 0]

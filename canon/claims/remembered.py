@@ -46,7 +46,7 @@ def memory(settings: Settings) -> Memory | None:
     root = cache_folder()
     if root is None or settings.certificates is not None or settings.proof is not None:
         return None
-    words = f"{settings.budget!r} {settings.seed} {settings.method}"
+    words = f"{settings.budget!r} {settings.seed} {settings.method} {settings.accuracy!r}"
     return Memory(root / "verdicts" / fingerprint(), words)
 
 

@@ -26,12 +26,15 @@ EXACT_SHARE = 0.7
 """The part of a budget that the exact deciders may spend where sampling is asked for too."""
 
 
-def verify(claim: Claim, *, budget: float = 10.0, seed: int = 0, method: Method = "symbolic") -> Verdict:
+def verify(
+    claim: Claim, *, budget: float = 10.0, seed: int = 0, method: Method = "symbolic", accuracy: float | None = None
+) -> Verdict:
     """The verdict on a claim.
 
     **Arguments:** `claim`; `budget` in seconds (the claim's own wins); `seed` of the points that are tried; `method`:
     "symbolic" decides exactly, "numeric" samples the residuals (at most `supported`, or `refuted` by a ball), "all"
-    does both, one beside the other.
+    does both, one beside the other; `accuracy`: what sampled residuals are to be bounded by, in balls of as many bits
+    as that takes, in place of what double precision shows.
 
     **Returns:** a `Verdict`: `proved` and `refuted` rest on exact arguments or certified witnesses, never on floats.
     Should an exact and a numerical answer contradict each other, it is `undecided`, with both in `detail["alarm"]`.
@@ -45,7 +48,7 @@ def verify(claim: Claim, *, budget: float = 10.0, seed: int = 0, method: Method 
     decide = kind_named(claim.kind)
     start = time.monotonic()
     whole = Budget(claim.budget if claim.budget is not None else budget)
-    question = Question(claim, whole, seed, "numeric" if method == "numeric" else "symbolic")
+    question = Question(claim, whole, seed, "numeric" if method == "numeric" else "symbolic", accuracy)
     if method != "all":
         return _verdict(question, _answer(decide, question), time.monotonic() - start)
     symbolic = _answer(decide, replace(question, budget=whole.share(EXACT_SHARE)))
@@ -71,6 +74,9 @@ def _answer(decide: Kind, question: Question) -> Outcome:
 def _verdict(question: Question, outcome: Outcome, seconds: float) -> Verdict:
     claim = question.claim
     detail: dict[str, Any] = dict(outcome.detail)
+    wanted, seen = question.accuracy, outcome.numeric
+    if wanted is not None and seen is not None:
+        detail["accuracy"] = {"asked": wanted, "reached": seen.bound <= wanted}
     if outcome.note:
         detail["note"] = outcome.note
     return Verdict(

@@ -44,7 +44,8 @@ class Settings:
     """What holds for every claim of a run: seconds for each, random seed, method, and bytes of memory a worker.
 
     `certificates` is the folder into which a certificate of each proof and refutation goes (None: nowhere); `proof`,
-    the notation of the proofs that are to be written out (None: none).
+    the notation of the proofs that are to be written out (None: none); `accuracy`, what sampled residuals are to be
+    bounded by (None: what double precision shows).
     """
 
     budget: float = 10.0
@@ -53,6 +54,7 @@ class Settings:
     memory: int | None = None
     certificates: str | None = None
     proof: str | None = None
+    accuracy: float | None = None
 
     def seconds(self, entry: Entry) -> float:
         """Return the budget of this claim; its own wins."""
@@ -119,7 +121,7 @@ def _answer(entry: Entry, settings: Settings, recorder: Recorder) -> Record:
     alarm(budget + 3 * settings.grace(entry))
     retire = False
     try:
-        verdict = verify(claim, budget=budget, seed=settings.seed, method=settings.method)
+        verdict = verify(claim, budget=budget, seed=settings.seed, method=settings.method, accuracy=settings.accuracy)
     except InputError as error:
         own = f"claim {entry.index + 1}"
         where = error.where if error.where.startswith("claim ") else error.at(own).where

@@ -11,8 +11,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
+from canon.cli.accuracy import no_accuracy
 from canon.cli.files import ClaimFile, claim_files
-from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, count, seconds, whole
+from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, count, positive, seconds, whole
 
 if TYPE_CHECKING:
     from canon.claims.journal import Journal
@@ -50,6 +51,12 @@ def declare(parser: argparse.ArgumentParser) -> None:
         help="decide exactly (symbolic, the default), only sample (numeric), or decide and sample (all)",
     )
     parser.add_argument("--budget", type=seconds, default=10.0, metavar="SECONDS", help="for each claim (default: 10)")
+    parser.add_argument(
+        "--accuracy",
+        type=positive,
+        metavar="A",
+        help="of numeric and all: what sampled residuals are to be bounded by, in as many bits as that takes",
+    )
     parser.add_argument("--seed", type=whole, default=0, metavar="N", help="of the sample points (default: 0)")
     parser.add_argument(
         "--certificate", metavar="DIR", help="write a certificate of each proof and refutation into this folder"
@@ -77,6 +84,9 @@ def execute(arguments: argparse.Namespace) -> int:
         return BAD_INPUT
     if arguments.cluster is not None and (arguments.certificate is not None or arguments.proof is not None):
         print("canon verify: error: --cluster brings verdicts alone: no certificates and no proofs", file=sys.stderr)
+        return BAD_INPUT
+    if arguments.accuracy is not None and (reason := no_accuracy(arguments)):
+        print(f"canon verify: --accuracy: {reason}", file=sys.stderr)
         return BAD_INPUT
     start = time.monotonic()
     from canon.claims.journal import answered, journal
@@ -234,6 +244,7 @@ def _settings(arguments: argparse.Namespace) -> Settings:
         budget=arguments.budget,
         seed=arguments.seed,
         method=arguments.method,
+        accuracy=arguments.accuracy,
         certificates=arguments.certificate,
         proof=arguments.proof and notation_of(arguments.proof),
     )

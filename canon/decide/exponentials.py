@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from sympy import factorint
 
+from canon.decide.factors import prime_factors
 from canon.decide.fraction_field import Element
 from canon.decide.linear import divided_basis
 from canon.decide.radicals import absolute, factor_power, power, root_generator
@@ -29,7 +30,7 @@ def logarithm(tower: Tower, x: Element) -> Element:
         return tower.element(_whole_logarithm(tower, x, "cplx"))
     sign, constant, known, unknown = classify(tower, x)
     terms = [(Fraction(e), log_of_factor(tower, f)) for f, e in known]
-    terms += [(Fraction(e), log_of_factor(tower, tower.ring.constant(p))) for p, e in _primes(constant)]
+    terms += [(Fraction(e), log_of_factor(tower, tower.ring.constant(p))) for p, e in prime_factors(constant)]
     if unknown:
         terms += _log_of_unknown(tower, sign, unknown)
     elif sign < 0:
@@ -176,10 +177,3 @@ def _by_imaginary_unit(tower: Tower, x: Element) -> tuple[Element, Element | Non
     imaginary = {(*m[:unit], 0, *m[unit + 1 :]): c for m, c in terms.items() if m[unit]}
     a = (ring.polynomial(real), dict(x[1])) if real else (ring.zero, {})
     return a, (ring.polynomial(imaginary), dict(x[1]))
-
-
-def _primes(value: Fraction) -> list[tuple[int, int]]:
-    if value.numerator.bit_length() > 200 or value.denominator.bit_length() > 200:
-        raise Unsupported("the logarithm of a number too long to factor")
-    above, below = factorint(value.numerator), factorint(value.denominator)  # of large numbers not as Python's integers
-    return [(int(p), int(e)) for p, e in above.items()] + [(int(p), -int(e)) for p, e in below.items()]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from sympy import factorint
 
+from canon.decide.factors import prime_factors
 from canon.decide.fraction_field import Element
 from canon.decide.ring import Polynomial, TooCostly
 from canon.decide.signs import DOWN, UP, add_fact, classify, sign_of, split
@@ -33,7 +34,7 @@ def power(tower: Tower, x: Element, exponent: Fraction) -> Element:
     sign, constant, known, unknown = classify(tower, x)
     parts = [field.constant(1)]
     parts += [factor_power(tower, f, exponent * e) for f, e in known]
-    parts += [factor_power(tower, tower.ring.constant(p), exponent * e) for p, e in _primes(constant)]
+    parts += [factor_power(tower, tower.ring.constant(p), exponent * e) for p, e in prime_factors(constant)]
     if unknown:
         parts.append(group_power(tower, sign, unknown, exponent))
     elif sign < 0:
@@ -125,7 +126,7 @@ def _exact_root(tower: Tower, p: Polynomial, prime: int) -> Element | None:
     content, pieces = ring.factor(p)
     if any(e % prime for _, e in pieces):
         return None
-    parts = [factor_power(tower, ring.constant(q), Fraction(e, prime)) for q, e in _primes(abs(content))]
+    parts = [factor_power(tower, ring.constant(q), Fraction(e, prime)) for q, e in prime_factors(abs(content))]
     sign = tower.field.constant(1 if content > 0 else -1)
     return tower.field.product([sign, *parts, *(((f, {})) for f, e in pieces for _ in range(e // prime))])
 
@@ -163,7 +164,7 @@ def positive_power(tower: Tower, x: Element, exponent: Fraction) -> Element:
         return tower.field.power(x, exponent.numerator)
     constant, pieces = split(tower, x)
     parts = [factor_power(tower, f, exponent * e) for f, e in pieces]
-    parts += [factor_power(tower, tower.ring.constant(p), exponent * e) for p, e in _primes(abs(constant))]
+    parts += [factor_power(tower, tower.ring.constant(p), exponent * e) for p, e in prime_factors(abs(constant))]
     return tower.field.product([tower.field.constant(1), *parts])
 
 
@@ -227,13 +228,6 @@ def _absolute_generator(tower: Tower, f: Polynomial) -> Generator:
         made = tower.generator("abs", "nonneg", f, relation=(2, square), constant=tower.is_constant((f, {})))
     tower.memory["absolutes"].append((f, made))
     return made
-
-
-def _primes(value: Fraction) -> list[tuple[int, int]]:
-    if value.numerator.bit_length() > 200 or value.denominator.bit_length() > 200:
-        raise Unsupported("a root of a number too long to factor")
-    above, below = factorint(value.numerator), factorint(value.denominator)  # of large numbers not as Python's integers
-    return [(int(p), int(e)) for p, e in above.items()] + [(int(p), -int(e)) for p, e in below.items()]
 
 
 def tidy(tower: Tower, x: Element, limit: int = 300) -> Element:

@@ -94,7 +94,9 @@ def monomial(value: Number) -> tuple[Fraction, Powers] | None:
         if not exponent.is_Rational:
             return None
         if base.is_Rational and base > 0:
-            for prime, times in sp.factorint(base).items():
+            for prime, times in sp.factorint(base, limit=2**20).items():
+                if not sp.isprime(prime):  # its factors would take long to find
+                    return None
                 powers[sp.Integer(prime)] = powers.get(sp.Integer(prime), sp.S.Zero) + times * exponent
             continue
         sign = known_sign(base)

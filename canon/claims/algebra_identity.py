@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from canon.claims.algebra_in_balls import killing_signature
 from canon.claims.outcome import Outcome, exact
 from canon.claims.scale import never_zero
 from canon.claims.structure_search import BITS
+from canon.domain import Condition
 from canon.errors import InputError
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.by_signature import semisimple_of
@@ -49,7 +50,7 @@ def identity_outcome(question: Question, region: Region, algebra: LieAlgebra, eq
     """
     named = None if equals is None else read_name(equals)
     try:
-        found, reason = _for_all_parameters(algebra)
+        found, reason = _for_all_parameters(_with_signs(algebra, question.domain().conditions))
         if found is None:
             return _at_values(question, region, algebra, equals)
     except ArithmeticError as error:
@@ -64,6 +65,24 @@ def identity_outcome(question: Question, region: Region, algebra: LieAlgebra, eq
         detail["fails"] = f"isomorphism with {equals}"
         return question.refuted_exactly(region, INVARIANTS, **detail)
     return exact("proved", "; ".join(part for part in (reason, CLASSIFIED) if part), **detail)
+
+
+def sign_on_the_domain(symbol: sp.Symbol, conditions: Iterable[Condition]) -> str | None:
+    """ "positive" or "negative" for a parameter of open sign to which a condition of the domain gives one."""
+    if not _sign_is_open(declared(symbol)):
+        return None
+    for condition in conditions:
+        factor: Any = condition.terms[0] / symbol
+        if condition.kind == "positive" and factor.is_Rational:
+            return "positive" if factor > 0 else "negative"
+    return None
+
+
+def _with_signs(algebra: LieAlgebra, conditions: Sequence[Condition]) -> LieAlgebra:
+    """The algebra with parameters of the signs that the domain gives them."""
+    signs = {x: sign_on_the_domain(x, conditions) for x in algebra.parameters}
+    images = {x: sp.Symbol(x.name, **{sign: True}) for x, sign in signs.items() if sign is not None}
+    return (at(algebra, images) or algebra) if images else algebra
 
 
 def described(found: Identification) -> dict[str, Any]:

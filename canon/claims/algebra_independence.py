@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from canon.claims.algebra_identity import sign_on_the_domain
 from canon.claims.fixed_parameters import fixed_region
 from canon.claims.outcome import Outcome, exact
 from canon.claims.scale import never_zero
@@ -88,8 +89,12 @@ def _in_each_case(
     if not free:
         return False
     name, zero = tape.symbol_at(free[0]).name, facts[free[0]].get("zero")
-    cases = [tape.symbol(sp.Symbol(name, positive=True)), tape.symbol(sp.Symbol(name, negative=True))]
-    for value in [*cases, *([tape.zero] if zero is None else [])]:
+    positive, negative = (tape.symbol(sp.Symbol(name, **{sign: True})) for sign in ("positive", "negative"))
+    known = sign_on_the_domain(tape.symbol_at(free[0]), question.domain().conditions)
+    cases = {"positive": [positive], "negative": [negative]}.get(
+        known or "", [positive, negative, *([tape.zero] if zero is None else [])]
+    )
+    for value in cases:
         moved = fixed_region(tape, region, {free[0]: value})
         if moved is None:
             return False

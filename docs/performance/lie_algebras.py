@@ -9,6 +9,7 @@ complex simple types by name: what both have is the Cartan matrix and the roots 
 
 from __future__ import annotations
 
+import random
 import shutil
 import subprocess
 import time
@@ -89,6 +90,13 @@ def main() -> None:
         print(f"{name}, {len(matrices)} matrices, verified and identified: {taken:.3f} s")
         if shutil.which("gap"):
             print(f"    GAP: {by_gap(matrices)}")
+    plain, rng = algebra_of_matrices(orthogonal(6, 2)).algebra, random.Random(0)
+    rows = [[rng.randint(-3, 3) for _ in range(28)] for _ in range(28)]
+    made, disguised = seconds(lambda: plain.in_basis(rows), 1)
+    taken, found = seconds(lambda: identify(disguised))
+    assert found.identity.name == "so(6,2)"
+    constants = sum(len(row) for row in disguised.constants.values())
+    print(f"so(6,2) in a basis at random, {constants} constants: verified {made:.2f} s, identified {taken:.2f} s")
     for name in ("so(8)", "sp(12,R)"):
         algebra = algebra_of_matrices(families[name]).algebra
         taken, found = seconds(lambda algebra=algebra: roots_of(algebra), 1)

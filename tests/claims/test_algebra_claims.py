@@ -171,6 +171,16 @@ def test_what_has_no_identity_and_what_is_abelian(ask):
     assert none.detail["fails"] == "θ1(a, 0) at order 2"
 
 
+def test_a_sign_that_the_domain_gives_a_parameter(ask):
+    """E1 is real, and negative by a condition of the domain."""
+    symbols = f'{KEPLER["symbols"]}\nE1 = "real"'
+    right, wrong = ask(
+        stated(vectors(""), equals='"so(4)"'), stated(vectors(""), equals='"so(3,1)"'),
+        domain='on = ["E - E1"]\nwhere = ["2*E1 < 0"]', **{**KEPLER, "symbols": symbols},
+    )  # fmt: skip
+    assert (right.status, wrong.status) == ("proved", "refuted")
+
+
 def test_a_law_that_fails_at_a_high_order_alone(ask):
     """Beyond the Taylor coefficients that are looked at: polynomials are smooth on the whole box about 0."""
     (found,) = ask(law(["a1 + b1 + a1**4*b1**5/10**20"], 1, equals='"u(1)"'), space='q = ["q"]\np = ["p"]\n')

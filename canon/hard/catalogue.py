@@ -8,6 +8,7 @@ from difflib import get_close_matches
 from canon.errors import InputError
 from canon.hard import (
     angles,
+    boosts,
     brackets,
     caustics,
     elements,
@@ -32,6 +33,7 @@ FAMILIES = (
     resonance,
     modes,
     rotations,
+    boosts,
     relativity,
     scattering,
     angles,

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
 from canon.checker.functions import Unknown
 from canon.checker.obligations import Case
 from canon.checker.points import Numbers, Outside
+from canon.checker.shapes import is_smooth
 from canon.checker.statement import Statement
 
 PRECISE, DIGITS = 32, 10
@@ -21,8 +23,18 @@ def _end(s: Statement, text: Any) -> int | str:
     return text if text in ("infinity", "-infinity") else s.f.read(text, s.names)
 
 
+def by_antiderivative(s: Statement, inside: int, x: str, ends: list[int], total: int) -> Case | None:
+    """F' = f, and F between the ends is the total, where the claim or the certificate states an F that is smooth."""
+    f, text = s.f, s.claim.get("antiderivative", s.known.get("antiderivative"))
+    if text is None or s.verdict != "proved":
+        return None
+    F = f.read(text, s.names)
+    low, high = (f.substitute(F, {x: end}) for end in ends)
+    return Case([f.sub(f.slope(F, x), inside), f.sub(f.sub(high, low), total)]) if is_smooth(s, F, x) else None
+
+
 def integral(s: Statement) -> Case:
-    """∫ f over the variable between the ends is `equals`: measured, and by an antiderivative that is stated, shown."""
+    """∫ f over the variable between the ends is `equals`: by an antiderivative, where one is stated; or measured."""
     f, claim, x = s.f, s.claim, str(s.claim["variable"])
     s.declared |= {x}
     inside, equals = f.read(claim["f"], s.names), s.key("equals")
@@ -48,7 +60,47 @@ def integral(s: Statement) -> Case:
             raise Outside
         return [(total - found[equals]) / size if size > 10.0**-6 else total - found[equals]]
 
-    return Case([], measured=measured, digits=DIGITS, mentions=[inside])
+    bounded = [end for end in ends if isinstance(end, int)]
+    case = by_antiderivative(s, inside, x, bounded, equals) if len(bounded) == 2 else None
+    if case is None:
+        return Case([], measured=measured, digits=DIGITS, mentions=[inside])
+    return replace(case, mentions=[inside])
+
+
+def average(s: Statement) -> Case:
+    """The average of f over time: by a virial, whose rate has none; or along a motion, by an antiderivative."""
+    f, claim = s.f, s.claim
+    if s.direction != "none":
+        raise Unknown("an average beside a map")
+    value, equals = s.key("f"), s.key("equals")
+    if "virial" in claim:
+        G, bound = s.key("virial"), s.key("bound")
+
+        def rate(a: int) -> int:
+            return f.add(f.bracket(a, s.H, f.pairs), f.slope(a, s.time))
+
+        mean = f.sub(value, rate(G))
+        if s.verdict == "refuted":  # that motions stay in the domain isn't looked at
+            return Case([f.sub(mean, equals)])
+        zeros = [rate(mean), rate(bound), f.sub(mean, equals)]
+        return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)])
+    u = str(claim["parameter"])
+    s.declared |= {u}
+    moved = {name: f.read(text, s.names) for name, text in claim["motion"].items()}
+    clock = moved.get(s.time, f.node("s", s.time))
+    s.written.clear()  # its formulas have values along the motion, for all of the stretch
+    ends = [f.read(claim[word], s.names) for word in ("from", "to")]
+    pace = f.slope(clock, u)
+    stretch = f.sub(f.substitute(clock, {u: ends[1]}), f.substitute(clock, {u: ends[0]}))
+    case = by_antiderivative(s, f.mul(f.substitute(value, moved), pace), u, ends, f.mul(equals, stretch))
+    if case is None:
+        raise Unknown("an average without an antiderivative that is seen to be smooth")
+    zeros = [*case.zeros]
+    for q, p in zip(s.q, s.p, strict=True) if s._H is not None else ():
+        for x, other, sign in ((q, p, 1), (p, q, -1)):
+            slope = f.mul(f.number(sign), f.substitute(f.slope(s.H, other), moved), pace)
+            zeros.append(f.sub(f.slope(moved[x], u), slope))
+    return replace(case, zeros=zeros, positive=[(pace, True)])  # time grows
 
 
 def _pieces(numbers: Numbers, a: Any, b: Any) -> list[Any]:
@@ -121,4 +173,9 @@ def stationary(s: Statement) -> Case:
     return Case(zeros, trusted="what is said of the second variation" if second else "")
 
 
-KINDS: dict[str, Callable[[Statement], Case]] = {"integral": integral, "limit": limit, "stationary": stationary}
+KINDS: dict[str, Callable[[Statement], Case]] = {
+    "integral": integral,
+    "average": average,
+    "limit": limit,
+    "stationary": stationary,
+}

@@ -21,10 +21,12 @@ from typing import Any
 from canon.checker import core
 from canon.checker.followed import Followed
 from canon.checker.functions import Rejected, Unknown, Unreadable
+from canon.checker.intervals import Intervals, Open
 from canon.checker.kinds import obligations
 from canon.checker.obligations import Case
-from canon.checker.points import CLOSE, Numbers, Outside, domain_of, independence, names_in, points
+from canon.checker.points import CLOSE, DIGITS, Numbers, Outside, domain_of, independence, names_in, points
 from canon.checker.positive import is_positive
+from canon.checker.shapes import is_rational
 from canon.checker.statement import KNOWN, Statement
 from canon.checker.values import Values
 from canon.checker.witness import refutes
@@ -127,7 +129,7 @@ class _Check:
             return trusted
         kernels = {str(k["name"]): f.read(k["stands for"], {}) for k in data["kernels"]}
         positive = [a for a, _ in case.positive]
-        targets = [*case.zeros, *chain(*case.nonzeros), *case.independent, *positive]
+        targets = [*case.zeros, *s.surface, *chain(*case.nonzeros), *case.independent, *positive]
         images = [s.pull(a) for a in case.images.values()]
         leaves = names_in(s, [*targets, *domain_of(s), *images, *case.mentions])
         if clash := kernels.keys() & (leaves | s.declared | {*s.words, *s.coordinates, s.time, *s.names, "pi", "1j"}):
@@ -145,7 +147,7 @@ class _Check:
             trusted.append(f"the relation of {f.text(kernels[name])[:80]} (seen to hold at {len(places)} points)")
         shown = [a for a, entry in zip(case.zeros, data["residuals"], strict=True) if "cofactors" in entry]
         for a in f.rational([*shown, *s.surface])[1]:
-            if not followed.is_value(a):
+            if a in atoms and not followed.is_value(a):
                 trusted.append(f"the value of {f.text(a)[:80]} in the kernels (seen at {len(places)} points)")
         for k, (a, entry) in enumerate(zip(s.surface, data.get("surface", []), strict=False), 1):
             self._denominator(entry, places)
@@ -161,16 +163,29 @@ class _Check:
                 continue
             self._denominator(entry, places)
             core.identity(self._program(a, atoms), entry, relations, self.primes)
-            if s.surface and not followed.is_number(entry["denominator"]):
+            if s.surface and not followed.is_nowhere_zero(entry["denominator"]):
                 trusted.append("that no denominator vanishes on a part of the surface")
             elif not followed.has_inverse(core.read(entry["denominator"])):
                 trusted.append(f"that a denominator doesn't vanish identically (seen at {len(places)} points)")
         for group in case.nonzeros:
             if all(abs(of[a]) < 10.0**-CLOSE for a in group for _, of in places):
                 raise Rejected("what must not vanish everywhere is 0 at all points that were tried")
+            if not any(self._is_not_zero(a, of, followed) for a in group for of, _ in places):
+                trusted.append("that what must not vanish everywhere doesn't, as values in 50 digits say")
         if case.independent and all(independence(s, case, case.independent, self.numbers, of) == 0 for of, _ in places):
             raise Rejected("what must be linearly independent is not, at the points that were tried")
         return [*trusted, *self._positive(case, places), *self._measured(case, places)]
+
+    def _is_not_zero(self, a: int, of: Mapping[str, Any], followed: Followed) -> bool:
+        """Whether a formula isn't identically 0: a rational one by its value modulo a prime, others by an interval."""
+        if is_rational(self.s, a):
+            return followed.is_not_zero(a)
+        own = Intervals(2 * DIGITS)
+        try:
+            point = {n: x if isinstance(x, str) else own.iv.mpf(x) for n, x in of.items()}
+            return 0 not in own.values(self.s.f, [a], point)[a]
+        except (Open, TypeError, ValueError):
+            return False
 
     def _positive(self, case: Case, places: Places) -> list[str]:
         """What has to be taken on trust of what must be positive."""

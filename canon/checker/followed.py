@@ -7,6 +7,7 @@ from typing import Any
 
 from canon.checker import core
 from canon.checker.functions import Unknown
+from canon.checker.positive import sign_of
 from canon.checker.roots import Undecided
 from canon.checker.statement import Statement
 from canon.checker.values import Values
@@ -61,7 +62,14 @@ class Followed:
         except FAILURES:
             return False
 
-    @staticmethod
-    def is_number(data: Any) -> bool:
-        """Whether a polynomial is a number."""
-        return set(core.read(data)) == {()}
+    def is_not_zero(self, a: int) -> bool:
+        """Whether a rational function isn't 0."""
+        try:
+            return bool(self.values.value(a))
+        except FAILURES:
+            return False
+
+    def is_nowhere_zero(self, data: Any) -> bool:
+        """Whether a polynomial is seen to vanish nowhere: its terms have one sign, and one of them is never 0."""
+        sign, never = sign_of(self.values.roots.words, core.read(data))
+        return sign != 0 and never

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from canon.checker import actions, algebras, calculus, dimensions, matrices
+from canon.checker import actions, algebras, calculus, constraints, dimensions, matrices
 from canon.checker import obligations as mechanics
 from canon.checker.functions import Unknown, Unreadable
+from canon.checker.motion import Motion, formulas
 from canon.checker.obligations import Case
 from canon.checker.statement import Statement
 
@@ -20,36 +21,6 @@ def obligations(s: Statement) -> list[Case]:
     return found if isinstance(found, list) else [found]
 
 
-class Motion:
-    """Coordinates, velocities and accelerations by name, and rates of change along any motion."""
-
-    def __init__(self, s: Statement) -> None:
-        if s.direction in ("implicit", "backward"):
-            s.without_map()
-        self.f, self.q, self.t = s.f, s.q, s.time
-        self.v = list(s.claim["velocities"])
-        taken = {*s.declared, *self.v, *s.names}
-        self.a = list(s.claim.get("accelerations", [_unused(f"{x}_tt", taken) for x in self.q]))
-        s.declared |= {*self.a}
-        if not len(self.q) == len(self.v) == len(self.a):
-            raise Unreadable("so many velocities as coordinates are needed")
-
-    def rate(self, f: int) -> int:
-        """∂f/∂t + Σ v ∂f/∂q + Σ a ∂f/∂v."""
-        steps = (*zip(self.q, self.v, strict=True), *zip(self.v, self.a, strict=True))
-        moved = (self.f.mul(self.f.slope(f, x), self.f.node("s", dx)) for x, dx in steps)
-        return self.f.add(self.f.slope(f, self.t), *moved)
-
-
-def _unused(name: str, taken: set[str]) -> str:
-    return _unused(f"{name}_", taken) if name in taken else name
-
-
-def _formulas(s: Statement, word: str) -> list[int]:
-    """A key with one formula for each coordinate: a list, or a single one."""
-    return s.keys(word) if isinstance(s.claim[word], list) else [s.key(word)]
-
-
 def euler_lagrange(s: Statement) -> Case:
     """d/dt ∂L/∂v − ∂L/∂q + ∂R/∂v − Q are the equations, or vanish for the accelerations."""
     f, m, L = s.f, Motion(s), s.key("L")
@@ -58,17 +29,17 @@ def euler_lagrange(s: Statement) -> Case:
         R = s.key("dissipation")
         left = [f.add(x, f.slope(R, v)) for x, v in zip(left, m.v, strict=True)]
     if "forces" in s.claim:
-        left = [f.sub(x, force) for x, force in zip(left, _formulas(s, "forces"), strict=True)]
+        left = [f.sub(x, force) for x, force in zip(left, formulas(s, "forces"), strict=True)]
     if "equations" in s.claim:
-        return Case([f.sub(x, y) for x, y in zip(left, _formulas(s, "equations"), strict=True)])
-    images = dict(zip(m.a, _formulas(s, "qddot"), strict=True))
+        return Case([f.sub(x, y) for x, y in zip(left, formulas(s, "equations"), strict=True)])
+    images = dict(zip(m.a, formulas(s, "qddot"), strict=True))
     hessian = s.determinant([[f.slope(f.slope(L, x), y) for y in m.v] for x in m.v])
     return Case([f.substitute(x, images) for x in left], [[hessian]])
 
 
 def noether(s: Statement) -> Case:
     """∂L/∂t τ + ∂L/∂q ξ + ∂L/∂v (ξ' − v τ') + L τ' = f', and the charge is ∂L/∂v ξ − (v ∂L/∂v − L) τ − f."""
-    f, m, L, steps = s.f, Motion(s), s.key("L"), _formulas(s, "dq")
+    f, m, L, steps = s.f, Motion(s), s.key("L"), formulas(s, "dq")
     tau, gauge = (s.key(word) if word in s.claim else f.number(0) for word in ("dt", "f"))
     stretch, momenta = m.rate(tau), [f.slope(L, v) for v in m.v]
     change, charge = [f.mul(f.slope(L, m.t), tau), f.mul(L, stretch)], [f.mul(L, tau), f.mul(f.number(-1), gauge)]
@@ -120,6 +91,7 @@ KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {
     "matrix_algebra": algebras.matrix_algebra,
     "group": algebras.group,
     "dimension": dimensions.dimension,
+    "constraint": constraints.constraint,
     "euler_lagrange": euler_lagrange,
     "noether": noether,
     "hamilton_jacobi": hamilton_jacobi,

@@ -9,6 +9,7 @@ from math import factorial
 from typing import Any
 
 from canon.checker.formulas import Unknown
+from canon.checker.shapes import is_rational, is_smooth_there
 from canon.checker.statement import Statement
 
 
@@ -21,7 +22,8 @@ class Case:
     reals, whatever the parameters are; `positive`, formulas that must be positive throughout the domain (or, with
     False, nowhere negative). `found` is what exact arithmetic says of the rest of the claim, if anything, and
     `measured` gives further values that must vanish at a point, to so many `digits`: they are evidence, never a proof.
-    Where one of the groups `outside` is independent, the claim fails. Names that stand in `mentions` get values too.
+    Where one of the groups `outside` is independent, the claim fails.
+    Names that stand in `mentions` get values too.
     """
 
     zeros: list[int]
@@ -87,8 +89,9 @@ def canonical_when(s: Statement) -> list[Case]:
     """Canonical at each solution, and not elsewhere."""
     zeros, _ = s.brackets(s.f.number(1))
     tables = [{name: s.f.read(text, s.names) for name, text in table.items()} for table in s.claim["solutions"]]
+    trusted = "that it fails at almost all values of the parameters, and not only at those tried"
     return [Case([s.f.substitute(z, t) for z in zeros], images=t) for t in tables] + [
-        Case([], [zeros], trusted="that it fails at almost all values of the parameters, and not only at those tried")
+        Case([], [zeros], trusted="" if all(is_rational(s, z) for z in zeros) else trusted)
     ]
 
 
@@ -147,7 +150,8 @@ def cartan_invariant(s: Statement) -> Case:
         slopes.append(f.add(moved, f.sub(f.add(*terms[:half]), f.add(*terms[half:]))))
     if isinstance(s.known.get("potential"), str):
         W = f.read(s.known["potential"], {})
-        return Case([f.sub(slope, f.slope(W, u)) for u, slope in zip(names, slopes, strict=True)])
+        trusted = "" if is_smooth_there(s, W) else "that the potential is smooth throughout the domain"
+        return Case([f.sub(slope, f.slope(W, u)) for u, slope in zip(names, slopes, strict=True)], trusted=trusted)
     pairs = combinations(range(len(names)), 2)
     zeros = [f.sub(f.slope(slopes[j], names[i]), f.slope(slopes[i], names[j])) for i, j in pairs]
     return Case(zeros, trusted="that the form, which is closed, is exact")
@@ -227,7 +231,9 @@ def independent(s: Statement) -> Case:
     rows = [[s.pull(s.f.slope(a, x)) for x in variables] for a in s.keys("functions")]
     columns = combinations(range(len(variables)), len(rows))
     minors = [s.determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
+    everywhere = all(is_rational(s, a, s.coordinates) for a in minors)
     trusted = "that a minor, which is not 0 at some points, is not 0 on any component of the domain"
+    trusted = "" if everywhere else trusted
     return Case([], [minors or [s.f.number(0)]], trusted=trusted)
 
 

@@ -20,7 +20,10 @@ NAMING = (
 """The keys of claims that declare names."""
 LARGEST = 12
 """The most rows of a Pfaffian; of a determinant, half of it."""
-KNOWN = {"proved": ("determinant", "potential", "structure"), "refuted": ("fails_at_order", "structure")}
+KNOWN = {
+    "proved": ("determinant", "potential", "structure", "antiderivative"),
+    "refuted": ("fails_at_order", "structure"),
+}
 """What a certificate may say of what its claim leaves open."""
 
 

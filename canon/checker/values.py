@@ -136,6 +136,8 @@ class Values:
                     ratio = (over, under) if name == "elliptic_e" else (under, over)
                     root = self.roots.root(rest, 2, _reduced(ratio))
                     return t.mul(other, root if name == "elliptic_e" else t.inverse(root))
+        if not x[0] and name in ODD:
+            return self.zero
         return self._log(x[0]) if name == "log" else t.free()
 
     def _times(self, claimed: Fraction_ | None, factor: int) -> Fraction_ | None:

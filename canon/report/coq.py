@@ -31,7 +31,12 @@ Open Scope R_scope.
 Ltac other_form :=
   match goal with
   | H : ?b <> 0 |- ?a <> 0 =>
-      let E := fresh in intro E; apply H; first [ replace b with a by field | replace b with (- a) by field ]; lra
+      let E := fresh in intro E; apply H;
+      first [ replace b with a by field | replace b with (- a) by field
+            | replace b with (a / 2) by field | replace b with (- a / 2) by field
+            | replace b with (a / 4) by field | replace b with (- a / 4) by field
+            | replace b with (2 * a) by field | replace b with (- 2 * a) by field
+            | replace b with (4 * a) by field | replace b with (- 4 * a) by field ]; lra
   end.
 Ltac nonzero_factor := first [ assumption | apply Rgt_not_eq; lra | apply Rlt_not_eq; lra | other_form ].
 Ltac nonzero :=

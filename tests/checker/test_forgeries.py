@@ -91,6 +91,18 @@ FORGERIES: dict[str, dict[str, Any]] = {
     "a variable's name": forged("x**2", "y**2", kernels=(kernel("y", "(x**2)**(1/2)", {"y^2": "1", "x^2": "-1"}),),
         residual={"numerator": {"x^2": "1", "y^2": "-1"}, "denominator": {"": "1"}, "cofactors": {"y": {"": "-1"}}},
         claim={"kind": "identity", "lhs": "x**2", "rhs": "y**2", "constants": ["y"]}),
+    # the potential of a form that is closed, and has none beyond the cut
+    "a potential with a cut": sealed({**forged("0"), "known": {"potential": "atan(x/y)"},
+        "tables": {"phase_space": {"q": ["x", "y"], "p": ["a", "b"], "Q": ["X", "Y"], "P": ["A", "B"]},
+                   "hamiltonian": {"H": "0"}, "claim": {"kind": "cartan_invariant", "K": "0"},
+                   "transformation": {"Q": ["x", "y"], "P": ["a - y/(x**2 + y**2)", "b + x/(x**2 + y**2)"]}},
+        "cases": [{"kernels": [], "atoms": {}, "residuals": [
+            {"numerator": {}, "denominator": {"": "1"}, "cofactors": {}}] * 5}]}),
+    # an antiderivative that jumps
+    "a jump": sealed({**forged("0"), "tables": {"phase_space": {"q": ["q"], "p": ["p"]}, "claim": {
+        "kind": "integral", "f": "-1/x**2", "variable": "x", "from": "-1", "to": "1", "equals": "2",
+        "antiderivative": "1/x"}}, "cases": [{"kernels": [], "atoms": {}, "residuals": [
+            {"numerator": {}, "denominator": {"": "1"}, "cofactors": {}}] * 2}]}),
     # inequalities between numbers that cancel
     "digits that cancel": forged("0", "3 - ((pi + 10**200) - 10**200)",
         claim={"kind": "inequality", "lhs": "0", "rhs": "3 - ((pi + 10**200) - 10**200)", "relation": "<"}),

@@ -1,0 +1,36 @@
+"""Coordinates, velocities and accelerations of claims about motions."""
+
+from __future__ import annotations
+
+from canon.checker.functions import Unreadable
+from canon.checker.statement import Statement
+
+
+class Motion:
+    """Coordinates, velocities and accelerations by name, and rates of change along any motion."""
+
+    def __init__(self, s: Statement) -> None:
+        if s.direction in ("implicit", "backward"):
+            s.without_map()
+        self.f, self.q, self.t = s.f, s.q, s.time
+        self.v = list(s.claim["velocities"])
+        taken = {*s.declared, *self.v, *s.names}
+        self.a = list(s.claim.get("accelerations", [_unused(f"{x}_tt", taken) for x in self.q]))
+        s.declared |= {*self.a}
+        if not len(self.q) == len(self.v) == len(self.a):
+            raise Unreadable("so many velocities as coordinates are needed")
+
+    def rate(self, f: int) -> int:
+        """∂f/∂t + Σ v ∂f/∂q + Σ a ∂f/∂v."""
+        steps = (*zip(self.q, self.v, strict=True), *zip(self.v, self.a, strict=True))
+        moved = (self.f.mul(self.f.slope(f, x), self.f.node("s", dx)) for x, dx in steps)
+        return self.f.add(self.f.slope(f, self.t), *moved)
+
+
+def _unused(name: str, taken: set[str]) -> str:
+    return _unused(f"{name}_", taken) if name in taken else name
+
+
+def formulas(s: Statement, word: str) -> list[int]:
+    """A key with one formula for each coordinate: a list, or a single one."""
+    return s.keys(word) if isinstance(s.claim[word], list) else [s.key(word)]

@@ -1,0 +1,48 @@
+"""What a formula is seen to be by its operations: rational, or smooth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from canon.checker.statement import Statement
+
+SMOOTH = ("sin", "cos", "exp", "sinh", "cosh", "tanh", "atan", "asinh")
+"""Functions that are smooth at every real number."""
+
+
+def is_rational(s: Statement, a: int, names: Iterable[str] | None = None) -> bool:
+    """Whether a formula is a rational function (of these names alone): not 0 at a point, it isn't nearly everywhere."""
+    ops = [s.f.ops[b] for b in s.f.reach(a)]
+    own = None if names is None else {*names}
+    return all(op[0] != "f" and (op[0] != "s" or own is None or op[1] in own) for op in ops)
+
+
+def is_smooth(s: Statement, a: int, x: str) -> bool:
+    """Whether a formula is seen to be smooth for all real values of a name: sums and products of entire functions.
+
+    Declared functions are smooth, where they are called, by what they are declared to be.
+    """
+    f, moving = s.f, set[int]()
+    for b in f.reach(a):
+        op = f.ops[b]
+        if op == ("s", x) or moving & {*f.parts(b)}:
+            moving.add(b)
+            if not (
+                op[0] in "s+*" or (op[0] == "^" and op[2] > 0) or (op[0] == "f" and op[1] in (*SMOOTH, *f.functions))
+            ):
+                return False
+    return True
+
+
+def is_smooth_there(s: Statement, a: int) -> bool:
+    """Whether a formula is seen to be smooth in the domain: what may fail in it stands in the claim's formulas too."""
+    f, written = s.f, {*s.f.reach(*(s.pull(b) for b in (*s.written, *s.images.values())))}
+    for b in f.reach(a):
+        op = f.ops[b]
+        divides = op[0] == "^" and op[2] < 0
+        if divides and not any(f.ops[c][0] == "^" and f.ops[c][2] < 0 and f.ops[c][1] == op[1] for c in written):
+            return False
+        smooth = op[0] != "f" or op[1] in (*SMOOTH, *f.functions) or (op[1] in ("power", "log") and b in written)
+        if not smooth:
+            return False
+    return True

@@ -21,7 +21,10 @@ Combination = Mapping[int, Number]
 
 
 def exact(value: Any) -> Number:
-    """The number as a fraction where it is rational, else as a sympy expression; **raises** `InputError` for floats."""
+    """The number as a fraction where it is rational, else as a sympy expression.
+
+    **Raises:** `InputError` for floats, for what is no number (infinity), and for what certainly isn't real.
+    """
     if isinstance(value, Fraction):
         return value
     if isinstance(value, fmpq):
@@ -29,6 +32,10 @@ def exact(value: Any) -> Number:
     expression: Any = sp.Integer(value) if isinstance(value, int) else value
     if not hasattr(expression, "is_commutative") or not hasattr(expression, "expand") or expression.has(sp.Float):
         raise InputError(f"{value!r} is no exact number: give a whole number, a fraction or an expression")
+    if expression.has(sp.nan, sp.oo, sp.zoo, -sp.oo):
+        raise InputError(f"{value!r} is no number")
+    if expression.has(sp.I) and expression.is_real is False:
+        raise InputError(f"{value!r} isn't real, as structure constants of a real Lie algebra are")
     return Fraction(int(expression.p), int(expression.q)) if expression.is_Rational else expression
 
 

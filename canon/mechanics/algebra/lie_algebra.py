@@ -38,8 +38,8 @@ class LieAlgebra:
     a > b; the rest follows by antisymmetry, and what isn't given is 0). Numbers are exact: whole numbers, fractions,
     sympy numbers, or expressions in parameters.
 
-    **Raises:** `InputError` where a pair is given twice with different values, or where Jacobi's identity fails: it
-    names the first triple and what its sum is.
+    **Raises:** `InputError` for a position that isn't one, a number that isn't exact and real, a pair that is given
+    twice with different values, or where Jacobi's identity fails: it names the first triple and what its sum is.
     """
 
     names: tuple[str, ...]
@@ -286,6 +286,10 @@ def _rational(value: Number) -> Fraction:
 def _antisymmetric(names: Sequence[str], given: Mapping[tuple[int, int], Combination]) -> dict[Any, dict[int, Number]]:
     table: dict[tuple[int, int], dict[int, Number]] = {}
     for (a, b), row in given.items():
+        if not all(k in range(len(names)) for k in (a, b, *row)):
+            raise InputError(
+                f"positions in the basis go from 0 to {len(names) - 1}: {(a, b)} or one of {list(row)} doesn't"
+            )
         numbers = {c: value for c, value in ((c, exact(value)) for c, value in row.items()) if not is_zero(value)}
         if a == b and numbers:
             raise InputError(f"the bracket of {names[a]} with itself is 0")

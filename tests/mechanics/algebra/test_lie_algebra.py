@@ -149,6 +149,19 @@ def test_a_change_of_basis_by_nested_lists():
         g.in_basis([[1, 0, 0], [0, 1, 0]])
 
 
+@pytest.mark.parametrize(
+    ("constants", "message"),
+    [
+        ({(0, 5): {1: 1}}, "positions"), ({(0, 1): {7: 1}}, "positions"), ({(0, -1): {0: 1}}, "positions"),
+        ({(0, 1): {1: sp.oo}}, "no number"), ({(0, 1): {1: sp.nan}}, "no number"), ({(0, 1): {1: sp.I}}, "isn't real"),
+        ({(0, 1): {1: 0.5}}, "no exact number"), ({(0, 1): {1: "x"}}, "no exact number"),
+    ],
+)  # fmt: skip
+def test_constants_that_are_none(constants, message):
+    with pytest.raises(InputError, match=message):
+        LieAlgebra(("x", "y"), constants)
+
+
 def test_a_full_table_is_verified_and_named_like_a_sparse_one():
     """so(4) in a basis chosen at random, and with one constant changed by a little: some triple fails."""
     rng, n = random.Random(0), 6

@@ -23,7 +23,7 @@ Combination = Mapping[int, Number]
 def exact(value: Any) -> Number:
     """The number as a fraction where it is rational, else as a sympy expression.
 
-    **Raises:** `InputError` for floats, for what is no number (infinity), and for what certainly isn't real.
+    **Raises:** `InputError` for floats, and for what is no number (infinity).
     """
     if isinstance(value, Fraction):
         return value
@@ -34,8 +34,6 @@ def exact(value: Any) -> Number:
         raise InputError(f"{value!r} is no exact number: give a whole number, a fraction or an expression")
     if expression.has(sp.nan, sp.oo, sp.zoo, -sp.oo):
         raise InputError(f"{value!r} is no number")
-    if expression.has(sp.I) and expression.is_real is False:
-        raise InputError(f"{value!r} isn't real, as structure constants of a real Lie algebra are")
     return Fraction(int(expression.p), int(expression.q)) if expression.is_Rational else expression
 
 

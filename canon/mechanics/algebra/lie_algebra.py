@@ -291,6 +291,9 @@ def _antisymmetric(names: Sequence[str], given: Mapping[tuple[int, int], Combina
                 f"positions in the basis go from 0 to {len(names) - 1}: {(a, b)} or one of {list(row)} doesn't"
             )
         numbers = {c: value for c, value in ((c, exact(value)) for c, value in row.items()) if not is_zero(value)}
+        for value in numbers.values():
+            if not isinstance(value, Fraction) and value.has(sp.I) and value.is_real is False:
+                raise InputError(f"{value} isn't real, as structure constants of a real Lie algebra are")
         if a == b and numbers:
             raise InputError(f"the bracket of {names[a]} with itself is 0")
         if a > b:

@@ -69,6 +69,15 @@ def test_coqc_accepts_the_catalogue(tmp_path: Path) -> None:
 
 
 @needs_coqc
+def test_the_tactic_for_denominators_knows_multiples(tmp_path: Path) -> None:
+    """What is 2, 4, 1/2 or 1/4 times something that isn't 0, of either sign; nothing else."""
+    goal = "Goal forall a b : R, a * b - 4 <> 0 -> {c} * (b * a) - {c} * 4 <> 0.\nProof. intros. nonzero. Qed.\n"
+    factors = [f"({sign} {c})" for c in ("1", "2", "4", "/ 2", "/ 4") for sign in ("", "-")]
+    assert coqc(tmp_path, HEAD + "".join(goal.format(c=c) for c in factors)) == ""
+    assert coqc(tmp_path, HEAD + "Goal forall a : R, a - 4 <> 0 -> a - 5 <> 0.\nProof. intros. nonzero. Qed.\n") != ""
+
+
+@needs_coqc
 def test_coqc_refuses_what_is_false(tmp_path: Path) -> None:
     text = coq_of(data("transformations", "polar-coordinates", 0))
     false = text.replace("+ (- 1) = 0.\nProof", "+ (- 2) = 0.\nProof")

@@ -149,14 +149,36 @@ def _our_tumble(small: Any, t: Any) -> Any:
     return free_momentum(jnp.stack([small, 1.0 + 0.0 * small, 0.0 * small]), MOMENTS, t)
 
 
+def _tumble_beyond(m: Any, small: Number, t: Number) -> Quantities:
+    """The same from (0, 1, δ), on the other side of the separatrix: the axes 1 and 3 change places, and time turns."""
+    ((first, second, third),) = _tumble(m, small, -t, (MOMENTS[2], MOMENTS[1], MOMENTS[0]))
+    return ((third, second, first),)
+
+
+def _our_tumble_beyond(small: Any, t: Any) -> Any:
+    import jax.numpy as jnp
+
+    from canon.numeric.exact.free_top import free_momentum
+
+    return free_momentum(jnp.stack([0.0 * small, 1.0 + 0.0 * small, small]), MOMENTS, t)
+
+
+def _scipy_tumble_beyond(small: float, t: float) -> Quantities:
+    return _scipy_solved([0.0, 1.0, small], t)
+
+
 def _scipy_tumble(small: float, t: float) -> Quantities:
+    return _scipy_solved([small, 1.0, 0.0], t)
+
+
+def _scipy_solved(begin: list[float], t: float) -> Quantities:
     """scipy's ODE solver DOP853 with the smallest tolerance that it takes."""
     import numpy as np
     from scipy.integrate import solve_ivp
 
     I = np.array(MOMENTS)
     rate = lambda _, M: np.cross(M, M / I)
-    M = solve_ivp(rate, (0.0, t), [small, 1.0, 0.0], method="DOP853", rtol=3e-14, atol=1e-300).y[:, -1]
+    M = solve_ivp(rate, (0.0, t), begin, method="DOP853", rtol=3e-14, atol=1e-300).y[:, -1]
     return (tuple(float(x) for x in M),)
 
 
@@ -239,6 +261,17 @@ CASES = (
         _tumble,
         compiled(_our_tumble),
         peers={"scipy DOP853": each(_scipy_tumble)},
+        digits=280,
+    ),
+    HardCase(
+        "top at its middle axis, beyond",
+        "separatrix",
+        "the same on the other side of the separatrix: but for δ along the axis of the largest moment",
+        ("delta", "t"),
+        ((1e-3, 30.0), (1e-10, 60.0), (1e-20, 100.0), (1e-100, 700.0)),
+        _tumble_beyond,
+        compiled(_our_tumble_beyond),
+        peers={"scipy DOP853": each(_scipy_tumble_beyond)},
         digits=280,
     ),
 )

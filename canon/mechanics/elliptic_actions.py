@@ -254,7 +254,7 @@ def _reduced(
     if slow is not None:
         checks.append(("the slowness", slow[0] - (asked.formula * factor.formula).xreplace(back) * turn))
     middle: Any = {U: (a + b) / 2}
-    inside = chosen.q.xreplace(middle)
+    inside: Any = chosen.q.xreplace(middle)
     method = f"elliptic integrals in u = {chosen.u}"
     value, period = (total, None) if slow is None else (sp.S.Zero, total)
     return ClosedAction(value, (), tuple(checks), method, needs=tuple(needs), period=period, inside=inside)

@@ -160,8 +160,10 @@ def test_constants_are_chosen_for_the_sake_of_example():
         ("(p + 3)**2/2", _claim("2*pi*(sqrt(2*E) - 3)", branch='"rotation"', period='"2*pi"'), "proved"),
         # a well beside a hill that leads away is the only one
         ("p**2/2 + q**2/2 - q**3/3", _claim("0.6628973708825298", fixed='{E = "1/10"}'), "refuted"),
-        ("p**2/2 + q**2/2 - q**3/3", _claim("1.2", fixed='{E = "1/6"}'), "supported"),
-        ("p**2/2 + q**2/2 - q**3/3", _claim("1.2000001", fixed='{E = "1/6"}'), "undecided"),
+        ("p**2/2 + q**2/2 - q**3/3", _claim("1.2", fixed='{E = "1/6"}'), "proved"),
+        # between two hilltops, where no closed form is known
+        ("p**2/2 + q**2/(1 + q**4)", _claim("2.5741483994445118", fixed='{E = "1/2"}'), "supported"),
+        ("p**2/2 + q**2/(1 + q**4)", _claim("2.5741483", fixed='{E = "1/2"}'), "undecided"),
         ("p**2/2 + q**2/2 - q**3/3", _claim("2*pi*E"), "refuted"),  # energies between the bottom and the barrier
         ("p**2/2 + q**2/2", _claim("1/(2*pi)", kind="frequency", fixed='{E = "sqrt(2)"}'), "proved"),
         ("p**2/2 + q**6", _claim("1.001", kind="frequency", fixed='{E = "2"}'), "refuted"),
@@ -364,3 +366,30 @@ def test_the_order_of_roots_and_ends_follows_from_sums_of_conditions(status):
     assert status(_claim(CUBIC, fixed='{E = "-a*b*c/2"}'), space=LINE, **inside) == "proved"
     cut = {**ROOTS, "domain": 'where = ["a < b", "b < c", "q > 0"]'}
     assert status(_claim(CUBIC, fixed='{E = "-a*b*c/2"}'), space=LINE, **cut) != "proved"
+
+
+LOOPS = 'H = "p**2/2 - q**2*(q + 1)*(2 - q)/2"'
+LEFT, RIGHT = (f"(76*sqrt(2) + 54*asin(1/3) {sign} 27*pi)/48" for sign in "-+")
+HYPERBOLIC = 'H = "p**2/2 - (q - 3)**2*(q - 1)*(q + 2)/2"'
+
+
+@pytest.mark.parametrize(
+    ("hamiltonian", "equals", "keys", "expected"),
+    [
+        ('H = "p**2/2 + q**2/2 - q**3/3"', "6/5", {"fixed": '{E = "1/6"}'}, "proved"),
+        ('H = "p**2/2 + q**2/2 + q**3/3"', "6/5", {"fixed": '{E = "1/6"}'}, "proved"),
+        ('H = "p**2/2 + q**2/2 - q**3/3"', "6001/5000", {"fixed": '{E = "1/6"}'}, "refuted"),
+        (LOOPS, LEFT, {"fixed": '{E = "0"}', "well": '"-1/2"'}, "proved"),
+        (LOOPS, RIGHT, {"fixed": '{E = "0"}', "well": '"1"'}, "proved"),
+        (LOOPS, LEFT, {"fixed": '{E = "0"}', "well": '"1"'}, "refuted"),
+        (HYPERBOLIC, "67*sqrt(10)/12 - 63*acosh(7/3)/8", {"fixed": '{E = "0"}'}, "proved"),
+        (HYPERBOLIC, "67*sqrt(10)/12 - 63*acosh(5/3)/8", {"fixed": '{E = "0"}'}, "refuted"),
+    ],
+)
+def test_loops_at_a_double_root_are_elementary(status, hamiltonian, equals, keys, expected):
+    assert status(_claim(equals, **keys), space=LINE, hamiltonian=hamiltonian) == expected
+
+
+def test_two_loops_are_ambiguous(ask):
+    with pytest.raises(InputError, match="2 wells"):
+        ask(_claim(LEFT, fixed='{E = "0"}'), space=LINE, hamiltonian=LOOPS)

@@ -34,13 +34,23 @@ def is_smooth(s: Statement, a: int, x: str) -> bool:
     return True
 
 
+def _is_nowhere_zero(s: Statement, a: int) -> bool:
+    """Whether a formula is a product of numbers and of names that aren't 0."""
+    ops = [s.f.ops[b] for b in s.f.reach(a)]
+    sure = {"positive", "negative", "nonzero"}
+    return all(
+        op[1] != 0 if op[0] == "n" else bool(sure & {*s.words.get(op[1], ())}) if op[0] == "s" else op[0] in "*^"
+        for op in ops
+    )
+
+
 def is_smooth_there(s: Statement, a: int) -> bool:
     """Whether a formula is seen to be smooth in the domain: what may fail in it stands in the claim's formulas too."""
     f, written = s.f, {*s.f.reach(*(s.pull(b) for b in (*s.written, *s.images.values())))}
     for b in f.reach(a):
         op = f.ops[b]
-        divides = op[0] == "^" and op[2] < 0
-        if divides and not any(f.ops[c][0] == "^" and f.ops[c][2] < 0 and f.ops[c][1] == op[1] for c in written):
+        inverted = op[0] == "^" and op[2] < 0 and not _is_nowhere_zero(s, op[1])
+        if inverted and not any(c[0] == "^" and c[2] < 0 and c[1] == op[1] for c in (f.ops[k] for k in written)):
             return False
         smooth = op[0] != "f" or op[1] in (*SMOOTH, *f.functions) or (op[1] in ("power", "log") and b in written)
         if not smooth:

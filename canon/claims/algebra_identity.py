@@ -57,7 +57,7 @@ def identity_outcome(question: Question, region: Region, algebra: LieAlgebra, eq
         return Outcome("undecided", note=f"not identified: {error}")
     detail = described(found)
     if named is None:
-        return exact("proved", CLASSIFIED, **detail)
+        return exact("proved", CLASSIFIED if found.identity.is_named else "structure constants", **detail)
     same = isomorphic(found.identity, named)
     if same is None:
         return Outcome("undecided", detail=detail, note=f"not identified among several: is it {equals}?")

@@ -22,14 +22,16 @@ def boost(velocity: Vector, c: Any = 1) -> sp.ImmutableMatrix:
 
     **Arguments:** components and c exact: whole numbers, fractions, or sympy expressions.
 
-    **Raises:** `InputError` where the speed is certainly not below c, or for text and floats.
+    **Raises:** `InputError` where the speed is certainly not below c, or isn't real, or for text and floats.
     """
     light = as_expression(c, "c")
-    if vanishes(light):
-        raise InputError("the speed of light isn't 0", "c")
+    if vanishes(light) or (light.is_number and sign_at_a_point(light) != 1):
+        raise InputError("the speed of light is positive", "c")
     beta = sp.Matrix([as_expression(v, "velocity") / light for v in velocity])
     if beta.shape != (3, 1):
         raise InputError(f"three components are expected, not {beta.rows}", "velocity")
+    if any(b.is_real is False for b in beta.flat()):
+        raise InputError("the components of a velocity are real", "velocity")
     square: Any = sp.simplify(beta.dot(beta))
     slower: Any = 1 - square
     if vanishes(slower) or (slower.is_number and sign_at_a_point(slower) != 1) or slower.is_nonpositive:
@@ -86,7 +88,8 @@ def split_boost(matrix: Any, c: Any = 1) -> BoostAndRotation:
 
 
 def _exact_matrix(matrix: Any) -> sp.ImmutableMatrix:
-    rows = matrix.tolist() if isinstance(matrix, sp.MatrixBase) else [list(row) for row in matrix]
+    given = matrix.tolist() if isinstance(matrix, sp.MatrixBase) else matrix
+    rows = [list(row) if isinstance(row, Iterable) else [] for row in (given if isinstance(given, Iterable) else ())]
     if len(rows) != 4 or any(len(row) != 4 for row in rows):
         raise InputError("no Lorentz matrix: four rows of four entries are expected", "matrix")
     return sp.ImmutableMatrix([[as_expression(entry, "matrix") for entry in row] for row in rows])

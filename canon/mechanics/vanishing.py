@@ -68,13 +68,14 @@ def _is_defined(expression: Any, values: Mapping[Any, Any]) -> bool:
 
 
 def _places(expression: Any) -> Iterator[dict[Any, Any]]:
-    """A few values of the names, such as their assumptions allow."""
+    """A few values of the names, such as their assumptions allow; the last ones are small."""
     names = sorted(expression.free_symbols, key=str)
-    for shift in range(3 if names else 1):
+    for shift in range(5 if names else 1):
         found: dict[Any, Any] = {}
         for k, name in enumerate(names):
             sign = -1 if (k + shift) % 2 else 1
-            fraction = sp.Rational(sign * (7 + 4 * k + shift), 5 + 2 * shift)
+            size = 1 if shift < 3 else 40 * (1 + k)
+            fraction = sp.Rational(sign * (7 + 4 * k + shift), (5 + 2 * shift) * size)
             whole = sp.Integer(sign * (2 + k + shift))
             number = next((n for n in (fraction, -fraction, whole, -whole, sp.S.Zero) if _allows(name, n)), None)
             if number is None:

@@ -43,6 +43,12 @@ def test_the_speed_of_light_as_given():
     assert sp.simplify(found.velocity[0] - 5 * c / 7) == 0
 
 
+def test_a_boost_of_any_velocity_is_its_own_split():
+    v = sp.Symbol("v", real=True)
+    found = split_boost(boost((v, 0, 0)))
+    assert (sp.simplify(found.velocity[0] - v), found.rotation) == (0, sp.eye(3))
+
+
 def test_a_matrix_whose_entries_hide_their_zeros_is_split():
     """With 1 = √(3 + 2√2) − √2 in a corner, and in rapidities: exact, though nothing is simplified."""
     one, u = sp.sqrt(3 + 2 * sp.sqrt(2)) - sp.sqrt(2), sp.Symbol("u", real=True)
@@ -67,6 +73,9 @@ def test_a_matrix_whose_entries_hide_their_zeros_is_split():
         (lambda: boost((0.5, 0, 0)), "Rational"),
         (lambda: boost((0, sp.sqrt(3 + 2 * sp.sqrt(2)) - sp.sqrt(2), 0)), "below that of light"),
         (lambda: boost((Q(1, 2), 0, 0), 0), "speed of light"),
+        (lambda: boost((Q(1, 2), 0, 0), -1), "speed of light"),
+        (lambda: boost((sp.I / 2, 0, 0)), "real"),
+        (lambda: split_boost(3), "four rows"),
     ],
 )
 def test_faults(call, message):

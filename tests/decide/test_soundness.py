@@ -1,6 +1,7 @@
 """Where soundness hurts: surfaces, thin regions, conditions on other names, the bound of modular evaluation."""
 
 import random
+from fractions import Fraction
 
 import pytest
 import sympy as sp
@@ -8,8 +9,9 @@ import sympy as sp
 from canon.budget import Budget
 from canon.decide import ladder, modular
 from canon.decide.cells import cells_of
-from canon.decide.constants import number_is_zero
+from canon.decide.constants import _root_bound, number_is_zero
 from canon.decide.ladder import Contradiction
+from canon.decide.normal_form import reduce_to_zero
 from canon.decide.region import Region
 from canon.decide.sampling import sample
 from canon.decide.tape import Tape
@@ -122,3 +124,34 @@ def test_samples_stand_beside_their_own_bound():
     )
     assert refuted is not None
     assert refuted.status == "refuted"
+
+
+@pytest.mark.parametrize(
+    "f", [sp.sqrt(2) - sp.Rational(7, 5), sp.sqrt(2) + sp.sqrt(3) - sp.Rational(22, 7), sp.sqrt(2) / 9]
+)
+def test_the_bound_below_a_number_is_below_its_conjugates(f: sp.Expr):
+    """A ball within the bound proves 0: a bound that is too large would prove it of what isn't."""
+    tape = Tape()
+    node = tape.load(f)
+    _, nonzero, field = reduce_to_zero(Tower(tape, [node], budget=Budget(20)), [node], Budget(20))
+    bound = _root_bound(field, nonzero[node][0], Budget(20))
+    conjugates = [
+        f.xreplace({sp.sqrt(2): s * sp.sqrt(2), sp.sqrt(3): t * sp.sqrt(3)}) for s in (1, -1) for t in (1, -1)
+    ]
+    assert bound is not None
+    assert 0 < float(bound) < min(abs(sp.N(c)) for c in conjugates)
+    for number in (Fraction(1, 10), Fraction(1, 10**9), Fraction(7)):
+        assert 0 < float(_root_bound(field, field.ring.constant(number), Budget(20))) <= number
+
+
+@pytest.mark.parametrize(
+    ("surface", "f"),
+    [
+        (3 * x**2 + 2 * x * y + 3 * y**2, x - y),
+        (-2 * x**2 + 4 * x * y - 5 * y**2, x * y + x),
+        (5 * x**2 + 4 * x * y + 2 * y**2 + 2 * y * z + 3 * z**2, x + y + z),
+    ],
+)
+def test_a_definite_form_vanishes_at_the_origin_alone(surface: sp.Expr, f: sp.Expr):
+    assert decided(f, surface=(surface,)).status == "proved"
+    assert decided(f + 1, surface=(surface,)).status == "refuted"

@@ -1,4 +1,8 @@
-"""Quadratic Hamiltonians: symplectic diagonalisation, and the normal modes of small oscillations."""
+"""Quadratic Hamiltonians: symplectic diagonalisation, and the normal modes of small oscillations.
+
+Conditioning: squares of frequencies are known to roundings of the largest one, so that a slow mode beside a fast one
+loses (Ω/ω)²; of chains `canon.numeric.chains` keeps it. Modes of frequencies that coincide are known up to rotations.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Unit quaternions (w, x, y, z) as rotations, with components on the first axis; q v q* takes body to space."""
+"""Unit quaternions (w, x, y, z) as rotations, with components on the first axis; q v q* takes body to space.
+
+Conditioning: a quaternion knows θ next to 0 or π to a part of itself, and (φ ± ψ)/2 to roundings of a turn.
+"""
 
 from __future__ import annotations
 

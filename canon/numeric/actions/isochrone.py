@@ -3,6 +3,8 @@
 With k = am, s = √(b² + r²), λ = ½(L + √(L² + 4kb)) and β = −2mE, J_r/2π = k/√β − λ. Near a circle the two terms agree
 in all but their last digits; but k² − βλ² = λ² p_r² + (λ² − ks)²/r² is a sum of squares, and λ² − ks, which vanishes on
 the circle, is taken in double-double arithmetic. So is β, which vanishes for an orbit that is hardly bound.
+Conditioning: next to a circle J_r is as the square of the eccentricity e, so that relative errors ε of a state are
+errors of some ε/e of J_r; the energy of a hardly bound orbit is known to ε of its two terms, and J_r with it.
 Hénon (1959), Ann. Astrophys. 22, 126; Binney and Tremaine (2008), Galactic Dynamics, 3.5.2.
 """
 

@@ -1,4 +1,8 @@
-"""SO(3,1): rotations and boosts of space and time, with c = 1 and components (t, x, y, z)."""
+"""SO(3,1): rotations and boosts of space and time, with c = 1 and components (t, x, y, z).
+
+Conditioning: of a pure boost the rapidity ζ is known to roundings of the matrix, relative to itself, next to 0 and at
+γ = 10⁸ alike; of a rotation beside a boost a rounded matrix knows e^ζ roundings, which `log_error` states.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""SE(3): rotations with translations, x → R x + b."""
+"""SE(3): rotations with translations, x → R x + b.
+
+Conditioning: that of `so3`; b and v are linear in each other by a matrix of condition (|ω|/2)/sin(|ω|/2), at most π/2
+for |ω| ≤ π.
+"""
 
 from __future__ import annotations
 

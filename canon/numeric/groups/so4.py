@@ -1,4 +1,8 @@
-"""SO(4): two rotations of quaternions, x → a x b, by which its algebra is so(3) + so(3)."""
+"""SO(4): two rotations of quaternions, x → a x b, by which its algebra is so(3) + so(3).
+
+Conditioning: both vectors are known to roundings of the matrix, which are roundings of 1: a small one beside a large
+one is not known to a part of itself.
+"""
 
 from __future__ import annotations
 

@@ -13,8 +13,9 @@ from typing import Final
 import numpy as np
 
 from canon.claims.audit_subject import AuditSubject
-from canon.numeric.differences import SHORTEST_STEP, central_differences, kinks
+from canon.numeric.differences import kinks, misfits
 from canon.numeric.differentiable import Differentiable, differentiable
+from canon.numeric.noise import noise_of
 from canon.numeric.points import Points
 from canon.numeric.precision import NAMES, UNIT
 from canon.numeric.residuals import Residuals, brackets, determinants, invariants, weighted_mean
@@ -41,11 +42,11 @@ LOOKS: Final = 4096
 
 CORNERED: Final = frozenset(["abs", "max", "min", "sign", "floor", "ceil", "round", "rem", "select"])
 
-ALONG: Final = 0.1
-COMPARED: Final = 3
 SLACK: Final = 1e-6
-"""At so many points, over this part of the domain, derivatives and differences of values are compared: they may differ
-by that part of them without a warning."""
+"""jax's derivatives and differences of values may differ by this part of them without a warning."""
+
+COMPARED: Final = 3
+"""At so many points the noise of values is measured for that."""
 
 
 @dataclass
@@ -175,31 +176,23 @@ class AuditRun:
             self._compare_derivatives(points, M, E)
 
     def _compare_derivatives(self, points: Array, M: Array, E: Array) -> None:
-        """Compare the derivative along one direction with differences of values, at the first few points."""
+        """Compare derivatives with differences of values, at each of the first points along a direction of its own."""
         assert self.map is not None
-        evaluate = self.map.evaluate
-        direction = self.where.lengths * np.cos(np.arange(1, points.shape[1] + 1))
-        compared = False
-        points, M, E = points[:COMPARED], M[:COMPARED], E[:COMPARED]
+        count = max(1, min(len(points), LOOKS // points.shape[1] ** 2))
+        points, M, E = points[:count], M[:count], E[:count]
+        evaluate, lengths, unit = self.map.evaluate, self.where.lengths, self.map.unit
         usable = np.isfinite(M).all(axis=(1, 2)) & np.isfinite(E).all(axis=(1, 2))
-        for z, slope, off in zip(points[usable], M[usable], E[usable], strict=True):
-
-            def along(s: Array, z: Array = z) -> Array:
-                return evaluate(z + s * direction)
-
-            difference, error = central_differences(
-                along, np.zeros((1, 1)), np.full(1, ALONG), self.map.unit, at_once=True
-            )
-            gap = np.abs(slope @ direction - difference[0, :, 0])
-            size = np.abs(slope) @ np.abs(direction)
-            # far from the origin, the points themselves are rounded
-            rounded = np.abs(slope) @ np.abs(z) * UNIT / (ALONG * SHORTEST_STEP)
-            if np.all(gap <= error[0, :, 0] + off @ np.abs(direction) + SLACK * size + rounded):
-                return
-            compared = compared or bool(np.all(np.isfinite(gap)))
-        if compared:
+        if not usable.any():
+            return
+        points, M, E = points[usable], M[usable], E[usable]
+        noise = noise_of(evaluate, points[:COMPARED], lengths, unit)
+        wrong = misfits(evaluate, points, M, E, lengths, unit, noise, unseen=SLACK)
+        if wrong.any():
+            wrong[wrong] = ~self.bends_at(points[wrong])  # there any derivative is one of several
+        if wrong.any():
             self.doubts.append(
-                "the derivatives are not those of the values: a rounding, a stopped gradient, or a custom derivative"
+                "the derivatives are not those of the values (a rounding, a stopped gradient, or a custom derivative) "
+                f"at {int(wrong.sum())} of {len(points)} points, for instance at {self.place(points[wrong][0])}"
             )
 
     def _tally(self, points: Array, M: Array, E: Array, counted: int) -> None:

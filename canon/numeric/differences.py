@@ -29,8 +29,12 @@ AT_ONCE: Final = 2**17
 """So many numbers are evaluated at once."""
 
 PROBES: Final = 3
-PROBE_STEP: Final = 0.004
-"""Derivatives are tried by differences along one direction, at so many steps, the longest this part of the lengths."""
+PROBE_STEPS: Final = (4e-3, 1e-4, 3e-6, 1e-7, 3e-9)
+"""Derivatives are tried by differences along one direction, of so many steps, the longest this part of the lengths."""
+TOGETHER: Final = 256
+"""So many points are tried with all steps at once."""
+REACH: Final = 0.02
+"""Over such a step M must change the values by no more than this part of their range."""
 UNSEEN: Final = 1e-11
 """They may differ by this part of their size without notice."""
 
@@ -108,27 +112,52 @@ def misfits(
     lengths: Array,
     unit: float,
     noise: Array | float = 0.0,
+    *,
+    unseen: float = UNSEEN,
 ) -> Array:
     """At which points (N, m) the Jacobian M, off by at most E, isn't that of the values: (N,).
 
     It is tried along one direction that differs from point to point, by differences and an estimate of their error. A
-    complex step doesn't see what a function does with |x|, or with x.real, and that may begin anywhere.
+    complex step doesn't see what a function does with |x|, or with x.real, and that may begin anywhere. Steps tell
+    nothing of a map that folds many times within them: there M would take the values far beyond their range, and
+    shorter steps are tried. Less than the part `unseen` of M isn't told.
     """
     directions = lengths * np.random.default_rng(1).choice([-1.0, -0.7, 0.7, 1.0], points.shape)
-
-    def along(s: Array) -> Array:
-        return evaluate(points + s * directions)
-
-    slopes, errors = central_differences(
-        along, np.zeros((len(points), 1)), np.ones(1), unit, noise=noise, first=PROBE_STEP, levels=PROBES
-    )
     with np.errstate(all="ignore"):
-        gap = np.abs(np.einsum("bij,bj->bi", M, directions) - slopes[:, :, 0])
-        size = np.einsum("bij,bj->bi", np.abs(M), np.abs(directions))
-        off = np.einsum("bij,bj->bi", E, np.abs(directions))
+        expected = np.einsum("bij,bj->bi", M, directions)
+        reach = np.einsum("bij,bj->bi", np.abs(M), np.abs(directions))
+        off = np.einsum("bij,bj->bi", E, np.abs(directions)) + unseen * reach
         # far from the origin, the points themselves are rounded
-        rounded = np.einsum("bij,bj->bi", np.abs(M), np.abs(points)) * unit * 2**PROBES / PROBE_STEP
-        return np.any(gap > errors[:, :, 0] + off + UNSEEN * size + rounded, axis=1)
+        rounding = np.einsum("bij,bj->bi", np.abs(M), np.abs(points)) * unit * 2**PROBES
+        values = evaluate(points)
+        ranges = np.where(len(points) > 2, np.nanmax(values, axis=0) - np.nanmin(values, axis=0), 0.0)
+        ranges = np.where(ranges > 0, ranges, np.nanmax(np.abs(values), axis=0))
+    suspects, wrong = np.arange(len(points)), np.zeros(len(points), dtype=bool)
+    before: tuple[Array, Array] | None = None
+    for step in PROBE_STEPS:
+        z, d = points[suspects], directions[suspects]
+
+        def along(s: Array, z: Array = z, d: Array = d) -> Array:
+            times = len(s) // len(z)
+            return evaluate(np.tile(z, (times, 1)) + s * np.tile(d, (times, 1)))
+
+        origin = np.zeros((len(z), 1))
+        found = central_differences(
+            along, origin, np.ones(1), unit, at_once=len(z) <= TOGETHER, noise=noise, first=step, levels=PROBES
+        )
+        slopes, errors = (array[:, :, 0] for array in found)
+        with np.errstate(all="ignore"):
+            errors = errors + rounding[suspects] / step
+            if before is not None:
+                same = np.abs(slopes - before[0]) <= errors + before[1]
+                slopes, errors = np.where(same, before[0], slopes), np.where(same, before[1], errors)
+            told = reach[suspects] * step <= REACH * ranges
+            wrong[suspects] = (told & (np.abs(expected[suspects] - slopes) > errors + off[suspects])).any(axis=1)
+        again = wrong[suspects] | ~told.all(axis=1)
+        suspects, before = suspects[again], (slopes[again], np.where(told, errors, -np.inf)[again])
+        if not len(suspects):
+            break
+    return wrong
 
 
 def kinks(

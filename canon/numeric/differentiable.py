@@ -42,6 +42,12 @@ FEW: Final = 16
 BLOCK: Final = 128
 """Points at once where errors are estimated: such functions are long, and each point is computed three times."""
 
+CLOSE: Final = 1e-9
+"""The part of M by which complex steps may miss differences where it is asked whether a map continues analytically."""
+
+SHORTER: Final = (1e-3, 2e-5)
+"""First steps of differences, as parts of the lengths, where the usual ones are too long for the map."""
+
 USELESS: Final = 1e-2
 """A bound that is this part of the derivatives leaves two digits: an estimate tells more."""
 
@@ -99,7 +105,6 @@ def differentiable(
     unit = mapped.unit
     trial = points[mapped.usable[:TRIAL_POINTS]]
     noise = noise_of(mapped.evaluate, trial, lengths, unit) if mapped.steady else np.zeros(points.shape[1])
-    M, E = central_differences(mapped.evaluate, trial, lengths, unit, noise=noise)
     common: dict[str, Any] = {
         "dimension": points.shape[1],
         "kind": "numpy" if program is None else "jax",
@@ -111,12 +116,11 @@ def differentiable(
         "said": mapped.said,
         "noise": float(noise.max()),
     }
-    stepped = complex_step(mapped, trial, lengths)
-    if unit == UNIT and np.all(np.abs(stepped - M) <= 4 * E + 1e-9 * np.abs(M)):
+    if unit == UNIT and _continues(mapped, trial, lengths, noise):
         return Differentiable(method="complex step", linearise=_stepped(mapped, lengths, noise), **common)
     return Differentiable(
         method="central differences",
-        linearise=lambda z: central_differences(mapped.evaluate, z, lengths, unit, noise=noise),
+        linearise=_differenced(mapped, lengths, unit, noise),
         **common,
     )
 
@@ -128,6 +132,7 @@ def _stepped(mapped: PointMap, lengths: Array, noise: Array) -> Linearise:
     comes in beyond some p, differences take their place.
     """
     stepping = neighbours(lambda z, stretch: complex_step(mapped, z, lengths, stretch), UNIT)
+    differences = _differenced(mapped, lengths, UNIT, noise)
 
     def linearised(points: Array) -> tuple[Array, Array]:
         M = np.full((*points.shape, points.shape[1]), np.nan)
@@ -139,7 +144,36 @@ def _stepped(mapped: PointMap, lengths: Array, noise: Array) -> Linearise:
         bad = real & ~np.asarray(np.isfinite(M).all(axis=(1, 2)))
         bad[real] |= misfits(mapped.evaluate, points[real], M[real], E[real], lengths, UNIT, noise)
         if bad.any():
-            M[bad], E[bad] = central_differences(mapped.evaluate, points[bad], lengths, UNIT, noise=noise)
+            M[bad], E[bad] = differences(points[bad])
+        return M, E
+
+    return linearised
+
+
+def _continues(mapped: PointMap, points: Array, lengths: Array, noise: Array) -> bool:
+    """Whether complex steps are the map's derivatives at these points: it continues analytically, as far as seen."""
+    M = complex_step(mapped, points, lengths)
+    if not np.isfinite(M).all():
+        return False
+    return not misfits(mapped.evaluate, points, M, np.abs(M) * CLOSE, lengths, UNIT, noise).any()
+
+
+def _differenced(mapped: PointMap, lengths: Array, unit: float, noise: Array) -> Linearise:
+    """M by differences; at points where the map folds within their steps, by shorter ones, else M isn't known."""
+
+    def linearised(points: Array) -> tuple[Array, Array]:
+        M, E = central_differences(mapped.evaluate, points, lengths, unit, noise=noise)
+        left = np.arange(len(points))
+        for first in (*SHORTER, 0.0):
+            bad = misfits(mapped.evaluate, points[left], M[left], E[left], lengths, unit, noise)
+            left = left[bad]
+            if not len(left):
+                break
+            if first:
+                M[left], E[left] = central_differences(
+                    mapped.evaluate, points[left], lengths, unit, noise=noise, first=first
+                )
+        E[left] = np.inf
         return M, E
 
     return linearised

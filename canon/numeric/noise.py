@@ -37,7 +37,7 @@ def noise_of(evaluate: Callable[[Array], Array], points: Array, lengths: Array, 
     with np.errstate(all="ignore"):
         for step in STEPS:
             moved = points[None] + step * nodes[:, None, None] * directions[None]
-            values = np.stack([evaluate(each) for each in moved])
+            values = evaluate(moved.reshape(-1, points.shape[1])).reshape(moved.shape)
             found += [
                 np.sqrt(np.mean(np.diff(values, order, axis=0) ** 2, axis=0) / comb(2 * order, order))
                 for order in ORDERS

@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import jax
+import jax.numpy as jnp
 import numpy as np
 import pytest
 
@@ -66,6 +68,43 @@ def test_complex_steps_are_tried_at_every_point(part: Any) -> None:
     assert wall.verdict == "supported"
 
 
+def kicks(numbers: Any, turns: int, off: float = 0.0) -> Any:
+    """The standard map, so strongly kicked that in a few turns no difference of its values is a derivative."""
+
+    def step(q: Any, p: Any) -> Any:
+        for _ in range(turns):
+            p = p + 3.0 * numbers.sin(q)
+            q = q + p
+        return q, p * (1 + off)
+
+    return step
+
+
+def test_chaos_is_no_failure() -> None:
+    """Central differences of the longer steps meet by chance; complex steps and forward AD don't need them."""
+    for numbers in (np, jnp):
+        report = audit(kicks(numbers, 8), dimension=2, samples=200)
+        assert report.verdict == "supported", report
+        assert report.condition > 1e9
+    assert audit(kicks(np, 3, 1e-9), dimension=2, samples=50).failures
+    ripple = audit(lambda q, p: (q + 1e-3 * np.sin(1e6 * p), p), dimension=2, samples=200)
+    assert ripple.verdict == "supported"
+    folded = audit(lambda q, p: kicks(np, 8)(np.real(q), p), dimension=2, samples=200)
+    assert folded.derivatives == "central differences"
+    assert not folded.failures
+
+
+def test_derivatives_are_compared_with_values_at_every_point() -> None:
+    """A stopped gradient beyond some momentum: jax's derivatives are right at the first points, and wrong there."""
+
+    def stopped(q: Any, p: Any) -> Any:
+        return q, jnp.where(p > 0.9, p - 1e-3 * jax.lax.stop_gradient(p), p)
+
+    report = audit(stopped, dimension=2, samples=300)
+    assert report.verdict == "undecided"
+    assert any("derivatives are not those of the values" in doubt for doubt in report.doubts)
+
+
 def in_float32(q: Array, p: Array, mistaken: float = 0.0) -> tuple[Array, Array]:
     """A kick by a force that is computed in float32, and added in float64."""
     force = np.sin(q.astype(np.float32))
@@ -123,7 +162,6 @@ def test_wrong_limits_are_told() -> None:
 
 def test_fewer_digits_within_a_jax_program_are_told() -> None:
     """numpy takes bfloat16 for no floating-point type: its roundings counted as none."""
-    import jax.numpy as jnp
 
     def step(z: Any) -> Any:
         return jnp.stack([z[0], z[1] - 0.1 * jnp.sin(z[0].astype("bfloat16"))])

@@ -141,8 +141,8 @@ def _of_root(Q: Any, e: Any, slope: Any, height: Any, left: bool, positive: Test
     if positive(top):
         arc = sp.acosh(slope / root) if left else sp.acosh(-slope / root)
         return arc / sp.sqrt(top)
-    arc = sp.asin(slope / root)
-    return (sp.pi / 2 - side * arc) / sp.sqrt(-top)
+    arc = sp.asin(slope / root) if left else sp.asin(-slope / root)
+    return (sp.pi / 2 - arc) / sp.sqrt(-top)
 
 
 def _sign_beside(S: Any, e: Any, inside: Any, positive: Test) -> int | None:

@@ -84,6 +84,8 @@ def average(s: Statement) -> Case:
             return Case([f.sub(mean, equals)])
         zeros = [rate(mean), rate(bound), f.sub(mean, equals)]
         return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)])
+    if "coordinate" in claim:
+        raise Unknown("an average over an orbit")
     u = str(claim["parameter"])
     s.declared |= {u}
     moved = {name: f.read(text, s.names) for name, text in claim["motion"].items()}

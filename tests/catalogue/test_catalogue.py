@@ -23,6 +23,17 @@ def test_every_claim_file_of_every_room_is_listed() -> None:
     assert len(FILES) == len([file for file in folder.glob("*/*.toml") if file.parent.name != "systems"])
 
 
+def test_the_course_is_read_in_its_own_order() -> None:
+    chapter_of, chapters = {item.id: item.chapter for item in statements()}, []
+    for entry in FILES:
+        if Path(str(entry)).parent.name == "course":
+            table = tomllib.loads(entry.read_text(encoding="utf-8"))
+            sources = [table.get("source"), *(claim.get("source") for claim in table["claim"])]
+            chapters.append(next(chapter_of[name] for s in sources for name in cited(s) if name in chapter_of))
+    assert chapters == sorted(chapters)
+    assert {chapters[0], chapters[-1]} == {1, 15}
+
+
 @pytest.mark.parametrize("entry", FILES, ids=lambda entry: entry.name)
 def test_names_are_kebab_case_and_every_claim_has_a_title(entry) -> None:
     assert re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*\.toml", entry.name)

@@ -75,6 +75,10 @@ def test_charges_of_tops_and_systems() -> None:
     weight = effect("gravity_torque", "m = 2.0", "g = 9.81", "l = 0.3")
     assert texts(TOP.format([1.0, 1.0, 0.5]) + weight) == ["H", "M_z", "M_3"]
     assert texts(TOP.format([1.0, 1.1, 0.5])) == ["H", *M]
+    # beside bodies that fall each keeps its own
+    both = texts(BODIES + UNIFORM + 'bodies = ["a"]\n' + TOP.format([1.0, 1.1, 0.5]).replace("8.0", "0"))
+    assert both[-4:] == [f"{name} of the rigid bodies" for name in ("H", *M)]
+    assert both[0] == "H of the bodies"
     system = '[system]\nq_names = ["r", "a"]\np_names = ["pr", "L"]\nH = "(pr**2 + L**2/r**2)/2 - 1/r"\n'
     assert texts(system + "q = [1.0, 0.3]\np = [0.1, 0.9]\n") == ["H", "L"]
     free: Any = '[system]\nq_names = ["x"]\np_names = ["p"]\nH = "p**2/2 - 3*x"\nq = [1.0]\np = [0.3]\n'

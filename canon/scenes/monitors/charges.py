@@ -10,7 +10,7 @@ Applications II.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -64,8 +64,8 @@ def candidates(model: Model) -> list[Candidate]:
 
 def _boosts(model: Model) -> list[Candidate]:
     """t Σ p, Σ m x and Σ e x of bodies, along every axis."""
-    found, places = [], dict(zip(model.p, model.q, strict=False))
-    mass, charge = (dict(zip(model.p, values, strict=False)) for values in (model.mass, model.charge))
+    found, places = [], dict(zip(model.p, model.q, strict=True))
+    mass, charge = (dict(zip(model.p, values, strict=True)) for values in (model.mass, model.charge))
     for name, P in model.momenta.items():
         axis = name.removeprefix("P_")
         own = [y for y in model.p if y in P.free_symbols]
@@ -92,6 +92,12 @@ def charges(model: Model, q: np.ndarray, p: np.ndarray, times: np.ndarray) -> li
 
     **Returns:** independent ones that span all, each with as few candidates as that allows.
     """
+    if model.beside:
+        return [
+            charge._replace(text=f"{charge.text} of the {'rigid bodies' if each[0].rigid else 'bodies'}")
+            for each in _shares(model, q, p)
+            for charge in charges(*each, times)
+        ]
     tried = candidates(model)
     near = _states_near(model, q, p, times, 4 * len(tried) + 8)
     values = observe([each.formula for each in tried], (model.q, model.p, model.t), *near)
@@ -135,6 +141,13 @@ def read_charges(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) ->
     return judged("charges", "conserved", first, last, float(drifts[worst]), bounds[worst], **extra)
 
 
+def _shares(model: Model, q: np.ndarray, p: np.ndarray) -> Iterator[tuple[Model, np.ndarray, np.ndarray]]:
+    """The independent parts of a model, each with its states: what each keeps is kept."""
+    for each in model.beside:
+        yield each, q[:, : len(each.q)], p[:, : len(each.p)]
+        q, p = q[:, len(each.q) :], p[:, len(each.p) :]
+
+
 def _conditions(f: Formula, model: Model, near: tuple[np.ndarray, np.ndarray, np.ndarray]) -> list[np.ndarray]:
     """The terms of df/dt at states (terms, samples), and of each constraint what its reaction changes of f."""
     energy, symbols = f == model.H, (model.q, model.p, model.t)
@@ -143,7 +156,7 @@ def _conditions(f: Formula, model: Model, near: tuple[np.ndarray, np.ndarray, np
         terms += [f.diff(y) * F for y, F in zip(model.p, friction.force, strict=True)]
     found = [observe([term for term in terms if term != 0] or [sp.S.Zero], symbols, *near)]
     for _, g in model.constraints:
-        pulls = zip(model.q, model.p, strict=not model.beside)
+        pulls = zip(model.q, model.p, strict=True)
         parts = [g.diff(model.t)] if energy else [f.diff(y) * g.diff(x) for x, y in pulls]
         found.append(observe(parts, symbols, *near))
     return found
@@ -158,7 +171,7 @@ def _states_near(
     span = max(float(np.ptp(times)), 1e-300)
     states = []
     for x in (q, p):
-        size = max(float(np.abs(x).max(initial=0.0)), 1e-300)
+        size = float(np.abs(x).max(initial=0.0)) or 1.0
         states.append(x[rows] + 0.2 * size * random.standard_normal((count, x.shape[1])))
     return times[0] + span * random.uniform(0.1, 0.9, count), *states
 

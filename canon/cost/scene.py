@@ -63,7 +63,7 @@ def cost_of_scene(
     """
     if watch:
         watch("the reference")
-    found = reference_of(scene, seconds=patience)
+    found = reference_of(scene, seconds=patience, compared=integrators)
     points: list[Point] = []
     orders: dict[str, int] = {}
     messages: list[str] = []

@@ -13,12 +13,13 @@ from canon.cost.action import cost_of_action
 from canon.cost.claim import cost_of_claim
 from canon.cost.loop import cost_of_loop
 from canon.cost.normal_form import cost_of_normal_form, hamiltonian_of_scene, henon_heiles
-from canon.cost.reference import reference_of
-from canon.cost.scene import cost_of_scene
+from canon.cost.reference import FINEST, distance, reference_of
+from canon.cost.scene import USUAL, cost_of_scene
 from canon.cost.study import measured_order
 from canon.cost.taylor import NoSeries, flow, reference
 from canon.errors import BudgetExceeded, InputError
 from canon.numeric.actions.balls import precision
+from canon.scenes.methods import NYSTROM, SPLITTING
 from canon.scenes.reader import read_scene_text
 
 x, p, t = sp.symbols("x p t", real=True)
@@ -158,3 +159,12 @@ def test_a_wrong_normal_form_would_show():
 def test_normal_forms_of_scenes_refuse_friction():
     with pytest.raises(InputError):
         hamiltonian_of_scene(read_scene_or_system("forced_oscillator"))
+
+
+def test_a_reference_is_never_what_is_compared():
+    scene = read_scene_or_system("two_body")
+    fine, other = (reference_of(scene, seconds=0.0, compared=names) for names in ((), (FINEST,)))
+    assert FINEST in fine.source
+    assert "DOP853" in other.source
+    assert distance((other.q, other.p), (fine.q, fine.p), (scene.q, scene.p)) < 1e-9
+    assert FINEST not in (*SPLITTING, *NYSTROM, *USUAL)

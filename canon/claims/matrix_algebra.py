@@ -258,7 +258,7 @@ def closings(
         for a, b in combinations(range(len(names)), 2):
             bracket = ((basis[a] * basis[b] - basis[b] * basis[a]) * factor).applyfunc(sp.expand)
             row = (sp.Matrix([[bracket[k] for k in columns]]) * inverse).applyfunc(sp.cancel)
-            constants[a, b] = {c: value for c, value in enumerate(row) if value != 0}
+            constants[a, b] = {c: _short(value) for c, value in enumerate(row) if value != 0}
             rest = bracket - sum((v * basis[c] for c, v in constants[a, b].items()), start=sp.zeros(*bracket.shape))
             label = f"[{names[a]}, {names[b]}] in the span"
             unreal = [sp.im(v) for v in constants[a, b].values() if not v.is_real]
@@ -267,6 +267,11 @@ def closings(
         closed = question.decide(residuals, region) if residuals else exact("proved", "linear algebra")
         sampled = question.method == "numeric" and closed.status == "supported"
         yield closed, LieAlgebra(names, constants) if closed.status == "proved" or sampled else None, words
+
+
+def _short(value: Any) -> Any:
+    """A number with its roots above the line, and formulas as they are."""
+    return value if value.free_symbols else sp.expand(sp.radsimp(value))
 
 
 def independent_entries(entries: list[list[Any]]) -> list[int] | None:

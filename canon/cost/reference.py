@@ -134,7 +134,7 @@ def _by_fine_splitting(
         if off >= best and best < ROUNDING:
             break
         ends, best = [*ends[-1:], new], off
-        if time.monotonic() - begun > seconds:
+        if len(ends) == 2 and time.monotonic() - begun > seconds:
             break
     return _of_two(ends, state, f"{FINEST}, its rounding kept, in double precision")
 

@@ -158,7 +158,8 @@ def _distance(numbers: Numbers, values: list[Any], equals: Any) -> Any:
 
 def stationary(s: Statement) -> Case:
     """Lagrange's equations hold along the path; what is said of the second variation is not looked at."""
-    second = any(word in s.claim for word in ("extremum", "field", "conjugate"))
+    s.claim.unread -= {"from", "to"}  # Lagrange's equations are the same between any ends
+    second = any([word in s.claim for word in ("extremum", "field", "conjugate")])
     if second and s.verdict == "refuted":
         raise Unknown("a second variation")
     f, t, v = s.f, s.time, list(s.claim["velocities"])

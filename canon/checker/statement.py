@@ -27,6 +27,31 @@ KNOWN = {
 """What a certificate may say of what its claim leaves open."""
 
 
+DESCRIBE = ("kind", "title", "source", "expect", "antiderivative")
+"""Keys of claims that say nothing of what has to hold."""
+
+
+class Keys(dict[str, Any]):
+    """A claim's keys, and which were asked for: one that nobody looked at may change what the claim means."""
+
+    def __init__(self, table: Mapping[str, Any]) -> None:
+        super().__init__(table)
+        self.unread = {*table} - {*DESCRIBE}
+
+    def __getitem__(self, key: str) -> Any:
+        self.unread.discard(key)
+        return super().__getitem__(key)
+
+    def __contains__(self, key: object) -> bool:
+        self.unread.discard(str(key))
+        return super().__contains__(key)
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """The value of a key."""
+        self.unread.discard(key)
+        return super().get(key, default)
+
+
 class Statement:
     """A claim file's tables with one claim, in the coordinates in which old and new variables are explicit.
 
@@ -35,7 +60,7 @@ class Statement:
     """
 
     def __init__(self, tables: Mapping[str, Any], known: Mapping[str, Any], verdict: str) -> None:
-        space, self.claim = tables["phase_space"], tables["claim"]
+        space, self.claim = tables["phase_space"], Keys(tables["claim"])
         self.verdict = verdict
         self.known = {word: known[word] for word in KNOWN[verdict] if word in known}
         self.words = {name: [w] if isinstance(w, str) else list(w) for name, w in tables.get("symbols", {}).items()}

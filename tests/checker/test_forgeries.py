@@ -103,6 +103,8 @@ FORGERIES: dict[str, dict[str, Any]] = {
         "kind": "integral", "f": "-1/x**2", "variable": "x", "from": "-1", "to": "1", "equals": "2",
         "antiderivative": "1/x"}}, "cases": [{"kernels": [], "atoms": {}, "residuals": [
             {"numerator": {}, "denominator": {"": "1"}, "cofactors": {}}] * 2}]}),
+    # a key that nobody looks at
+    "an unknown key": forged("x", "x", claim={"kind": "identity", "lhs": "x", "rhs": "x", "and_so_is": "1 = 0"}),
     # inequalities between numbers that cancel
     "digits that cancel": forged("0", "3 - ((pi + 10**200) - 10**200)",
         claim={"kind": "inequality", "lhs": "0", "rhs": "3 - ((pi + 10**200) - 10**200)", "relation": "<"}),

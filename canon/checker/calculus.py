@@ -156,10 +156,14 @@ def _distance(numbers: Numbers, values: list[Any], equals: Any) -> Any:
     raise Outside  # slowly, as a logarithm does, or not at all: nothing can be said
 
 
+VARIATION = ("extremum", "field", "conjugate")
+"""What a claim may say of the second variation."""
+
+
 def stationary(s: Statement) -> Case:
     """Lagrange's equations hold along the path; what is said of the second variation is not looked at."""
-    s.claim.unread -= {"from", "to"}  # Lagrange's equations are the same between any ends
-    second = any([word in s.claim for word in ("extremum", "field", "conjugate")])
+    s.claim.unread -= {"from", "to", *VARIATION}  # Lagrange's equations are the same between any ends
+    second = bool({*VARIATION} & s.claim.keys())
     if second and s.verdict == "refuted":
         raise Unknown("a second variation")
     f, t, v = s.f, s.time, list(s.claim["velocities"])

@@ -133,7 +133,22 @@ class _Orbit:
         if not runs:
             raise Outside
         i, j = min(runs, key=lambda run: (abs(GRID[run[0]] + GRID[run[1]]), -run[0]))
+        self._check_one_loop(i, j, rough)
         return self._edge(GRID[i], GRID[i - 1]), self._edge(GRID[j], GRID[j + 1])
+
+    def _check_one_loop(self, i: int, j: int, rough: Numbers) -> None:
+        """Raises Outside where D seems to touch 0 between the ends: two loops meet there, at a separatrix."""
+        D = [self.discriminant(rough.mp.mpf(q), rough)[0] for q in GRID[i : j + 1]]
+        for k in range(1, len(D) - 1):
+            if not D[k - 1] > D[k] <= D[k + 1]:
+                continue
+            low, high = rough.mp.mpf(GRID[i + k - 1]), rough.mp.mpf(GRID[i + k + 1])
+            for _ in range(60):
+                third = (high - low) / 3
+                left, right = (self.discriminant(q, rough)[0] for q in (low + third, high - third))
+                low, high = (low, high - third) if left < right else (low + third, high)
+            if self.discriminant((low + high) / 2, rough)[0] < min(D[k - 1], D[k + 1]) / 10**6:
+                raise Outside
 
     def _edge(self, inside: float, outside: float) -> Any:
         """Where the motion ends, by halving."""

@@ -80,3 +80,14 @@ def test_what_is_no_loop_is_an_input_error() -> None:
         loop_integral(lambda s: s)
     with pytest.raises(InputError, match="not finite"):
         loop_integral(lambda s: np.stack([s * np.nan, s], axis=1))
+
+
+def test_a_ripple_that_all_nodes_miss_is_not_resolved() -> None:
+    """Doubled nodes agree, and the sums with them, though the loop goes astray between: only a look tells."""
+
+    def rippled(s: Array) -> Array:
+        fast = 2 * np.pi * 2**17 * s
+        return loop(s) + 0.5 * np.stack([np.sin(fast), np.cos(fast)], axis=1)
+
+    assert loop_integral(loop).resolved
+    assert not loop_integral(rippled).resolved

@@ -149,3 +149,31 @@ def test_the_last_invariant_is_the_determinant() -> None:
     lagrange = np.swapaxes(M, 1, 2) @ J @ M - J
     assert np.allclose(first.sizes.max(axis=1), np.abs(lagrange).max(axis=(1, 2)))
     assert np.allclose(second.sizes[:, 0], np.abs(det - 1))
+
+
+def exact(M: Array) -> sp.Matrix:
+    return sp.Matrix(M.shape[0], M.shape[1], [sp.Rational(*float(x).as_integer_ratio()) for x in M.ravel()])
+
+
+def test_sums_and_determinants_of_exact_entries_have_bounds_for_their_own_rounding() -> None:
+    """Of entries that are not off at all, brackets and det M are off by what was rounded on the way, and no more."""
+    M = np.random.default_rng(3).normal(size=(20, 6, 6))
+    M[:, :3] = M[:, 3:] + 1e-3 * M[:, :3]  # terms that cancel: their sum's own last digit is finer than theirs
+    found = brackets(M, np.zeros_like(M))
+    det, det_bound, _ = determinants(M, np.zeros_like(M), np.ones(6))
+    J = sp.Matrix(np.block([[np.zeros((3, 3)), np.eye(3)], [-np.eye(3), np.zeros((3, 3))]]).astype(int))
+    finer = 0
+    for k in range(20):
+        E = exact(M[k])
+        full = E * J * E.T
+        for off, value, bound in (
+            (full[:3, :3], found.QQ[k], found.QQ_bound[k]),
+            (full[:3, 3:], found.QP[k], found.QP_bound[k]),
+            (full[3:, 3:], found.PP[k], found.PP_bound[k]),
+        ):
+            error = np.array((off - exact(value)).tolist(), dtype=float)
+            assert np.all(np.abs(error) <= bound)
+            finer += int((np.abs(error) > 2.0**-52 * np.abs(value)).sum())
+        error = abs(float(E.det() - sp.Rational(*float(det[k]).as_integer_ratio())))
+        assert 0 < error <= det_bound[k] < 1e-6
+    assert finer > 20

@@ -18,7 +18,7 @@ from canon.claims.sections import read_types
 from canon.claims.tensors import read_tensor
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary
-from canon.mechanics.phase_space import symbol_with
+from canon.mechanics.assumptions import symbol_with
 
 HIGHEST_DEGREE = 20
 

@@ -14,8 +14,9 @@ from canon.claims.reality import complex_variables
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary, read
 from canon.measure import Measure
+from canon.mechanics.assumptions import ASSUMPTIONS, symbol_with
 from canon.mechanics.generating_function import GeneratingFunction
-from canon.mechanics.phase_space import ASSUMPTIONS, UNSTATED, PhaseSpace, symbol_with
+from canon.mechanics.phase_space import UNSTATED, PhaseSpace
 from canon.vocabulary import nearest
 
 FUNCTION_WORDS: Final = ("function", "real", "positive", "negative", "nonzero")

@@ -11,7 +11,7 @@ from canon.claims.document import Table, key
 from canon.claims.names import Names
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary
-from canon.mechanics.phase_space import symbol_with
+from canon.mechanics.assumptions import symbol_with
 from canon.mechanics.vanishing import vanishes
 
 Matrix = tuple[tuple[Formula, ...], ...]

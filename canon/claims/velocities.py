@@ -71,7 +71,7 @@ def velocity_names(question: Question, word: str) -> tuple[sp.Symbol, ...]:
 
 
 def _unused(name: str, taken: set[str]) -> sp.Symbol:
-    from canon.mechanics.phase_space import symbol_with
+    from canon.mechanics.assumptions import symbol_with
 
     while name in taken:
         name += "_"

@@ -10,6 +10,7 @@ import sympy as sp
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula, read, read_relation
+from canon.mechanics.assumptions import symbol_with
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.relations import region_of
 from canon.vocabulary import Vocabulary
@@ -18,31 +19,6 @@ Names: TypeAlias = str | sp.Symbol | Iterable[str | sp.Symbol]
 
 UNSTATED = ("q__", "p__")
 """The variables of claims that are about no phase space."""
-
-ASSUMPTIONS: dict[str, dict[str, bool]] = {
-    "real": {"real": True},
-    "complex": {"complex": True},
-    "positive": {"positive": True},
-    "negative": {"negative": True},
-    "nonnegative": {"nonnegative": True},
-    "nonzero": {"zero": False},
-    "integer": {"integer": True},
-}
-
-
-def symbol_with(name: str, words: str | Iterable[str] = ()) -> sp.Symbol:
-    """The symbol `name` with the assumptions that `words` name; it is real unless `complex` is among them."""
-    given = words.split() if isinstance(words, str) else list(words)
-    facts: dict[str, bool] = {} if "complex" in given else {"real": True}
-    for word in given:
-        if word not in ASSUMPTIONS:
-            near = get_close_matches(word, ASSUMPTIONS, 1)
-            raise InputError(f"unknown assumption {word!r}" + (f"; did you mean {near[0]!r}?" if near else ""), name)
-        facts |= ASSUMPTIONS[word]
-    try:
-        return sp.Symbol(name, **facts)
-    except ValueError as error:
-        raise InputError(f"the assumptions {', '.join(given)} contradict each other", name) from error
 
 
 def _listed(names: Names) -> tuple[str | sp.Symbol, ...]:
@@ -160,7 +136,9 @@ class PhaseSpace:
         put(self, "t", moment)
         put(self, "parameters", tuple(symbol(name) for name in rest if name not in called))
         put(self, "functions", called)
-        put(self, "domain", domain if domain is not None else Domain())
+        if not isinstance(domain, Domain | None):
+            raise InputError(f"a Domain is expected, not {domain!r}: write space.where(...) for relations", "domain")
+        put(self, "domain", domain or Domain())
         spoken = {name for name, given in words.items() if given}
         listed = [name for names in (q, p, *(new or ())) for name in _listed(names) if isinstance(name, str)]
         put(self, "plain", frozenset(listed) - spoken)

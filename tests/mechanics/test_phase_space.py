@@ -85,3 +85,9 @@ def test_a_space_is_a_value():
     assert first.swapped().swapped() == first
     with pytest.raises(AttributeError):
         first.t = sp.Symbol("s")  # pyright: ignore[reportAttributeAccessIssue]
+
+
+@pytest.mark.parametrize("domain", [sp.Symbol("q") > 0, "q > 0", True])
+def test_a_domain_is_no_relation(domain):
+    with pytest.raises(InputError, match=r"space\.where"):
+        PhaseSpace("q", "p", domain=domain)

@@ -21,6 +21,7 @@ CLAIMS = {
     ("flows", "duffing-time-energy"): (0,),
     ("transformations", "false-singular-hessian"): (0,),
     ("transformations", "lie-transform-truncated"): (0,),
+    ("course", "what-canonical-must-mean"): (2,),
     ("course", "bracket-laws"): (0, 5, 7),
     ("course", "legendre-transform"): (0, 4),
     ("course", "kepler-so4"): (0,),
@@ -37,7 +38,7 @@ CLAIMS = {
     ("actions", "heavy-top-actions"): (2,),
 }
 IN_PART = {
-    ("course", "what-canonical-must-mean", 2): "almost all values",
+    ("transformations", "power-and-angle", 0): "almost all values",
     ("course", "integrals-oscillator", 3): "any component",
     ("course", "hamilton-jacobi-free-fall", 0): "all values of the parameters",
     ("transformations", "kustaanheimo-stiefel", 0): "on a part of the surface",

@@ -84,14 +84,14 @@ def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
             for position in places.get(body["name"], ()):
                 entry, kind = entries[position], body["kind"]
                 record = {**body["record"], "file": entry.file}
-                if _fits(kind, record, entry):
+                if fits(kind, record, entry):
                     found[position] = {kind: record}
     if lines and not sound:
         raise InputError("this file is no journal of `canon verify --resume`", f"--resume {kept.path}")
     return found
 
 
-def _fits(kind: str, record: Record, entry: Entry) -> bool:
+def fits(kind: str, record: Record, entry: Entry) -> bool:
     """Whether a record can be the answer about a claim: it is of that claim, and has all that a report looks at."""
     if kind == "error":
         return all(isinstance(record.get(word), str) for word in ("where", "message"))

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from canon.claim import Claim
-from canon.claims.worker import Settings
+from canon.claims.worker import Entry, Settings
 
 Record = dict[str, Any]
 FORMAT: Final = 1
@@ -74,6 +74,8 @@ def fingerprint() -> str:
 
 def recall(kept: Memory, path: str | os.PathLike[str], name: str) -> tuple[list[Claim], list[Record]] | None:
     """The claims of a file, by what a report needs of them, and their records; None where they aren't remembered."""
+    from canon.claims.journal import fits  # which names its answers by the same fingerprint
+
     try:
         place = kept.entry(Path(path).read_bytes())
         if place.stat().st_size > LARGEST:
@@ -87,9 +89,17 @@ def recall(kept: Memory, path: str | os.PathLike[str], name: str) -> tuple[list[
             for c in body["claims"]
         ]
         records = [{**record, "file": name} for record in body["records"]]
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        sound = len(claims) == len(records) and all(
+            all(
+                value is None or isinstance(value, str)
+                for value in (claim.kind, claim.title, claim.source, claim.expect)
+            )
+            and fits("claim", record, Entry(name, claim.index, claim))
+            for claim, record in zip(claims, records, strict=True)
+        )
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
-    return (claims, records) if len(claims) == len(records) else None
+    return (claims, records) if sound else None
 
 
 def remember(kept: Memory, path: str | os.PathLike[str], claims: Sequence[Claim], records: Sequence[Record]) -> None:

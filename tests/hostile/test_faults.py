@@ -150,7 +150,9 @@ def test_two_runs_that_remember_at_once_spoil_nothing(tmp_path: Path) -> None:
     file = tmp_path / "claims.toml"
     file.write_text(CLAIMS, encoding="utf-8")
     claims, kept = read_text(CLAIMS).claims, Memory(tmp_path / "kept", "settings")
-    records = [[{"verdict": word, "long": word * 50_000}] * 2 for word in ("proved", "refuted")]
+    whole = {"expected": False, "method": "", "detail": {}, "seconds": 0.0, "numeric": None, "witness": None}
+    told = [{"kind": c.kind, "title": c.title, "index": c.index, "certificate": None, **whole} for c in claims]
+    records = [[{**of, "verdict": word, "long": word * 50_000} for of in told] for word in ("proved", "refuted")]
     remember(kept, file, claims, records[0])
     child = os.fork()
     if child == 0:
@@ -166,6 +168,23 @@ def test_two_runs_that_remember_at_once_spoil_nothing(tmp_path: Path) -> None:
         seen.add(found[1][0]["verdict"])
     assert seen <= {"proved", "refuted"}
     assert len(list(kept.folder.iterdir())) == 1
+
+
+def test_a_memory_with_anything_in_it_is_none(tmp_path: Path) -> None:
+    """Also under a checksum that is right."""
+    file = tmp_path / "claims.toml"
+    file.write_text(CLAIMS, encoding="utf-8")
+    claims, kept = read_text(CLAIMS).claims, Memory(tmp_path / "kept", "settings")
+    whole = {"expected": False, "method": "", "detail": {}, "seconds": 0.0, "numeric": None, "witness": None}
+    told = [
+        {"kind": c.kind, "title": c.title, "index": c.index, "certificate": None, "verdict": "proved", **whole}
+        for c in claims
+    ]
+    remember(kept, file, claims, told)
+    assert recall(kept, file, "name") is not None
+    for key, value in (("verdict", "certain"), ("detail", None), ("expected", 1), ("kind", "volume"), ("witness", [])):
+        remember(kept, file, claims, [{**told[0], key: value}, told[1]])
+        assert recall(kept, file, "name") is None
 
 
 def test_a_clock_that_jumps_changes_no_verdict(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -45,7 +45,7 @@ def _with(motion: OneDegree, chosen: Substitution, G: sp.Expr) -> ClosedAction |
     if sign is None:
         return None
     A, B, C = -Q.coeff(U, 2), Q.coeff(U, 1), Q.coeff(U, 0)
-    exists = [A, B**2 + 4 * A * C]
+    exists: list[Any] = [A, B**2 + 4 * A * C]
     if chosen.low != sp.S.NegativeInfinity:
         exists += [-Q.xreplace({U: chosen.low}), B - 2 * A * chosen.low]
     if chosen.high != sp.S.Infinity:
@@ -62,7 +62,7 @@ def _with(motion: OneDegree, chosen: Substitution, G: sp.Expr) -> ClosedAction |
     checks = (("p**2 as a square root of a quadratic", same), ("partial fractions", S - sp.Add(*terms)))
     value = 2 * sign * sp.Add(*(value for value in integrals if value is not None))
     middle: Any = {U: B / (2 * A)}
-    inside = chosen.q.xreplace(middle)
+    inside: Any = chosen.q.xreplace(middle)
     return ClosedAction(value, tuple(exists), checks, f"residues in u = {chosen.u}", inside=inside)
 
 

@@ -148,7 +148,7 @@ def _of_root(Q: Any, e: Any, slope: Any, height: Any, left: bool, positive: Test
 def _sign_beside(S: Any, e: Any, inside: Any, positive: Test) -> int | None:
     """The sign of S next to e; its only zero is e."""
     near: Any = {U: inside}
-    value = sp.factor(S.xreplace(near))
+    value: Any = sp.factor(S.xreplace(near))
     step = next(iter(inside.free_symbols - sp.sympify(e).free_symbols))
     for sign in (1, -1):
         if positive(sp.expand(sign * value / step ** degree(S, U))):

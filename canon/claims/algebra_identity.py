@@ -209,7 +209,8 @@ def _is_semisimple_throughout(algebra: LieAlgebra) -> bool:
     n = algebra.dimension
     ad = [sp.Matrix(n, n, lambda c, b, a=a: algebra.bracket_of(a, b).get(c, 0)) for a in range(n)]
     form = sp.Matrix(n, n, lambda a, b: sp.expand((ad[a] * ad[b]).trace()))
-    return never_zero(sp.factor(form.det(method="berkowitz")))
+    determinant: Any = sp.factor(form.det(method="berkowitz"))
+    return never_zero(determinant)
 
 
 def _at_values(question: Question, region: Region, algebra: LieAlgebra, equals: str | None) -> Outcome:

@@ -166,6 +166,8 @@ def _by_places(question: Question, basis: Sequence[Node], parameters: Sequence[N
             rows, rank = [*rows, row], rank + 1
         if rank == len(basis):
             determinant = DomainMatrix.from_Matrix(sp.Matrix(rows)).to_field().det()
-            value = sp.factor(determinant.as_expr() if hasattr(determinant, "as_expr") else sp.sympify(determinant))
+            value: Any = sp.factor(
+                determinant.as_expr() if hasattr(determinant, "as_expr") else sp.sympify(determinant)
+            )
             return never_zero(value, question.domain().conditions)
     return False

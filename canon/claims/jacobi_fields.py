@@ -141,7 +141,8 @@ def _products(question: Question, span: Range, frame: Node) -> Iterator[Node]:
         return
     plain: Any = sp.trigsimp(tape.to_sympy(frame))
     halved: Any = plain.replace(sp.cos, lambda u: 1 - 2 * sp.sin(u / 2) ** 2)
-    for candidate in (sp.factor(plain), sp.factor(sp.expand(halved))):
+    candidates: tuple[Any, ...] = (sp.factor(plain), sp.factor(sp.expand(halved)))
+    for candidate in candidates:
         node = question.load(candidate)
         if question.decide([Residual("determinant", tape.minus(frame, node))], span.inside).status == "proved":
             yield node

@@ -280,8 +280,9 @@ def independent_entries(entries: list[list[Any]]) -> list[int] | None:
     filled = [k for k in range(width) if any(row[k] != 0 for row in entries)]
     first = [tuple(pivots)] if len(pivots := _pivots(entries)) == size else []
     for columns in (*first, *_some(combinations(filled, size))):
-        determinant = sp.Matrix([[row[k] for k in columns] for row in entries]).det(method="berkowitz")
-        if determinant != 0 and never_zero(sp.factor(determinant)):
+        determinant: Any = sp.Matrix([[row[k] for k in columns] for row in entries]).det(method="berkowitz")
+        factored: Any = sp.factor(determinant)
+        if determinant != 0 and never_zero(factored):
             return list(columns)
     return None
 

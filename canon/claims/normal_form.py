@@ -143,7 +143,8 @@ def _denominators(found: Comparison, used: Iterable[Polynomial]) -> list[sp.Expr
             denominator = sp.fraction(sp.together(found.algebra.value(c)))[1]
             if denominator.free_symbols:
                 below[denominator] = None
-    factors = {base for d in below for base in sp.Mul.make_args(sp.factor(d))}
+    products: list[Any] = [sp.factor(d) for d in below]
+    factors = {base for product in products for base in sp.Mul.make_args(product)}
     plain = {base.base if isinstance(base, sp.Pow) else base for base in factors}
     return sorted((base for base in plain if base.free_symbols), key=str)
 

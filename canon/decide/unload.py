@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import sympy as sp
 
 from canon.decide.tape import Node, Tape
 from canon.special import EllipticPi
 
-NAMES: dict[str, Callable[..., sp.Expr]] = {
+NAMES: dict[str, Callable[..., Any]] = {
     "sin": sp.sin, "cos": sp.cos, "exp": sp.exp, "log": sp.log, "atan": sp.atan, "asin": sp.asin, "acos": sp.acos,
     "atan2": sp.atan2, "abs": sp.Abs, "gamma": sp.gamma, "lambertw": sp.LambertW, "elliptic_k": sp.elliptic_k,
     "elliptic_e": sp.elliptic_e, "integer_power": sp.Pow, "elliptic_ei": sp.elliptic_e, "elliptic_f": sp.elliptic_f,

@@ -166,7 +166,7 @@ def _single_wave(equation: sp.Expr, angle: sp.Symbol, unknowns: Sequence[sp.Symb
         return None
     expanded = sp.expand(equation)
     for wave in (sp.cos, sp.sin):
-        amplitude = expanded.coeff(wave(angle))
+        amplitude: Any = expanded.coeff(wave(angle))
         rest = expanded - sp.expand(amplitude * wave(angle))
         if amplitude != 0 and not amplitude.has(angle) and not rest.free_symbols & {*unknowns}:
             return wave, amplitude, -rest

@@ -114,7 +114,8 @@ def monomial(value: Number) -> tuple[Fraction, Powers] | None:
 
 def _factors(value: Any) -> Iterator[tuple[Any, Any]]:
     """The factors of a product with their powers, sums taken apart once."""
-    for factor in sp.Mul.make_args(sp.factor(value) if value.has(sp.Add) else value):
+    product: Any = sp.factor(value) if value.has(sp.Add) else value
+    for factor in sp.Mul.make_args(product):
         base, exponent = factor.as_base_exp()
         if base.is_Mul:
             for inner, power in _factors(base):

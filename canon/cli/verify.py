@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import sys
 import time
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 from canon.cli.accuracy import no_accuracy
 from canon.cli.files import ClaimFile, claim_files
 from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, count, positive, seconds, whole
+from canon.cli.verify_output import no_proof_file, not_a_folder, print_report, write_proofs
 
 if TYPE_CHECKING:
     from canon.claims.journal import Journal
@@ -94,10 +94,10 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.cli.verify_run import run_claims
     from canon.errors import InputError
 
-    if arguments.certificate is not None and (reason := _not_a_folder(arguments.certificate)):
+    if arguments.certificate is not None and (reason := not_a_folder(arguments.certificate)):
         print(f"canon verify: --certificate: {reason}", file=sys.stderr)
         return BAD_INPUT
-    if arguments.proof is not None and (reason := _no_proof_file(arguments.proof)):
+    if arguments.proof is not None and (reason := no_proof_file(arguments.proof)):
         print(f"canon verify: --proof: {reason}", file=sys.stderr)
         return BAD_INPUT
     settings = _settings(arguments)
@@ -135,7 +135,7 @@ def execute(arguments: argparse.Namespace) -> int:
     answers = [results[position] for position in sorted(results)]
     claims = [answer["claim"] for answer in answers if "claim" in answer]
     errors += [answer["error"] for answer in answers if "error" in answer]
-    if arguments.proof is not None and (reason := _write_proofs(arguments.proof, claims, time.monotonic() - start)):
+    if arguments.proof is not None and (reason := write_proofs(arguments.proof, claims, time.monotonic() - start)):
         print(f"canon verify: --proof: {reason}", file=sys.stderr)
         return BAD_INPUT
     errors.sort(key=lambda error: (order.get(error["file"], -1), _claim_number(error["where"])))
@@ -145,7 +145,7 @@ def execute(arguments: argparse.Namespace) -> int:
     if table and not arguments.json:
         print("\n".join(table))
     else:
-        _print(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
+        print_report(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
     unwritten = [claim["detail"]["certificate_error"] for claim in claims if "certificate_error" in claim["detail"]]
     if unwritten:
         print(f"canon verify: {len(unwritten)} certificates are missing: {unwritten[0]}", file=sys.stderr)
@@ -250,72 +250,7 @@ def _settings(arguments: argparse.Namespace) -> Settings:
     )
 
 
-def _no_proof_file(name: str) -> str:
-    """Return why proofs can't go into a file of this name, or nothing."""
-    from canon.report.proof_file import NOTATIONS, notation_of
-
-    if notation_of(name) is None:
-        return f"{name!r} has none of the endings {', '.join(NOTATIONS)}"
-    folder = os.path.dirname(name) or "."
-    if os.path.isdir(name) or not os.path.isdir(folder):
-        return f"{name!r} is a folder" if os.path.isdir(name) else f"there is no folder {folder!r}"
-    return "" if os.access(folder, os.W_OK) else f"{folder!r} can't be written to"
-
-
-def _write_proofs(name: str, claims: list[Record], seconds: float) -> str:
-    """Write the sections that the claims' records hold, take them out of these, and return what went wrong, if so."""
-    from canon.report.proof_file import document, notation_of
-
-    files = list(dict.fromkeys(claim["file"] for claim in claims))
-    title = f"Proofs of {files[0]}" if len(files) == 1 else f"Proofs of {len(files)} claim files"
-    text = document(str(notation_of(name)), title, claims, seconds)
-    for claim in claims:
-        claim.pop("proof", None)
-    try:
-        Path(name).write_text(text, encoding="utf-8")
-    except OSError as error:
-        return f"{name!r} can't be written: {error.strerror}"
-    return ""
-
-
-def _not_a_folder(name: str) -> str:
-    """Make the folder for certificates, and return why that isn't possible, or nothing."""
-    try:
-        os.makedirs(name, exist_ok=True)
-    except OSError as error:
-        return f"{name!r} is no folder and can't be made one: {error.strerror}"
-    return "" if os.access(name, os.W_OK) else f"{name!r} can't be written to"
-
-
-def _print(record: Record, *, json: bool, terminal: bool, seconds: float, interrupted: int) -> None:
-    """Print the report of the run in the form that the reader of it can use."""
-    if json:
-        print(_notation(record, sys.stdout.encoding or "utf-8"))
-    elif terminal:
-        from rich.console import Console
-
-        from canon.report.console import print_record
-
-        print_record(record, Console(highlight=False), seconds=seconds, interrupted=interrupted)
-    else:
-        from canon.report.plain import print_rest
-
-        print_rest(record, sys.stdout, seconds=seconds, interrupted=interrupted)
-
-
 def _claim_number(where: str) -> int:
     """Return the number of the claim that a place names, 0 for another place."""
     found = re.match(r"claim (\d+)", where)
     return int(found[1]) if found else 0
-
-
-def _notation(record: Record, encoding: str) -> str:
-    """Return the record as JSON; letters that the encoding doesn't have are escaped, never replaced."""
-    import json
-
-    text = json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
-    try:
-        text.encode(encoding)
-    except UnicodeEncodeError:
-        return json.dumps(record, ensure_ascii=True, indent=1, allow_nan=False)
-    return text

@@ -22,10 +22,10 @@ from canon.mechanics.algebra.coefficients import (
     exact,
     increase,
     is_zero,
-    plus,
     sympy_of,
     times,
 )
+from canon.mechanics.algebra.given_table import antisymmetric
 from canon.mechanics.algebra.jacobi import both_orders, jacobi_failure
 from canon.mechanics.algebra.linear import fraction, rational
 
@@ -51,7 +51,7 @@ class LieAlgebra:
         size = len(self.names)
         if len(set(self.names)) < size:
             raise InputError("a name of the basis is given twice")
-        table = _antisymmetric(self.names, self.constants)
+        table = antisymmetric(self.names, self.constants)
         object.__setattr__(self, "names", tuple(self.names))
         rows = {pair: MappingProxyType(dict(sorted(row.items()))) for pair, row in sorted(table.items())}
         object.__setattr__(self, "constants", MappingProxyType(rows))
@@ -281,34 +281,6 @@ def _rational(value: Number) -> Fraction:
     if not isinstance(value, Fraction):
         raise InputError(f"{value} isn't rational: rescale the basis first")
     return value
-
-
-def _antisymmetric(names: Sequence[str], given: Mapping[tuple[int, int], Combination]) -> dict[Any, dict[int, Number]]:
-    table: dict[tuple[int, int], dict[int, Number]] = {}
-    for (a, b), row in given.items():
-        if not all(k in range(len(names)) for k in (a, b, *row)):
-            raise InputError(
-                f"positions in the basis go from 0 to {len(names) - 1}: {(a, b)} or one of {list(row)} doesn't"
-            )
-        numbers = {c: value for c, value in ((c, exact(value)) for c, value in row.items()) if not is_zero(value)}
-        for value in numbers.values():
-            if not isinstance(value, Fraction) and value.has(sp.I) and value.is_real is False:
-                raise InputError(f"{value} isn't real, as structure constants of a real Lie algebra are")
-        if a == b and numbers:
-            raise InputError(f"the bracket of {names[a]} with itself is 0")
-        if a > b:
-            a, b, numbers = b, a, {c: times(value, Fraction(-1)) for c, value in numbers.items()}
-        if not _same(table.setdefault((a, b), numbers), numbers):
-            raise InputError(f"the bracket of {names[a]} and {names[b]} is stated twice, differently")
-    return {pair: row for pair, row in table.items() if row}
-
-
-def _same(first: Combination, second: Combination) -> bool:
-    """Whether two combinations are equal, number by number."""
-    zero = Fraction(0)
-    return first == second or all(
-        is_zero(plus(first.get(c, zero), times(second.get(c, zero), Fraction(-1)))) for c in {*first, *second}
-    )
 
 
 def _rescaled_is_right(constants: Mapping[tuple[int, int], Combination], size: int) -> bool:

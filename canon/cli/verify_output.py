@@ -1,0 +1,75 @@
+"""Where a run of `canon verify` goes: the terminal, as text or JSON, a file of proofs, a folder of certificates."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+Record = dict[str, Any]
+
+
+def no_proof_file(name: str) -> str:
+    """Return why proofs can't go into a file of this name, or nothing."""
+    from canon.report.proof_file import NOTATIONS, notation_of
+
+    if notation_of(name) is None:
+        return f"{name!r} has none of the endings {', '.join(NOTATIONS)}"
+    folder = os.path.dirname(name) or "."
+    if os.path.isdir(name) or not os.path.isdir(folder):
+        return f"{name!r} is a folder" if os.path.isdir(name) else f"there is no folder {folder!r}"
+    return "" if os.access(folder, os.W_OK) else f"{folder!r} can't be written to"
+
+
+def write_proofs(name: str, claims: list[Record], seconds: float) -> str:
+    """Write the sections that the claims' records hold, take them out of these, and return what went wrong, if so."""
+    from canon.report.proof_file import document, notation_of
+
+    files = list(dict.fromkeys(claim["file"] for claim in claims))
+    title = f"Proofs of {files[0]}" if len(files) == 1 else f"Proofs of {len(files)} claim files"
+    text = document(str(notation_of(name)), title, claims, seconds)
+    for claim in claims:
+        claim.pop("proof", None)
+    try:
+        Path(name).write_text(text, encoding="utf-8")
+    except OSError as error:
+        return f"{name!r} can't be written: {error.strerror}"
+    return ""
+
+
+def not_a_folder(name: str) -> str:
+    """Make the folder for certificates, and return why that isn't possible, or nothing."""
+    try:
+        os.makedirs(name, exist_ok=True)
+    except OSError as error:
+        return f"{name!r} is no folder and can't be made one: {error.strerror}"
+    return "" if os.access(name, os.W_OK) else f"{name!r} can't be written to"
+
+
+def print_report(record: Record, *, json: bool, terminal: bool, seconds: float, interrupted: int) -> None:
+    """Print the report of the run in the form that the reader of it can use."""
+    if json:
+        print(_notation(record, sys.stdout.encoding or "utf-8"))
+    elif terminal:
+        from rich.console import Console
+
+        from canon.report.console import print_record
+
+        print_record(record, Console(highlight=False), seconds=seconds, interrupted=interrupted)
+    else:
+        from canon.report.plain import print_rest
+
+        print_rest(record, sys.stdout, seconds=seconds, interrupted=interrupted)
+
+
+def _notation(record: Record, encoding: str) -> str:
+    """Return the record as JSON; letters that the encoding doesn't have are escaped, never replaced."""
+    import json
+
+    text = json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        return json.dumps(record, ensure_ascii=True, indent=1, allow_nan=False)
+    return text

@@ -1,0 +1,46 @@
+"""Tables of brackets as they are given: exact real numbers, each pair once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+import sympy as sp
+
+from canon.errors import InputError
+from canon.mechanics.algebra.coefficients import Combination, Number, exact, is_zero, plus, times
+
+
+def antisymmetric(
+    names: Sequence[str], given: Mapping[tuple[int, int], Combination]
+) -> dict[tuple[int, int], dict[int, Number]]:
+    """The brackets of pairs a < b that don't vanish, from those that are given for either order.
+
+    **Raises:** `InputError` for a position that isn't one, a number that isn't exact and real, a bracket of an element
+    with itself, or a pair that is given twice, differently.
+    """
+    table: dict[tuple[int, int], dict[int, Number]] = {}
+    for (a, b), row in given.items():
+        if not all(k in range(len(names)) for k in (a, b, *row)):
+            raise InputError(
+                f"positions in the basis go from 0 to {len(names) - 1}: {(a, b)} or one of {list(row)} doesn't"
+            )
+        numbers = {c: value for c, value in ((c, exact(value)) for c, value in row.items()) if not is_zero(value)}
+        for value in numbers.values():
+            if not isinstance(value, Fraction) and value.has(sp.I) and value.is_real is False:
+                raise InputError(f"{value} isn't real, as structure constants of a real Lie algebra are")
+        if a == b and numbers:
+            raise InputError(f"the bracket of {names[a]} with itself is 0")
+        if a > b:
+            a, b, numbers = b, a, {c: times(value, Fraction(-1)) for c, value in numbers.items()}
+        if not _same(table.setdefault((a, b), numbers), numbers):
+            raise InputError(f"the bracket of {names[a]} and {names[b]} is stated twice, differently")
+    return {pair: row for pair, row in table.items() if row}
+
+
+def _same(first: Combination, second: Combination) -> bool:
+    """Whether two combinations are equal, number by number."""
+    zero = Fraction(0)
+    return first == second or all(
+        is_zero(plus(first.get(c, zero), times(second.get(c, zero), Fraction(-1)))) for c in {*first, *second}
+    )

@@ -18,7 +18,7 @@ from canon.errors import InputError
 from canon.verdict import Verdict
 
 
-def verify(claim: Claim, *, budget: float, seed: int, method: str) -> Verdict:
+def verify(claim: Claim, *, budget: float, seed: int, method: str, accuracy: float | None) -> Verdict:
     """Do what the claim's kind says."""
     kind = claim.kind
     if kind == "hang":

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import threading
+import time
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
@@ -188,23 +189,33 @@ def test_a_cluster_that_is_not_there_is_an_input_error(tmp_path: Path, capsys: p
     assert "no scheduler of Dask answers at 'no://such.place:1'" in capsys.readouterr().err
 
 
-@pytest.mark.thorough
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore")
 def test_a_worker_of_a_cluster_is_killed_and_nothing_lost(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     import json
 
     distributed = pytest.importorskip("distributed")
-    file = tmp_path / "claims.toml"
+    file, journal = tmp_path / "claims.toml", tmp_path / "journal"
     file.write_text(brackets(400))
+    written: list[int] = []
+
+    def kill(process: int) -> None:
+        while sum(written[-1:]) < 20:  # answers have come, and most have not
+            time.sleep(0.01)
+            written.append(journal.read_bytes().count(b"\n") if journal.exists() else 0)
+        os.kill(process, signal.SIGKILL)
+
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, local_directory=str(tmp_path)
     ) as cluster:
         with distributed.Client(cluster.scheduler_address, set_as_default=False) as client:
             pids = list(client.run(os.getpid).values())
-        killed = threading.Timer(3.0, os.kill, (pids[0], signal.SIGKILL))
-        killed.start()
-        status = main(["verify", "--json", str(file), "--cluster", cluster.scheduler_address])
-        assert not killed.is_alive()
+        killer = threading.Thread(target=kill, args=(pids[0],), daemon=True)
+        killer.start()
+        command = ["verify", "--json", str(file), "--resume", str(journal)]
+        status = main([*command, "--cluster", cluster.scheduler_address])
+        killer.join(30)
+    assert 20 <= written[-1] < 400
     record = json.loads(capsys.readouterr().out)
     assert [claim["index"] for claim in record["claims"]] == list(range(400))
     assert record["summary"] == {"proved": 267, "refuted": 133, "supported": 0, "undecided": 0, "errors": 0}

@@ -16,14 +16,18 @@ from typing import Final
 
 from canon.errors import InputError
 from canon.interruption import interruptible
+from canon.numeric.forecast import GROWTH
 from canon.numeric.integrate import Run, advance
 from canon.numeric.integrators.stepper import Method
 from canon.numeric.operations import operations_per_step
+from canon.numeric.precision import UNIT
 from canon.numeric.run_difference import distance
 from canon.numeric.step_search import AIM, Task
 
 WORTH: Final = 5e9
 """Operations of a run below which others are not tried: to compile them takes longer than that, some seconds."""
+FINE: Final = 1e-9
+"""The accuracy at which candidates for a budget show their order and error constant."""
 LONGEST: Final = 16_384
 """Steps of a run of a trial, at most, unless there are more samples."""
 NARROWER: Final = 16.0
@@ -87,6 +91,39 @@ def predicted(task: Task, methods: Sequence[Method], accuracy: float, *, compare
     taken = best if best.work < GAIN * rule.work else rule
     rest = [each for each in (rule, *found) if each is not taken]
     return [replace(taken, why=""), *(_rejected(each, taken) for each in rest)]
+
+
+def most_accurate(task: Task, methods: Sequence[Method], seconds: float) -> list[Prediction]:
+    """The candidates with the steps that so many seconds of CPU time allow, the one of least error first.
+
+    The first of `methods` is what the rules choose, and stays where another is not expected to halve the error.
+    """
+    first, *others = methods
+    window, trial = _window(task, first, FINE, task.duration)
+    if trial is None:
+        unknown = Prediction(first, _operations(task, first))
+        return [unknown, *(replace(unknown, method=m, operations=0, why="not tried: no order is seen") for m in others)]
+    rule = _prediction(task, first, FINE, window, trial)
+    rate = trial.each / max(rule.operations, 1)
+    rule, *found = (within(each, seconds) for each in (rule, *(_tried(task, m, FINE, window, rate) for m in others)))
+    best = min([rule, *found], key=_error)
+    taken = best if _error(best) < _error(rule) / 2 else rule
+    rest = [each for each in (rule, *found) if each is not taken]
+    return [taken, *(replace(e, why=e.why or f"{_error(e) / _error(taken):.2g} times the error") for e in rest)]
+
+
+def within(each: Prediction, seconds: float) -> Prediction:
+    """The prediction for as many steps as the seconds allow: the error falls as the order says, down to rounding."""
+    if each.steps is None or each.error is None or not each.seconds:
+        return each
+    more = seconds / each.seconds
+    steps = each.steps * more
+    error = each.error * more**-each.method.traits.order + UNIT * steps**GROWTH
+    return replace(each, steps=steps, error=error, seconds=seconds)
+
+
+def _error(each: Prediction) -> float:
+    return math.inf if each.error is None or each.steps is None else each.error
 
 
 def _tried(task: Task, method: Method, accuracy: float, window: float, rate: float) -> Prediction:

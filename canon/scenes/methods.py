@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Final, NamedTuple
 
 from canon.errors import InputError
-from canon.numeric.candidates import Prediction, predicted
+from canon.numeric.candidates import Prediction, most_accurate, predicted
 from canon.numeric.integrators import catalogue
 from canon.numeric.integrators.constrained import Held
 from canon.numeric.integrators.side_by_side import Together
@@ -15,6 +15,10 @@ from canon.scenes.scene import Settings
 
 COARSE: Final = 1e-4
 FINE: Final = 1e-10
+LEAST_BUDGET: Final = 30.0
+"""Seconds below which candidates for a budget are not tried: to compile them takes some seconds."""
+SPENT: Final = 0.5
+"""Of a budget what the last run takes: the runs before it, with half as many steps each, take as much together."""
 
 
 SPLITTING: Final = ("blanes_moan4", "blanes_moan6", "kahan_li8", "sofroniou_spaletta10")
@@ -34,18 +38,25 @@ class Choice(NamedTuple):
 def chosen_for(
     problem: Problem, task: Task, settings: Settings, rule: Choice, *, began_with: str | None = None
 ) -> Choice:
-    """The candidate whose predicted work for the accuracy is least; what the rules say where a method, a step or a
-    budget is given, where the motion is in closed form or of systems side by side, and where trying would take longer
-    than what it could save.
+    """The candidate whose predicted work for the accuracy is least, or whose predicted error within the budget is;
+    what the rules say where a method or a step is given, where the motion is in closed form or of systems side by side,
+    and where trying would take longer than what it could save.
 
     **Arguments:** `began_with`, the method of the run that is gone on with.
     """
     names = _names(problem)
     if began_with in names and settings.integrator is None:
         return Choice(catalogue.method(began_with), "chosen when the run was begun")
-    if not names or settings.integrator is not None or settings.step is not None or settings.accuracy is None:
+    if not names or settings.integrator is not None or settings.step is not None:
         return rule
     others = [catalogue.method(name) for name in names if name != rule.method.name]
+    if settings.accuracy is None:
+        if settings.budget is None or settings.budget < LEAST_BUDGET:
+            return rule
+        best = most_accurate(task, [rule.method, *others], SPENT * settings.budget)
+        same = best[0].method is rule.method
+        why = rule.why if same else f"of least predicted error within the budget among {len(best)} candidates"
+        return Choice(best[0].method, why, tuple(best))
     found = predicted(task, [rule.method, *others], settings.accuracy, compare=settings.compare)
     if found[0].method is rule.method:
         return rule._replace(candidates=tuple(found))

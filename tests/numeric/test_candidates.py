@@ -4,7 +4,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from canon.numeric.candidates import GAIN, WORTH, Prediction, predicted
+from canon.numeric.candidates import GAIN, WORTH, Prediction, most_accurate, predicted, within
 from canon.numeric.integrate import integrate
 from canon.numeric.integrators import catalogue, separable
 from canon.numeric.run_difference import distance
@@ -51,6 +51,24 @@ def test_the_predicted_number_of_steps_reaches_what_is_aimed_at() -> None:
         )
         assert each.error is not None
         assert 0.1 < distance(found, fine) / each.error < 10
+
+
+def test_within_a_budget_an_order_low_enough_is_hopeless() -> None:
+    taken, *others = most_accurate(task(6e6), METHODS, 60.0)
+    assert all(each.steps and each.error and each.seconds == 60.0 for each in (taken, *others))
+    fourth = next(each for each in others if each.method.name == "yoshida4")
+    assert (fourth.error or 0.0) > 100 * (taken.error or 0.0)
+    assert "times the error" in fourth.why
+
+
+@pytest.mark.parametrize(
+    ("seconds", "error"), [(10.0, 1e-3), (20.0, 1e-3 / 16), (5.0, 16e-3), (1e7, 2**-53 * 1e9**0.75)]
+)
+def test_of_more_seconds_the_error_falls_as_the_order_says_down_to_rounding(seconds: float, error: float) -> None:
+    fourth = Prediction(catalogue.method("yoshida4"), 100, 4.0, steps=1e3, error=1e-3, seconds=10.0)
+    found = within(fourth, seconds)
+    assert found.error == pytest.approx(error, rel=0.02)
+    assert found.steps == pytest.approx(100 * seconds)
 
 
 def test_nothing_else_is_tried_for_a_short_run() -> None:

@@ -36,6 +36,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
         "files", nargs="*", metavar="FILE", help="a claim file, or a folder: every *.toml below it (default: catalogue)"
     )
     parser.add_argument(
+        "--catalogue", action="store_true", help="check the built-in catalogue, as is done where no file is given"
+    )
+    parser.add_argument(
         "--coverage",
         action="store_true",
         help="show what checks every statement of the course (of the catalogue)",
@@ -79,8 +82,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
 
 def execute(arguments: argparse.Namespace) -> int:
     """Check what is asked for, print the report, and return the exit status."""
-    if arguments.coverage and arguments.files:
-        print("canon verify: error: --coverage speaks of the built-in catalogue: leave out the files", file=sys.stderr)
+    if arguments.files and (arguments.coverage or arguments.catalogue):
+        option = "--coverage" if arguments.coverage else "--catalogue"
+        print(f"canon verify: error: {option} speaks of the built-in catalogue: leave out the files", file=sys.stderr)
         return BAD_INPUT
     if arguments.cluster is not None and (arguments.certificate is not None or arguments.proof is not None):
         print("canon verify: error: --cluster brings verdicts alone: no certificates and no proofs", file=sys.stderr)

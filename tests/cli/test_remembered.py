@@ -72,7 +72,14 @@ def test_the_second_run_asks_nothing(catalogue, asked, capsys) -> None:
     assert asked == [2, 0]
     assert main(["verify"]) == 0
     assert "2 claims in 1 file: 1 proved, 1 refuted (as expected)" in capsys.readouterr().out
-    assert main(["verify", "--coverage"]) == 0
+    assert _answers(capsys, "--catalogue") == first
+    assert main(["verify", "--catalogue", "--coverage"]) == 0
+
+
+@pytest.mark.parametrize("option", ["--coverage", "--catalogue"])
+def test_the_catalogue_is_no_file(option, capsys) -> None:
+    assert main(["verify", "claims.toml", option]) == 3
+    assert f"{option} speaks of the built-in catalogue" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("options", [["--fresh"], ["--seed", "1"], ["--budget", "3"], ["--method", "all"]])

@@ -1,46 +1,73 @@
 """How many certificates of the catalogue Coq accepts: each is exported, and `coqc` is run on it.
 
     canon verify --fresh --certificate proofs
-    python docs/performance/coq_catalogue.py proofs [--seconds 60] [--jobs 2] [--only WORD]
+    python docs/performance/coq_catalogue.py proofs [--seconds 60] [--jobs 1] [--only WORD] [--journal FILE]
 
 A line for each certificate that Coq refuses, or for which it takes longer than the limit; then the counts, and the
-reasons for which certificates can't be exported. Needs `coqc` (Debian's package `coq`).
+reasons for which certificates can't be exported. The limit and the times are in seconds of `coqc`'s CPU, so that they
+are the same on a busy machine. With a journal, every answer is kept (a line of JSON each), and a run that was broken
+off goes on where it stopped; what was exported in another form since, what was refused, and what didn't end within a
+lesser limit are tried again. Needs `coqc` (Debian's package `coq`).
 """
 
+from __future__ import annotations
+
 import argparse
+import hashlib
+import json
+import math
+import resource
 import subprocess
 import tempfile
-import time
 from collections import Counter
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 from canon.checker.files import load
 from canon.errors import InputError
 from canon.report.coq import coq_of
 
+Answer = dict[str, Any]
 
-def answer(path: Path, seconds: float) -> tuple[str, float, str]:
-    """(answer, seconds of coqc, its message or the reason of a refusal) for one certificate."""
+
+def answer(name: str, path: Path, seconds: float, kept: Mapping[str, Any] | None) -> Answer:
+    """What became of one certificate: its `answer`, `coqc`'s CPU time in `seconds`, a `message` or a reason."""
     data = load(str(path))
-    polynomial = all(not case["kernels"] for case in data["cases"]) if data["verdict"] == "proved" else False
-    kind = "polynomial" if polynomial else data["verdict"]
+    polynomial = data["verdict"] == "proved" and all(not case["kernels"] for case in data["cases"])
+    found: Answer = {"name": name, "kind": "polynomial" if polynomial else data["verdict"], "limit": seconds}
     try:
         text = coq_of(data)
     except InputError as reason:
-        return f"{kind}, not exported", 0.0, str(reason).removeprefix("this certificate can't be put in Coq: ")
+        message = str(reason).removeprefix("this certificate can't be put in Coq: ")
+        return found | {"answer": "not exported", "seconds": 0.0, "message": message, "file": ""}
+    found["file"] = hashlib.sha256(text.encode()).hexdigest()
+    if kept and kept["file"] == found["file"] and (kept["answer"] == "accepted" or _hopeless(kept, seconds)):
+        return dict(kept)
+    return found | coqc(text, seconds)
+
+
+def _hopeless(kept: Mapping[str, Any], seconds: float) -> bool:
+    """Whether this didn't end within such a limit."""
+    return kept["answer"] == "not in time" and kept["limit"] >= seconds
+
+
+def coqc(text: str, seconds: float) -> Answer:
+    """What `coqc` says of a file, within seconds of CPU time."""
+
+    def limited() -> None:
+        resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(seconds), math.ceil(seconds) + 1))
+
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "claim.v").write_text(text, encoding="utf-8")
-        start = time.monotonic()
-        try:
-            done = subprocess.run(
-                ["coqc", "-q", "claim.v"], cwd=folder, capture_output=True, text=True, timeout=seconds, check=False
-            )
-        except subprocess.TimeoutExpired:
-            return f"{kind}, not within {seconds:g} s", seconds, ""
-    taken = time.monotonic() - start
-    message = " ".join(done.stderr.split()[-12:])
-    return f"{kind}, {'accepted' if done.returncode == 0 else 'refused'}", taken, message
+        timed = ["bash", "-c", "TIMEFORMAT='%U %S'; time coqc -q claim.v 2>message"]
+        done = subprocess.run(timed, cwd=folder, capture_output=True, text=True, check=False, preexec_fn=limited)  # noqa: PLW1509
+        message = (Path(folder) / "message").read_text(encoding="utf-8", errors="replace")
+    taken = sum(float(word) for word in done.stderr.split()[-2:])
+    killed = done.returncode != 0 and "Error" not in message and taken > 0.9 * seconds
+    word = "accepted" if done.returncode == 0 else "not in time" if killed else "refused"
+    return {"answer": word, "seconds": round(taken, 2), "message": " ".join(message.split()[-12:])}
 
 
 def main() -> None:
@@ -48,24 +75,33 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder")
     parser.add_argument("--seconds", type=float, default=60.0)
-    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--only", default="")
+    parser.add_argument("--journal", type=Path)
     arguments = parser.parse_args()
-    paths = [path for path in sorted(Path(arguments.folder).rglob("*.json")) if arguments.only in str(path)]
+    folder = Path(arguments.folder)
+    names = [str(path.relative_to(folder)) for path in sorted(folder.rglob("*.json"))]
+    names = [name for name in names if arguments.only in name]
+    lines = arguments.journal.read_text().splitlines() if arguments.journal and arguments.journal.exists() else []
+    kept = {entry["name"]: entry for entry in map(json.loads, lines)}
     counts, reasons, total = Counter[str](), Counter[str](), 0.0
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        for path, (word, taken, message) in zip(
-            paths, pool.map(lambda path: answer(path, arguments.seconds), paths), strict=True
-        ):
-            counts[word] += 1
-            total += taken
-            if "not exported" in word:
-                reasons[message.split(": ")[-1][:60]] += 1
-            elif "accepted" not in word:
-                print(f"{word:<34} {path}: {message}", flush=True)
+        jobs = (pool.submit(answer, name, folder / name, arguments.seconds, kept.get(name)) for name in names)
+        for job in list(jobs):
+            found = job.result()
+            if arguments.journal and found != kept.get(found["name"]):
+                with arguments.journal.open("a", encoding="utf-8") as file:
+                    file.write(json.dumps(found) + "\n")
+            word = found["answer"] if found["answer"] != "not in time" else f"not within {found['limit']:g} s"
+            counts[f"{found['kind']}, {word}"] += 1
+            total += found["seconds"]
+            if word == "not exported":
+                reasons[found["message"].split(": ")[-1][:60]] += 1
+            elif word != "accepted":
+                print(f"{found['kind']}, {word:<20} {found['name']}: {found['message']}", flush=True)
     for word, count in sorted(counts.items()):
         print(f"{count:5d}  {word}")
-    print(f"coqc took {total:.0f} s in all\nnot exported:")
+    print(f"coqc took {total:.0f} s of CPU time in all\nnot exported:")
     for reason, count in reasons.most_common():
         print(f"{count:5d}  {reason}")
 

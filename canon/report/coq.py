@@ -59,9 +59,9 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
     try:
         statement = Statement(certificate["tables"], certificate["known"], certificate["verdict"])
         cases = obligations(statement)
-        if statement.surface:
-            raise Unknown("a claim on a surface")
         if certificate["verdict"] == "refuted":
+            if statement.surface:
+                raise Unknown("a refutation on a surface")
             body = [_refutation(statement, cases[0].zeros, certificate["witness"])]
         else:
             pairs = list(zip(cases, certificate["cases"], strict=True))
@@ -102,10 +102,12 @@ def _proofs(s: Statement, zeros: Sequence[int], data: Mapping[str, Any]) -> list
 
 
 def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[str, Any]) -> str:
-    f, leaves = s.f, s.f.rational([target])[1]
+    f = s.f
+    on = {f"surface {k}": a for k, a in enumerate(s.surface, 1) if f"surface {k}" in entry["cofactors"]}
+    leaves = f.rational([target, *on.values()])[1]
     atoms = {a: data["atoms"].get(f.text(a), [{f.text(a): "1"}, {"": "1"}]) for a in leaves}
     used = {name for pair in atoms.values() for p in pair for name in _names(p)}
-    used |= {name for k, c in entry["cofactors"].items() for name in (k, *_names(c))}
+    used |= {name for k, c in entry["cofactors"].items() for name in (*({k} - on.keys()), *_names(c))}
     kernels = _used_kernels(f, data["kernels"], used)
     free = sorted(used - {kernel["name"] for kernel in kernels})
     words = identifiers([*free, *(kernel["name"] for kernel in kernels)])
@@ -113,12 +115,14 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
     made = [kernel_of(f, kernel, words) for kernel in kernels]
     words |= {kernel.name: kernel.word for kernel in made}
     fractions = Fractions(f, list(words), atoms)
+    equations = [_surface(fractions, name, a, atoms, words) for name, a in on.items()]
     value, factor = _value(fractions, target, entry)
     signs = [(name, sign) for name in free for sign in SIGNS if sign in s.words.get(name, ())]
     assumed = [SIGNS[sign].format(words[name]) for name, sign in signs]
     known = {name for name, _ in signs} | {kernel.name for kernel in made if kernel.positive}
     facts, hypotheses = _denominators(fractions, words, known, made)
     hypotheses = [*assumed, *(h for kernel in made for h in kernel.hypotheses), *hypotheses]
+    hypotheses += [h for equation in equations for h in equation.hypotheses]
     residual = term(f, target, {a: _fraction(pair, words) for a, pair in atoms.items()})
     variables = [words[name] for name in free] + [kernel.word for kernel in made if kernel.word != "PI"]
     statement = [
@@ -127,13 +131,14 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
         f"  {residual} = 0.",
     ]
     steps = ["intros.", *(step for kernel in made for step in kernel.steps), *facts]
+    steps += [step for equation in equations for step in equation.steps]
     shown = {a: _fraction(pair, words) for a, pair in atoms.items()}
     steps += _factored(fractions, shown, words)
     if not value[0]:
         steps.append("field; nonzero.")
     else:
         over, under = polynomial(fractions.table(value[0]), words), _product(fractions, Fraction(1), value[1], words)
-        relations = {kernel.name: kernel for kernel in made}
+        relations = {kernel.name: kernel for kernel in [*made, *equations]}
         terms = [
             f"({polynomial(scaled(c, factor), words)}) * ({relations[k].relation})"
             for k, c in entry["cofactors"].items()
@@ -147,6 +152,25 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
             "rewrite numerator'. unfold Rdiv. apply Rmult_0_l.",
         ]
     return "\n".join(["Theorem RESIDUAL :", *statement, "Proof.", *(f"  {step}" for step in steps), "Qed.", ""])
+
+
+def _surface(
+    fractions: Fractions,
+    name: str,
+    equation: int,
+    atoms: Mapping[int, Sequence[Mapping[str, str]]],
+    words: Mapping[str, str],
+) -> Kernel:
+    """An equation of a surface: a hypothesis, and as a step, that the numerator is 0."""
+    over, under = fractions.value(equation)
+    shown = term(fractions.f, equation, {a: _fraction(pair, words) for a, pair in atoms.items()})
+    relation, lemma = polynomial(fractions.table(over), words), name.replace(" ", "'")
+    product = _product(fractions, Fraction(1), under, words)
+    on, cleared = f"assert ({lemma}' : {shown} = 0) by assumption.", f"({shown}) * ({product})"
+    proof = f"replace ({relation}) with ({cleared}) by (field; nonzero); rewrite {lemma}'; apply Rmult_0_l"
+    return Kernel(
+        name, "", (f"{shown} = 0",), (on, f"assert ({lemma} : {relation} = 0) by ({proof})."), relation, lemma, False
+    )
 
 
 def _names(table: Mapping[str, str]) -> set[str]:

@@ -5,7 +5,7 @@
 
 A line for each certificate that Coq refuses, or for which it takes longer than the limit; then the counts, and the
 reasons for which certificates can't be exported. The limit and the times are in seconds of `coqc`'s CPU, so that they
-are the same on a busy machine. With a journal, every answer is kept (a line of JSON each), and a run that was broken
+are the same on a busy machine; small certificates come first. With a journal, every answer is kept (a line of JSON each), and a run that was broken
 off goes on where it stopped; what was exported in another form since, what was refused, and what didn't end within a
 lesser limit are tried again. Needs `coqc` (Debian's package `coq`).
 """
@@ -80,8 +80,8 @@ def main() -> None:
     parser.add_argument("--journal", type=Path)
     arguments = parser.parse_args()
     folder = Path(arguments.folder)
-    names = [str(path.relative_to(folder)) for path in sorted(folder.rglob("*.json"))]
-    names = [name for name in names if arguments.only in name]
+    names = [str(path.relative_to(folder)) for path in folder.rglob("*.json")]
+    names = sorted((n for n in names if arguments.only in n), key=lambda n: ((folder / n).stat().st_size, n))
     lines = arguments.journal.read_text().splitlines() if arguments.journal and arguments.journal.exists() else []
     kept = {entry["name"]: entry for entry in map(json.loads, lines)}
     counts, reasons, total = Counter[str](), Counter[str](), 0.0

@@ -34,6 +34,8 @@ CLAIMS = [
     ("brackets", "jacobi-identity-examples", 0),
     ("errata", "valence", 0),
     ("transformations", "henon-map", 2),
+    ("transformations", "kustaanheimo-stiefel", 3),
+    ("transformations", "momenta-on-a-constraint", 0),
 ]
 
 
@@ -83,6 +85,22 @@ def test_coqc_refuses_what_is_false(tmp_path: Path) -> None:
     false = text.replace("+ (- 1) = 0.\nProof", "+ (- 2) = 0.\nProof")
     assert false != text
     assert "Error" in coqc(tmp_path, false)
+
+
+def test_a_claim_on_a_surface_has_its_equation_as_a_hypothesis() -> None:
+    text = coq_of(of_text('kind = "identity"\nlhs = "x**2"\nrhs = "1/p"', '[domain]\non = ["x**2 - 1/p"]'))
+    assert "  x ^ 2 + (- 1) * / p = 0 ->\n" in text
+    unused = coq_of(of_text('kind = "bracket"\nf = "x"\ng = "p"\nequals = "1"', '[domain]\non = ["x*p"]'))
+    assert "surface" not in unused[unused.index("Theorem") :]
+
+
+@needs_coqc
+@pytest.mark.slow
+def test_without_the_equation_of_its_surface_a_claim_is_not_accepted(tmp_path: Path) -> None:
+    text = coq_of(of_text('kind = "identity"\nlhs = "x**2"\nrhs = "1/p"', '[domain]\non = ["x**2 - 1/p"]'))
+    assert coqc(tmp_path, text) == ""
+    free = text.replace("  x ^ 2 + (- 1) * / p = 0 ->\n", "").replace(") by assumption", ") by (field; nonzero)")
+    assert "Error" in coqc(tmp_path, free)
 
 
 def test_a_theorem_says_what_the_functions_are() -> None:

@@ -5,9 +5,9 @@
 
 A line for each certificate that Coq refuses, or for which it takes longer than the limit; then the counts, and the
 reasons for which certificates can't be exported. The limit and the times are in seconds of `coqc`'s CPU, so that they
-are the same on a busy machine; small certificates come first. With a journal, every answer is kept (a line of JSON each), and a run that was broken
-off goes on where it stopped; what was exported in another form since, what was refused, and what didn't end within a
-lesser limit are tried again. Needs `coqc` (Debian's package `coq`).
+are the same on a busy machine; small certificates come first. With a journal, every answer is kept (a line of JSON
+each), and a run that was broken off goes on where it stopped; what was exported in another form since, what was
+refused, and what didn't end within a lesser limit are tried again. Needs `coqc` (Debian's package `coq`).
 """
 
 from __future__ import annotations

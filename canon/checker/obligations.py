@@ -214,7 +214,7 @@ def brackets(s: Statement) -> Case:
         return Case([s.pull(a) for a in (*(b(x, y) for y in nodes), *cycles)])
     y = s.key("g")
     if kind == "bracket":
-        return Case([s.pull(f.sub(b(x, y), s.key("equals")))], labels=["bracket(f, g) - h"])
+        return Case([s.pull(f.sub(b(x, y), s.key("equals")))], labels=["lhs - rhs"])
     z = s.key("h")
     cycle = "bracket(f, bracket(g, h)) + bracket(g, bracket(h, f)) + bracket(h, bracket(f, g))"
     return Case([s.pull(f.add(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y))))], labels=[cycle])

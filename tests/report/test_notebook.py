@@ -123,6 +123,15 @@ def test_a_proof_of_a_claim_made_in_python(tmp_path: Path) -> None:
         made.save(tmp_path / "proof.pdf")
 
 
+def test_a_proof_names_nothing_that_its_claim_does_not_say() -> None:
+    """The bracket of two long functions: what vanishes are its two sides' difference, f, g and no third name."""
+    f, g = sum(q**k * p for k in range(12)), sum(p**k for k in range(2, 12))
+    text = proof(bracket(SPACE, f, g, sp.expand(sp.diff(f, q) * sp.diff(g, p)))).text()
+    assert "The Poisson bracket of" in text
+    assert "lhs − rhs" in text
+    assert not re.search(r"− h\b", text)
+
+
 def test_a_proof_of_a_map_made_explicit_from_its_generating_function() -> None:
     """The map keeps the function that it was made of: its claim has both, and so has its certificate."""
     implicit = TYPE_2.transformation()

@@ -14,6 +14,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.compiled import compiled
 from canon.numeric.devices import spread
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method, Time
@@ -211,7 +212,7 @@ def _program(problem: Any, method: Method, compensated: bool, batched: bool) -> 
         kept = [jnp.all(x.reshape(-1, x.shape[-1]), axis=0) for x in finite]
         return jnp.any(jnp.all(jnp.stack(kept), axis=0))
 
-    @jax.jit
+    @compiled
     def program(
         carry: Any, stored: State, first: Any, last: Any, per_sample: Any, per_chunk: Any, h: Any, t0: Any
     ) -> Any:

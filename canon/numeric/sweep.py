@@ -19,6 +19,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from canon.numeric.compiled import compiled
 from canon.numeric.counter import key_of, rows_of
 from canon.numeric.devices import along_last
 from canon.numeric.emit import run
@@ -83,14 +84,14 @@ def sweeper(
     compiled once, for all boxes and seeds.
     """
     length = length_of(program)
-    compiled = length <= COMPILED and length * count >= WORTH_COMPILING
+    worth = length <= COMPILED and length * count >= WORTH_COMPILING
     key, low, lengths = key_of(seed), where.low, where.high - where.low
     first, second = _quick(program, float(scale), admits), _whole(program, float(scale), rounded_numbers)
 
     def bounded_by_parts(index: Array) -> Sweep:
         return _by_parts(second, where.at(index, seed).T)
 
-    if not compiled:
+    if not worth:
         return Sweeper(
             BLOCK,
             lambda start, length: _by_parts(first, _rows(start, length, low, lengths, key)),
@@ -197,13 +198,12 @@ def _compiled(program: Program, scale: float, admits: Membership | None) -> tupl
             index = jax.lax.with_sharding_constraint(index, along_last(devices, 1))
         return loop(rows_of(index, low, lengths, key), jnp)
 
-    return block, jax.jit(generate), jax.jit(lambda rows: loop(list(rows), jnp))
+    return block, compiled(generate), compiled(lambda rows: loop(list(rows), jnp))
 
 
 @lru_cache(maxsize=64)
 def _compiled_whole(program: Program, scale: float, rounded_numbers: bool) -> tuple[Any, Any]:
     """The second loop over given points and over those of given indices."""
-    import jax
     import jax.numpy as jnp
 
     loop = _whole(program, scale, rounded_numbers)
@@ -211,4 +211,4 @@ def _compiled_whole(program: Program, scale: float, rounded_numbers: bool) -> tu
     def choose(index: Any, key: Any, low: Any, lengths: Any) -> Any:
         return loop(rows_of(index, low, lengths, key), jnp)
 
-    return jax.jit(lambda rows: loop(list(rows), jnp)), jax.jit(choose)
+    return compiled(lambda rows: loop(list(rows), jnp)), compiled(choose)

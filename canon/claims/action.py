@@ -19,6 +19,7 @@ from canon.claims.action_places import places, places_by_wells
 from canon.claims.action_region import (
     Setting,
     along,
+    assumed,
     constants_region,
     existing,
     is_positive,
@@ -185,7 +186,10 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     conditions = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
     for formula in (H, equals, *also, *fixed.values()):
         conditions += formula.conditions
-    here = tuple(dict.fromkeys(c.substitute(rules) for c in conditions))
+    stated = (*assumed(q, sign=False), *assumed(p, sign=True))  # the sign of q is an end of its range
+    here = tuple(dict.fromkeys((*(c.substitute(rules) for c in conditions), *stated)))
+    if question.key("branch") == "rotation":  # has p > 0 by convention
+        here = tuple(c for c in here if c.kind not in ("positive", "nonzero") or c.terms[0] != p)
     others_too = tuple(formula.expr.xreplace(rules) for formula in also)
     try:
         motion, solved = one_degree(moved, q, p, energy, here), None

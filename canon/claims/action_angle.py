@@ -1,9 +1,9 @@
 """Action and angle variables: a canonical map to momenta on which alone H depends, and angles that close up.
 
 Of a map given as old variables in new ones the cycle of an angle is the curve along which it alone grows. It must close
-after `angle_period`, and not before (`cycle`). A map given forward, or by a generating function, is compared with the
-action in closed form where there is one (`cycle_action`); else it is inverted first, and the inverse, which is only one
-branch of it, is verified.
+after `angle_period`, and not before (`cycle`), where H is smooth (`cycle_smooth`). A map given forward, or by a
+generating function, is compared with the action in closed form where there is one (`cycle_action`); else it is
+inverted first, and the inverse, which is only one branch of it, is verified.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import sympy as sp
 
 from canon.claims.cycle import Cycle, closes
 from canon.claims.cycle_action import by_action
+from canon.claims.cycle_smooth import stays_smooth
 from canon.claims.generating_function import generated
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.question import Question
@@ -67,7 +68,8 @@ def action_angle(question: Question) -> Outcome:
         return combined(grounds)
     whole, turn = _whole_cycle(backward), backward.tape.load(length)
     cycles = [closes(Cycle(backward, angle, turn, whole)) for angle in space.Q]
-    return combined([*grounds, depends, *cycles])
+    bent = stays_smooth(backward, whole)
+    return combined([*grounds, depends, *cycles, *([bent] if bent is not None else [])])
 
 
 def _written(given: Transformation) -> tuple[Formula, ...]:

@@ -122,7 +122,7 @@ def _value(question: Question, setting: Setting, place: Place, branch: str, want
     if branch == "rotation":
         return _rotation(question, setting, place, energy)
     orbit = libration(integrand, place.inside, budget)
-    if orbit is None or not stays_inside(question, setting, integrand, orbit.left, orbit.right):
+    if orbit is None or not stays_inside(question, setting, integrand, *orbit.outer):
         return None
     if question.key("well") is None:
         check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))

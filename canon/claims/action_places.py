@@ -29,7 +29,8 @@ if TYPE_CHECKING:
     from canon.claims.action_region import Setting
     from canon.claims.question import Question
 
-TRIES = 24
+TRIES, ALIKE = 24, 3
+"""Points of phase space, and how many of them with the same energy and constants: they lie on the same few orbits."""
 FAILURES = (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError)
 PARTS = (Fraction(1, 2), Fraction(1, 5), Fraction(4, 5))
 
@@ -52,6 +53,7 @@ def places(question: Question, setting: Setting) -> Iterator[Place]:
     targets = [H, *sorted(builder.names - {level})]
     rng = random.Random(question.seed)
     region = _phase_region(question, setting)
+    seen: dict[tuple[tuple[Node, Fraction], ...], int] = {}
     try:
         for sample in samples(tape, targets, region, rng, count=TRIES, budget=question.budget, nice=True):
             values = {n: v for n, v in sample.point.items() if isinstance(v, Fraction)}
@@ -59,7 +61,11 @@ def places(question: Question, setting: Setting) -> Iterator[Place]:
                 continue
             energy = Fraction(float(sample.balls[H].mid())).limit_denominator(10**6) if free else None
             place = builder.place(values, values[builder.q], energy)
-            if place is not None:
+            if place is None:
+                continue
+            here = tuple(sorted(place.integrand.point.items()))
+            seen[here] = seen.get(here, 0) + 1
+            if seen[here] <= ALIKE:
                 yield place
     except Unsupported:
         return

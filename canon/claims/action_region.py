@@ -53,6 +53,13 @@ class Setting:
         return expression if self.level is None else expression.xreplace({self.energy: self.level})
 
 
+def assumed(name: sp.Symbol, *, sign: bool) -> tuple[Condition, ...]:
+    """What is assumed of a variable, as conditions: that it isn't 0, or with `sign`, on which side of 0 it is."""
+    if name.is_extended_nonnegative or name.is_extended_nonpositive:
+        return (Condition("positive", (name if name.is_extended_nonnegative else -name,)),) if sign else ()
+    return (Condition("nonzero", (name,)),) if name.is_nonzero else ()
+
+
 def constants_region(question: Question, setting: Setting) -> Region:
     """The constants, in the domain."""
     tape = question.tape

@@ -74,7 +74,7 @@ def _average(question: Question, setting: Setting, place: Place) -> Ball | None:
     if place.energy is None or not constants_hold(question, setting, integrand):
         return None
     orbit = libration(integrand, place.inside, budget)
-    if orbit is None or not stays_inside(question, setting, integrand, orbit.left, orbit.right):
+    if orbit is None or not stays_inside(question, setting, integrand, *orbit.outer):
         return None
     if question.key("well") is None:
         check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from canon.claims.action_region import Setting, along, existing, not_implied
+from canon.claims.action_region import Setting, along, assumed, existing, not_implied
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.decide.derivative import derivative
 from canon.decide.implied import follows
@@ -41,7 +41,8 @@ def by_action(question: Question, length: Any) -> Outcome | None:
         motion = one_degree(H.expr, q, p, energy, conditions)
     except NotQuadratic:
         return None
-    setting = Setting(q, p, H.expr, energy, sp.S.Zero, H.conditions + _edges(conditions, q), motion)
+    everywhere = (*H.conditions, *_edges(conditions, q), *assumed(q, sign=False))
+    setting = Setting(q, p, H.expr, energy, sp.S.Zero, everywhere, motion)
     region = question.region()
     for closed, cycle in _closed_forms(motion):
         grounds = _grounds(question, setting, closed, region)

@@ -52,6 +52,8 @@ def _with(motion: OneDegree, parts: Any, positive: Test, well: Any) -> ClosedAct
     height, slope = Q.xreplace(at_e), sp.diff(Q, U).xreplace(at_e)
     if not positive(height):
         return None
+    if degree(Q, U) == 2 and not positive(_discriminant(Q)):  # else Q has no root where the loop would end
+        return None
     left = _is_left(motion, Q, e, slope, positive, well)
     if left is None:
         return None
@@ -72,6 +74,10 @@ def _with(motion: OneDegree, parts: Any, positive: Test, well: Any) -> ClosedAct
     )
     needs = (height,)
     return ClosedAction(2 * sign * total, (), checks, SEPARATRIX, needs=needs)
+
+
+def _discriminant(Q: Any) -> Any:
+    return Q.coeff(U, 1) ** 2 - 4 * Q.coeff(U, 2) * Q.coeff(U, 0)
 
 
 def _is_left(motion: OneDegree, Q: Any, e: Any, slope: Any, positive: Test, well: Any) -> bool | None:
@@ -137,7 +143,7 @@ def _of_root(Q: Any, e: Any, slope: Any, height: Any, left: bool, positive: Test
     if top == 0:
         return 2 * sp.sqrt(height) / (side * middle)
     arc: Any
-    root: Any = sp.sqrt(sp.factor(middle**2 - 4 * top * Q.coeff(U, 0)))
+    root: Any = sp.sqrt(sp.factor(_discriminant(Q)))
     if positive(top):
         arc = sp.acosh(slope / root) if left else sp.acosh(-slope / root)
         return arc / sp.sqrt(top)

@@ -393,3 +393,33 @@ def test_loops_at_a_double_root_are_elementary(status, hamiltonian, equals, keys
 def test_two_loops_are_ambiguous(ask):
     with pytest.raises(InputError, match="2 wells"):
         ask(_claim(LEFT, fixed='{E = "0"}'), space=LINE, hamiltonian=LOOPS)
+
+
+NO_LOOP = "p**2/2 - (q**2 + 1)*(q - 1/2)**4/2"
+
+
+@pytest.mark.parametrize(
+    ("H", "symbol", "equals", "expected"),
+    [
+        (NO_LOOP, 'q = "real"', "-25*sqrt(5)/96", "not bounded"),  # E - V has no root where a loop would end
+        ("q**2*(p**2/2 + q**2 - 1)", 'q = "nonzero"', "pi*sqrt(2)", "2 wells"),  # the motion stands still at q = 0
+        ("p**2/(2*q) + q", 'q = "nonzero"', "1", "no minimum"),  # it ends at q = 0, where H isn't defined
+        ("q**2*(p**2 + q**2 - 1)", 'q = "real"', "pi", "2 wells"),
+    ],
+)
+def test_what_is_no_orbit_has_no_action(ask, H, symbol, equals, expected):
+    claim = _claim(equals, fixed='{E = "0"}') if "(2*q)" not in H else _claim(equals)
+    with pytest.raises(InputError, match=expected):
+        ask(claim, space=LINE, hamiltonian=f'H = "{H}"', symbols=symbol)
+
+
+@pytest.mark.parametrize(("symbol", "expected"), [("positive", "undecided"), ("negative", "undecided")])
+def test_a_momentum_of_one_sign_librates_nowhere(status, symbol, expected):
+    sections = {"symbols": f'p = "{symbol}"', "hamiltonian": 'H = "(p**2 + q**2)/2"'}
+    assert status(_claim("2*pi*E"), space=LINE, **sections) == expected
+
+
+def test_a_rotation_has_a_positive_momentum(status):
+    sections = {"symbols": 'p = "positive"', "hamiltonian": 'H = "p**2/2 - cos(q)"'}
+    turn = _claim("4*sqrt(2*(E+1))*elliptic_e(2/(E+1))", branch='"rotation"')
+    assert status(turn, space=LINE, **sections) == "proved"

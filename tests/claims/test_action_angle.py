@@ -236,3 +236,23 @@ def test_complete_integrals_of_a_negative_parameter(status, lhs, rhs, expected):
     """DLMF 19.7.2: what the actions of a bead on a parabola in closed form and by its angle differ by."""
     claim = f'kind = "identity"\nlhs = "{lhs}"\nrhs = "{rhs}"'
     assert status(claim, symbols='n = "positive"\nx = "real"') == expected
+
+
+@pytest.mark.parametrize(
+    ("H", "transformation", "domain"),
+    [
+        ("p**2/2 + abs(q) - q", 'q = ["2*pi*w"]\np = ["J/(2*pi)"]', "q > 0"),
+        ("(p**2 + q**2)/2 + (abs(p - 5) + p - 5)**2", MAP, "p < 5"),
+    ],
+)
+def test_a_cycle_that_leaves_the_domain_at_a_kink_of_H(ask, H, transformation, domain):
+    """On the other side of the kink the orbits are others: nothing is proved of where the formulas lead."""
+    sections = {**OSCILLATOR, "hamiltonian": f'H = "{H}"', "domain": f'where = ["{domain}"]'}
+    plain = transformation.replace("*m*omega", "").replace("m*omega*", "")
+    (verdict,) = ask(_claim(), space=SPACE, transformation=plain, **sections)
+    assert verdict.status == "supported"
+    assert "whether the cycles stay" in verdict.detail["note"]
+    smooth = {**sections, "hamiltonian": 'H = "p**2/2"' if "q**2" not in H else 'H = "(p**2 + q**2)/2"'}
+    (verdict,) = ask(_claim(), space=SPACE, transformation=plain, **smooth)
+    assert verdict.status in ("proved", "supported")
+    assert "whether the cycles stay" not in verdict.detail.get("note", "")

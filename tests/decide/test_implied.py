@@ -32,12 +32,50 @@ def _region(tape, conditions, kinds=()):
         ([sp.log(y) - x, x, y], [sp.log(y) - x, x, y]),
         ([x, 1 + sp.sqrt(y) * x], [x, 1 + sp.sqrt(y) * x]),
         ([x, 2 * x, 3 * x], [x]),
+        ([sp.sin(x), 2 * sp.sin(x) + y**2], [sp.sin(x)]),
+        ([x, y, x + sp.log(y) ** 2], [x, y]),
+        ([x, x + sp.log(y) ** 2], [x, x + sp.log(y) ** 2]),  # it says that y is positive
+        ([x, x + sp.asin(y) ** 2], [x, x + sp.asin(y) ** 2]),
+        ([x, x + sp.sqrt(1 + y**2)], [x]),
+        ([x, y, x + 1 / y], [x, y]),
+        ([x, x + 1 / y**2], [x, x + 1 / y**2]),  # it says that y isn't 0
+        ([x, x + 1 / (1 + y**2)], [x]),
+        ([x, x - 1 / (-1 - y**2)], [x]),
+        ([x - y, y - x], [x - y, y - x]),
+        ([x * (1 + sp.I)], [x * (1 + sp.I)]),
     ],
 )
 def test_what_follows_is_left_out(conditions, left):
     tape = Tape()
     found = without_implied(tape, _region(tape, conditions), Budget(10))
     assert [r.text for r in found.requirements] == [str(f) for f in left]
+
+
+@pytest.mark.parametrize(
+    ("kinds", "conditions", "left"),
+    [
+        (["positive", "nonzero"], [x, x], [x]),
+        (["nonzero", "positive"], [-x, x], [x]),
+        (["positive", "nonzero"], [x, y], [x, y]),
+        (["nonzero"], [x], [x]),
+        (["nonzero"], [1 + x**2], []),
+        (["nonzero"], [sp.exp(x)], []),
+        (["positive", "regular"], [x, x], [x, x]),
+        (["positive", "slit"], [x, x], [x, x]),
+        (["positive", "nonzero", "nonzero"], [x, x + sp.log(y) ** 2, x + y**2], [x, x + sp.log(y) ** 2]),
+    ],
+)
+def test_only_signs_that_are_shown_take_out_what_must_not_be_zero(kinds, conditions, left):
+    tape = Tape()
+    found = without_implied(tape, _region(tape, conditions, kinds), Budget(10))
+    assert [r.text for r in found.requirements] == [str(f) for f in left]
+
+
+def test_conditions_on_two_expressions_stay():
+    tape = Tape()
+    both = Requirement("uncut", (tape.load(1 + x**2), tape.load(y)), "off the cut")
+    region = Region((both,), (), (tape.symbol(x), tape.symbol(y)))
+    assert without_implied(tape, region, Budget(10)).requirements == (both,)
 
 
 @pytest.mark.parametrize(

@@ -44,8 +44,9 @@ def _log_of_unknown(tower: Tower, sign: int, unknown: list[tuple[Polynomial, int
     if common % 2 == 0:
         if sign < 0:
             raise Unsupported("the logarithm of minus a square")
-        magnitude = absolute(tower, field.product([field.power((f, {}), e // common) for f, e in unknown]))
-        return [(Fraction(e * common), log_of_factor(tower, f)) for f, e in split(tower, magnitude)[1]]
+        # of each factor by itself: |f|² in a product would be f² by its relation, without a sign
+        magnitudes = [(split(tower, absolute(tower, (f, {})))[1], e) for f, e in unknown]
+        return [(Fraction(e * k), log_of_factor(tower, g)) for pieces, e in magnitudes for g, k in pieces]
     if len(unknown) == 1:
         f, e = unknown[0]
         f = f if sign > 0 else -f

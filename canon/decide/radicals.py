@@ -138,11 +138,10 @@ def group_power(tower: Tower, sign: int, factors: list[tuple[Polynomial, int]], 
     if common > 1:
         if common % 2 == 0 and sign < 0:
             raise Unsupported("a root of minus a square")
+        if common % 2 == 0:  # of each factor by itself: |f|² in a product would be f² by its relation, without a sign
+            return field.product([positive_power(tower, absolute(tower, (f, {})), exponent * e) for f, e in factors])
         factors = [(f, e // common) for f, e in factors]
         exponent = exponent * common
-    if common % 2 == 0:
-        magnitude = absolute(tower, field.product([field.power((f, {}), e) for f, e in factors]))
-        return positive_power(tower, magnitude, exponent)
     numerator, denominator = ring.constant(sign), ring.one
     for f, e in factors:
         if e > 0:

@@ -1,0 +1,157 @@
+"""What the tower makes of a formula has its value: at points of the region, branch by branch, and whatever is known.
+
+Every kernel, every relation between generators and every sign that is concluded is compared with Arb's balls of the
+formula as it is written.
+"""
+
+from fractions import Fraction
+from itertools import product
+
+import pytest
+import sympy as sp
+from flint import acb, arb
+
+from canon.budget import Budget
+from canon.decide.arbitrary import rational
+from canon.decide.enclosure import OutOfDomain, evaluate, precision
+from canon.decide.generator_values import GeneratorBalls
+from canon.decide.intervals import intervals_of
+from canon.decide.region import Region, Requirement
+from canon.decide.signs import sign_of
+from canon.decide.tape import Tape
+from canon.decide.tower import Tower
+from canon.special import EllipticPi
+
+x, y = sp.symbols("x y", real=True)
+a, b = sp.symbols("a b", positive=True)
+u, v = sp.symbols("u v", nonnegative=True)
+d = sp.Symbol("d", negative=True)
+w, z = sp.symbols("w z")
+k = sp.Symbol("k", integer=True)
+pi, sqrt, sin, cos, exp, log, atan, asin, acos, atan2 = (
+    sp.pi, sp.sqrt, sp.sin, sp.cos, sp.exp, sp.log, sp.atan, sp.asin, sp.acos, sp.atan2,
+)  # fmt: skip
+THIRD, HALF = sp.Rational(1, 3), sp.Rational(1, 2)
+
+PLACES: dict[sp.Symbol, tuple] = {
+    x: ("-7/3", "-1/5", "2/7", "5/2"), y: ("-3/2", "1/9", "4/3"), a: ("1/7", "8/5", "3"), b: ("2/3", "9/4"),
+    u: ("0", "5/4"), v: ("1/3", "7/2"), d: ("-1/4", "-11/5"), k: ("-3", "0", "4"),
+    w: (("-1/3", "2/5"), ("3/2", "-7/4"), ("-2", "0")), z: (("5/3", "1/2"), ("0", "-3/4")),
+}  # fmt: skip
+
+CASES: list[tuple[sp.Expr, ...]] = [  # a formula, and conditions that are known to be positive
+    (sqrt(x**2 * y) + sqrt(4 * a) + sqrt(a * b) * sqrt(b) + sqrt(x**2 * a / b**3),),
+    (sqrt(x * y) + sqrt(x / y) * y,),
+    (sqrt(-x * y) + log(-(x**3) * y),),
+    (sqrt(-x) + sqrt(1 - x) * sqrt(1 - x**2) + sqrt((1 - x) / (1 + x)),),
+    (sqrt(x**2 - 2 * x * y + y**2) + sqrt((x - y) ** 2 / (x + y) ** 4) + (a * (x - y) ** 4) ** (3 * HALF / 2),),
+    (a**THIRD + (a * b) ** (-2 * THIRD) + a ** sp.Rational(5, 6) * b ** sp.Rational(-7, 4) + (8 * a**3) ** THIRD,),
+    ((x * y) ** THIRD + (x**2 * y**2) ** THIRD + (x * y) ** sp.Rational(-5, 4), x * y),
+    (sp.expand(x**4 * (y + 2) ** 2) ** (HALF / 2) + log(sp.expand(x**4 * (y + 2) ** 2)),),
+    (sqrt(x - 1) * sqrt(x + 1) + sqrt(x**2 - 1) + (x**2 - 1) ** THIRD * (x + 1) ** THIRD * (x - 1) ** THIRD,),
+    (sqrt(a + sqrt(a)) + sqrt(sqrt(a)) + sqrt(sqrt(a) * b) + (sqrt(a) + 1) ** THIRD,),
+    (sqrt(x + 5 - 2 * sqrt(x + 4)) + sqrt(x + 5 + 2 * sqrt(x + 4)),),
+    (sqrt(1 - cos(x) ** 2) + sqrt(1 - 2 * sin(x) * cos(x)) + sqrt(2 + 2 * cos(x)) + sqrt(1 + sin(2 * x)),),
+    (sqrt(6) + sqrt(2) * sqrt(3) - 12 ** sp.Rational(2, 3) + sp.Rational(5, 7) ** sp.Rational(3, 4),),
+    (sqrt(3 - 2 * sqrt(2)) + (2 + sqrt(5)) ** THIRD + sqrt(2 - sqrt(3)),),
+    (sp.Abs(x) + sp.Abs(x * y) - sp.Abs(d) + sp.Abs(d * x**3 / y) + sp.Abs(1 + x**2) + sp.Abs(x - y) ** 3,),
+    (sp.Abs(sin(x)) + sp.sign(y) * sp.Abs(y - 7) + sp.sign(d) + sp.sign(a + b),),
+    (sp.Abs(w) + sp.Abs(w * a) + sp.Abs(3 * sp.I * w) ** 2,),
+    (sqrt(w) + sqrt(w**2) + sqrt(w * z) + (w / z) ** THIRD + (w**2 - 1) ** (-THIRD),),
+    (log(w) + log(w * z) + log(w / z) + log(w**2),),
+    (log(a * b) + log(a**3 / b) + log(x**2) + log(x**4 * y**2) + log(x * y) + log(12) - log(sp.Rational(9, 8)),),
+    (log(-d) + log(-x * a) + log(sqrt(a) * b**2) + log(exp(x) * a) + log(a + b) + log(a**2 - b**2),),
+    (log(1 - x**2) + log((1 - x) / (1 + x)) + log(2 - x - y),),
+    (log(-((x - y) ** 3)) + log((x + 2 * y) ** 2 / (y - x) ** 2),),
+    (exp(x + log(a)) + exp(2 * log(a) / 3 - y) + exp(x * log(a)) + exp(-x / 2) * exp(THIRD * x + y),),
+    (exp(x) ** 2 - exp(2 * x + 1) + sqrt(exp(x)) + exp(x / 5) ** THIRD + log(exp(x) + 1),),
+    (exp(sp.I * x) + exp(x + sp.I * y) + exp(sp.I * pi / 7) + exp(-3 * sp.I * (x + y) / 2),),
+    (exp(w) + exp(w / 2 + x) + exp(-2 * w + sp.I * x),),
+    (exp(HALF * log(w)) + exp(log(w * z)),),
+    (sp.sinh(x) + sp.cosh(2 * x) * sp.tanh(y / 3),),
+    (exp(sp.LambertW(a)) + sp.LambertW(a * exp(a)) + sp.LambertW(x * exp(x)) + sp.LambertW(2 * b * exp(2 * b)), 1 + x),
+    (sin(x + y) + cos(2 * x - 3 * y) + sin(x / 2) * cos(y / 3) + cos(5 * x / 6),),
+    (sp.tan(x) + sp.cot(2 * x + 1) + 1 / cos(x / 3 - pi / 4),),
+    (sin(x + pi / 3) + cos(x - 7 * pi / 12) + sin(5 * pi / 4) + sin(pi / 7) * cos(3 * pi / 14) + cos(pi / 5),),
+    (cos(pi * k) + sin(pi * k + x) + cos(2 * pi * k / 3) + cos(pi * k * (k + 2) - y),),
+    (cos(atan(x)) + sin(2 * atan(x)) + cos(atan(x) / 2 + y) + sin(asin(x / 3)) + cos(3 * asin(x / 3) - acos(y / 2)),),
+    (cos(acos(y / 2) / 2) + sin(acos(y / 2)) + sin(atan2(x, y) / 2) + cos(atan2(y, x) - 2 * atan2(a, x)),),
+    (cos(w) + sin(w + x) + sin(2 * w) * cos(w / 2),),
+    (sin(x / a) + cos(2 * x / a + y / (a + b)) + sin((x**2 + x * a) / a),),
+    (atan(-x) + asin(-x / 3) + acos(-x / 3) + atan(a) + atan(x**2 + 1) - atan(d * a),),
+    (log(acos(x / 3)) + sqrt(atan(a) * b) + log(asin(a / (a + 1))),),
+    (sp.gamma(a + 3) + sp.gamma(a) + sp.gamma(b + HALF) + sp.gamma(a - 2) + sp.gamma(2 * THIRD) + sp.gamma(5 * HALF),),
+    (sp.gamma(1 - x) + sp.gamma(x) + sp.gamma(2 * b) - sp.gamma(2 * x + 1) + sp.gamma(4 * b - 2),),
+    (sp.elliptic_k(x) + sp.elliptic_k(x / (x - 1)) + sp.elliptic_e(x / (x - 1)) + sp.elliptic_e(x),),
+    (sp.elliptic_e(a / (a + 1)) + sp.elliptic_e(1 / (a + 1)) + sp.elliptic_k(a / (a + 1)),),
+    (EllipticPi(0, x) + EllipticPi(x, x) + EllipticPi(-a, x) + EllipticPi(a / (1 + a), x / (x - 1)),),
+    (sqrt(1 - sqrt(2) * sin(x) + sin(x) ** 2) + sqrt(exp(2 * x) - 2 * exp(x) * y + y**2),),
+    (1 / (sqrt(a) - sqrt(b)) + 1 / (sqrt(a + 1) + sqrt(a)) ** 2 + sqrt(1 / (sqrt(a + 1) - sqrt(a))),),
+    (1 / (1 + sp.I * x) + (x + sp.I * y) ** -3 + sqrt(x + sp.I) + log(1 + sp.I * y) + log((x + sp.I) * (y - sp.I)),),
+    (sqrt(cos(x)) + log(sin(x)) + sqrt(1 - cos(x)) + sp.Abs(1 + sin(y)), x, pi - x),
+    (sqrt((1 - x) ** 2) + sqrt((x - 2) ** 2) + sqrt((2 * x - 1) ** 2 * a), 1 - x, 2 - x),
+    (sqrt((2 * a - b * a) ** 2) + sp.Abs(3 - x * y) + sp.Abs(a**2 + a - 12), 2 - b, 3 - x * y, 3 - a),
+    (sp.Abs(u + v) + sqrt(u * v) + sp.Abs(1 - exp(-a)) + sp.Abs(exp(d) - 1) + sp.Abs(sqrt(1 + u) - 1 + v),),
+    (sp.Abs(sqrt(1 + x**2) - x) + sp.Abs(x - sqrt(x**2 + 1)) + sp.Abs(a - sqrt(a**2 + b)),),
+    (sp.Abs(x + 2 * sqrt(x**2 + 2)) + sp.Abs(a * x - sqrt(a**2 * x**2 + b)),),
+    (sp.Abs(2 + cos(x)) + sp.Abs(sin(x) - a - 1) + sp.Abs(1 + a**2 - 2 * a * cos(x)) + sp.Abs(x**2 + x + 1),),
+    (sp.Abs(x**2 - 4 * x + 5) + sp.Abs(-(x**2) + x - 1) + sp.Abs(x**2 + 2 * x + 1) + sp.Abs(x**4 + y**2 + a),),
+    (sp.Abs(x**3 - 4 * x + 7) + sp.Abs(x - pi) + sp.Abs(x**2 - 2) + sp.Abs(x * y - 1), x - 2, 2 - y, y - 1),
+    (sp.Abs(sqrt(2) - sp.Rational(7, 5)) + sp.Abs(sqrt(3) - 7 * pi / 4) + sp.Abs(pi - sp.Rational(22, 7)),),
+]  # fmt: skip
+
+
+def at(value: object) -> arb | acb:
+    if isinstance(value, tuple):
+        return acb(*(rational(Fraction(part)) for part in value))
+    return arb(rational(Fraction(value)))
+
+
+def close(found: arb | acb, expected: arb | acb) -> bool:
+    """The balls overlap, and are narrow."""
+    difference = found - expected
+    return bool(difference.contains(0)) and float(difference.abs_upper()) < 1e-20 * (1 + float(expected.abs_upper()))
+
+
+SIGNS = {
+    "pos": lambda ball: ball > 0,
+    "neg": lambda ball: ball < 0,
+    "nonneg": lambda ball: not ball < 0,
+    "nonpos": lambda ball: not ball > 0,
+    "real": lambda ball: isinstance(ball, arb),
+    "cplx": lambda _: True,
+}
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: str(case[0])[:60])
+def test_the_tower_says_what_is_written(case: tuple[sp.Expr, ...]):
+    formula, *positive = case
+    tape = Tape()
+    node, conditions = tape.load(formula), [tape.load(c) for c in positive]
+    region = Region(tuple(Requirement("positive", (c,), "") for c in conditions), (), ())
+    tower = Tower(tape, [node], positive=conditions, intervals=intervals_of(tape, region), budget=Budget(20))
+    names = sorted(set().union(*(f.free_symbols for f in case)), key=str)
+    looked_at = 0
+    for place in product(*(PLACES[name] for name in names)):
+        with precision(160):
+            point = {tape.symbol(name): at(value) for name, value in zip(names, place, strict=True)}
+            try:
+                balls = evaluate(tape, tape.reach([node, *conditions]), point)
+            except OutOfDomain:
+                continue
+            if not all(balls[c] > 0 for c in conditions):
+                continue
+            values = GeneratorBalls(tower, point)
+            looked_at += 1
+            for made in tower.generators:
+                ball = values.generator(made.index)
+                assert SIGNS[made.sign](ball), made
+                if made.degree:
+                    assert close(ball**made.degree, values.polynomial(made.lower)), made
+            for kernel, element in tower.kernels.items():
+                assert close(values.element(element), balls[kernel]), tape.ops[kernel]
+            factors = [p for x in tower.kernels.values() for p in tower.parts(x)]
+            for p in [known for known, _ in tower.facts] + tower.field.factors + factors:
+                sign = sign_of(tower, p)
+                assert sign is None or SIGNS[sign](values.polynomial(p)), (p, sign)
+    assert looked_at

@@ -132,9 +132,7 @@ def start(
 
     if samples < 2 or steps < 1 or not np.isfinite([duration, t0]).all():
         raise InputError("a run needs a finite duration, one step or more, and two samples or more")
-    between = -(-steps // (samples - 1))
-    per_sample = -(-between // LONGEST_CHUNK)
-    per_chunk = -(-between // per_sample)
+    per_sample, per_chunk = divided(steps, samples)
     keeps = steps >= LONG_RUN if compensated is None else compensated
 
     def rows(x: np.ndarray) -> np.ndarray:
@@ -148,6 +146,13 @@ def start(
     stored = jax.tree.map(rows, state)
     step = duration / (per_chunk * per_sample * (samples - 1))
     return Run(t0, duration, step, samples, per_sample, per_chunk, 0, keeps, carry, stored)
+
+
+def divided(steps: int, samples: int) -> tuple[int, int]:
+    """The chunks between two samples of a run of so many steps or a few more, and the steps of a chunk."""
+    between = -(-steps // (samples - 1))
+    per_sample = -(-between // LONGEST_CHUNK)
+    return per_sample, -(-between // per_sample)
 
 
 def advance(problem: Any, method: Method, run: Run, *, chunks: int | None = None, batched: bool = False) -> Run:

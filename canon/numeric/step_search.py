@@ -14,6 +14,8 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from canon.interruption import interruptible
+from canon.numeric.convergence import estimated_error, reaches
+from canon.numeric.cpu_time import cpu_time
 from canon.numeric.integrate import Run, advance, start
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method
@@ -22,8 +24,10 @@ from canon.numeric.run_difference import agreement, distance
 
 FIRST_STEPS: Final = 32
 MOST_STEPS: Final = 2_000_000_000
-AIM: Final = 0.25
-"""The part of the accuracy that is aimed at: estimates are no bounds."""
+FINER: Final = 2
+"""Times as many steps a run has as the one before. A longer jump, which the order would allow, spares a third of the
+steps; but the difference of two runs then shows the error of the coarse one alone, and of the fine one's rounding
+nothing."""
 PATIENCE: Final = 300.0
 """Seconds after which no run is begun that is expected to take longer than this, where no budget is given."""
 STUBBORN: Final = 8
@@ -61,6 +65,11 @@ class Task:
     duration: float
     samples: int
     t0: float
+
+    @property
+    def first_steps(self) -> int:
+        """Those of the first run, or a few less."""
+        return max(self.samples - 1, FIRST_STEPS)
 
     def begin(self, steps: int, compensated: bool | None) -> Run:
         """The run of so many steps, or a few more, before its first one."""
@@ -122,9 +131,8 @@ class Search:
         """Why the search ends here; None if it goes on."""
         if self.current is not None or not self.runs:
             return None
-        error = self.error()
         whole = not any(run.ended for run in self.runs[-2:])
-        if whole and self.accuracy is not None and error <= self.accuracy * (1 if self.exact else 2 * AIM):
+        if whole and self.accuracy is not None and reaches(self.trials, self.order, self.accuracy, exact=self.exact):
             return Verdict(True)
         if self.ends():
             return Verdict(False)
@@ -132,18 +140,18 @@ class Search:
             if self.compensated or self.exact:
                 return Verdict(False, "rounding keeps it from going further")
             self.compensated = True
-        if whole and self.accuracy is None and error <= 1e-15:
+        if whole and self.accuracy is None and self.error() <= 1e-15:
             return Verdict(True)
         stop = self.too_long(self.wanted())
         return Verdict(False, stop) if stop else None
 
     def next(self) -> Run:
         """The next run, or what is left of the current one."""
-        return self.made(self.wanted() if self.runs else max(self.task.samples - 1, FIRST_STEPS))
+        return self.made(self.wanted() if self.runs else self.task.first_steps)
 
     def wanted(self) -> int:
         """The steps that the next run should have."""
-        return int(np.ceil(self.runs[-1].total * (2 if len(self.runs) < 2 else self.factor())))
+        return FINER * self.runs[-1].total
 
     def made(self, steps: int) -> Run:
         """The current run to its end; where there is none, one of so many steps, or a few more.
@@ -151,30 +159,36 @@ class Search:
         It is left before its end when somebody presses Ctrl-C, or the budget is used.
         """
         run = self.current = self.current or self.task.begin(steps, self.compensated)
-        begun = time.process_time()
         try:
-            if run.compensated not in self.compiled:
-                interruptible(lambda: self.warmed(run))
-                self.compiled.add(run.compensated)
-                self.compile_seconds += time.process_time() - begun
-                begun = time.process_time()
-            self.advanced()
+            self.warmed(run)
         except KeyboardInterrupt:
             self.interrupted = True
-        run, before = self.current, self.runs[-1] if self.runs else None
-        if self.stopped and run.done < run.chunks and not run.ended:
             return run
-        self.runs, self.current = [*self.runs[-2:], run], None
-        self.agreed.append(agreement(run, before) if before else 0)
-        self.trials.append(Trial(run.total, distance(run, before) if before else np.inf, time.process_time() - begun))
+        with cpu_time() as spent:
+            try:
+                self.advanced()
+            except KeyboardInterrupt:
+                self.interrupted = True
+            run, before = self.current, self.runs[-1] if self.runs else None
+            if self.stopped and run.done < run.chunks and not run.ended:
+                return run
+            self.runs, self.current = [*self.runs[-2:], run], None
+            self.agreed.append(agreement(run, before) if before else 0)
+            off = distance(run, before) if before else np.inf
+        self.trials.append(Trial(run.total, off, spent.seconds))
         return run
 
     def warmed(self, run: Run) -> None:
-        """Compile the program, and call it with what it is given at first and with what it returns: jax tells the two
-        apart, and what it learns of them would else be counted as time of the first run.
+        """Compile the program, where that is not done, and call it with what it is given at first and with what it
+        returns: jax tells the two apart, and what it learns of them would else be counted as time of the first run.
         """
-        for _ in range(2):
-            run = advance(self.task.problem, self.task.method, run, chunks=0)
+        if run.compensated in self.compiled:
+            return
+        problem, method = self.task.problem, self.task.method
+        with cpu_time() as spent:
+            interruptible(lambda: advance(problem, method, advance(problem, method, run, chunks=0), chunks=0))
+        self.compiled.add(run.compensated)
+        self.compile_seconds += spent.seconds
 
     def advanced(self) -> None:
         """Take the current run to its end, in pieces short enough to be watched and stopped."""
@@ -204,32 +218,7 @@ class Search:
 
     def error(self) -> float:
         """The estimated error of the last run."""
-        if len(self.trials) < 2:
-            return np.inf
-        difference = self.trials[-1].difference
-        if self.exact or not np.isfinite(difference):
-            return max(difference, 2.0**-52)
-        ratio = self.runs[-1].total / self.runs[-2].total
-        if self.in_order():
-            return max(difference / (ratio**self.order - 1), 2.0**-52)
-        return max(difference, 2.0**-52)
-
-    def in_order(self) -> bool:
-        """Whether the last differences fall as the order says they should."""
-        if len(self.trials) < 3 or not 0 < self.trials[-1].difference < self.trials[-2].difference < np.inf:
-            return False
-        before, last = self.trials[-2:]
-        fallen = np.log(before.difference / last.difference)
-        # d(N, M) ≈ C N^-r for M well above N: the step of the coarser run of each pair
-        expected = np.log(self.runs[-2].total / self.runs[-3].total)
-        return bool(fallen > (self.order - 1) * expected)
-
-    def factor(self) -> float:
-        """By how much more steps the next run should have."""
-        if self.accuracy is None or not self.in_order() or self.compensated != self.runs[-1].compensated:
-            return 2.0
-        wanted = (self.error() / (AIM * self.accuracy)) ** (1 / self.order)
-        return float(np.clip(wanted, 1.25, 16.0))
+        return estimated_error(self.trials, self.order, exact=self.exact)
 
     def stuck(self) -> bool:
         """Whether the differences have come down to rounding."""

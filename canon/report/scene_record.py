@@ -59,23 +59,37 @@ def candidate_record(each: Prediction) -> Record:
         "name": each.method.name,
         "operations": each.operations or None,
         "measured_order": each.order and round(each.order, 2),
-        "steps": each.steps and round(each.steps),
-        "error": _finite(each.error),
-        "seconds": each.seconds and round(each.seconds, 6),
+        **foreseen_record(each),
         "rejected": each.why or None,
     }
 
 
+def foreseen_record(each: Prediction) -> Record:
+    """What was predicted, before any run, of the last one, and of all with more and more steps."""
+    return {
+        "steps": each.steps and round(each.steps),
+        "error": _finite(each.error),
+        "seconds": each.seconds and round(each.seconds, 6),
+        "runs": each.runs,
+        "all_runs": each.total and round(each.total, 6),
+    }
+
+
 def price_record(result: Result) -> Record:
-    """What was foretold of the last run, what it took, and the price of one digit more, "exact" where none is sold."""
+    """What was predicted of the runs and foretold of the last one, what they took, and the price of one digit more,
+    "exact" where none is sold.
+    """
     trials, order = result.planned.trials, None if result.problem.exact else result.choice.method.traits.order
     told = forecast_of(trials, order)
     factor = digit_factor(order)
+    foreseen = result.choice.foreseen
     return {
+        "predicted": None if foreseen is None else foreseen_record(foreseen),
         "foretold": None
         if told is None
         else {"steps": told.steps, "error": _finite(told.error), "seconds": round(told.seconds, 6)},
         "last_run": round(trials[-1].seconds, 6) if trials else None,
+        "all_runs": round(sum(trial.seconds for trial in trials), 6) if trials else None,
         "one_digit_more": "exact"
         if factor is None
         else {"factor": round(factor, 3), "seconds": round(factor * trials[-1].seconds, 6) if trials else None},

@@ -126,6 +126,8 @@ def candidate_lines(result: Result) -> list[str]:
     for each in candidates:
         known = each.steps is not None and each.seconds is not None
         cost = f"{each.steps:10.0f} steps   {duration(max(each.seconds or 0.0, 1e-6))}" if known else ""
+        if each.runs is not None and each.total is not None:
+            cost += f"   {each.runs} runs {duration(max(each.total, 1e-6))}"
         lines.append(f"  {each.method.name:<20} {cost}{'   ' * bool(cost and each.why)}{each.why}")
     return lines
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Final, NamedTuple
 
 from canon.errors import InputError
-from canon.numeric.candidates import Prediction, most_accurate, predicted
+from canon.numeric.candidates import Prediction, most_accurate, of_closed_form, predicted
 from canon.numeric.integrators import catalogue
 from canon.numeric.integrators.constrained import Held
 from canon.numeric.integrators.side_by_side import Together
@@ -28,11 +28,13 @@ WHOLE: Final = ("gauss4", "gauss6", "gauss8")
 
 
 class Choice(NamedTuple):
-    """A method and why it was chosen; with `candidates`, what each was predicted to cost."""
+    """A method and why it was chosen; with `candidates`, what each was predicted to cost, and with `foreseen` what the
+    method itself was."""
 
     method: Any
     why: str
     candidates: tuple[Prediction, ...] = ()
+    foreseen: Prediction | None = None
 
 
 def chosen_for(
@@ -47,7 +49,10 @@ def chosen_for(
     names = _names(problem)
     if began_with in names and settings.integrator is None:
         return Choice(catalogue.method(began_with), "chosen when the run was begun")
-    if not names or settings.integrator is not None or settings.step is not None:
+    given = settings.integrator is not None or settings.step is not None
+    if problem.exact and not given and began_with is None and settings.accuracy is not None:
+        return rule._replace(foreseen=of_closed_form(task))
+    if not names or given:
         return rule
     others = [catalogue.method(name) for name in names if name != rule.method.name]
     if settings.accuracy is None:
@@ -56,11 +61,11 @@ def chosen_for(
         best = most_accurate(task, [rule.method, *others], SPENT * settings.budget)
         same = best[0].method is rule.method
         why = rule.why if same else f"of least predicted error within the budget among {len(best)} candidates"
-        return Choice(best[0].method, why, tuple(best))
+        return Choice(best[0].method, why, tuple(best), best[0])
     found = predicted(task, [rule.method, *others], settings.accuracy, compare=settings.compare)
     if found[0].method is rule.method:
-        return rule._replace(candidates=tuple(found))
-    return Choice(found[0].method, f"of least predicted work among {len(found)} candidates", tuple(found))
+        return rule._replace(candidates=tuple(found), foreseen=found[0])
+    return Choice(found[0].method, f"of least predicted work among {len(found)} candidates", tuple(found), found[0])
 
 
 def _names(problem: Problem) -> tuple[str, ...]:

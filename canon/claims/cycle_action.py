@@ -15,6 +15,8 @@ import sympy as sp
 
 from canon.claims.action_region import Setting, along, assumed, existing, not_implied
 from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.show import is_steep
+from canon.deadline import within
 from canon.decide.derivative import derivative
 from canon.decide.implied import follows
 from canon.decide.region import Region, Requirement
@@ -38,8 +40,10 @@ def by_action(question: Question, length: Any) -> Outcome | None:
     energy = sp.Dummy("E", real=True)
     conditions = tuple(c for c in (*question.subject.domain.conditions, *H.conditions) if _speaks_of(c, q))
     try:
-        motion = one_degree(H.expr, q, p, energy, conditions)
+        motion = within(question.budget.share(0.5), lambda: one_degree(H.expr, q, p, energy, conditions))
     except NotQuadratic:
+        return None
+    if is_steep(motion.square):
         return None
     everywhere = (*H.conditions, *_edges(conditions, q), *assumed(q, sign=False))
     setting = Setting(q, p, H.expr, energy, sp.S.Zero, everywhere, motion)

@@ -13,6 +13,7 @@ from canon.claims.along_a_range import Range, Unproved, holds
 from canon.claims.approach import Limit, approaching, limit_of
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.to_infinity import over_infinity
+from canon.deadline import within
 from canon.decide.answer import Witness
 from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
 from canon.decide.derivative import derivative
@@ -42,7 +43,7 @@ LONGEST = 60
 
 
 def antiderivative(question: Question, f: Formula, x: sp.Symbol) -> Formula | None:
-    """An antiderivative that sympy's rules find; it is verified afterwards."""
+    """An antiderivative that sympy's rules find; it is verified afterwards. **Raises:** `BudgetExceeded`."""
     expression: Any = f.expr
     if sp.count_ops(expression) > LONGEST or expression.has(sp.Derivative, sp.Subs):
         return None
@@ -50,7 +51,7 @@ def antiderivative(question: Question, f: Formula, x: sp.Symbol) -> Formula | No
 
     plain = sp.Symbol(x.name, real=True)
     try:
-        found: Any = manualintegrate(expression.subs(x, plain), plain)
+        found: Any = within(question.budget.share(0.5), lambda: manualintegrate(expression.subs(x, plain), plain))
         if found.has(sp.Integral) or found.has(sp.Piecewise):
             return None
         return as_formula(found.subs(plain, x))

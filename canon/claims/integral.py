@@ -59,7 +59,7 @@ def integral_is(
         except Unproved as reason:
             note = str(reason)
         except BudgetExceeded:
-            note = "the budget is spent"
+            note = "no argument was found in time"
     found = at_points(question, span, node, claimed, question.budget.share(0.8))
     return replace(found, note="; ".join(part for part in (note, found.note) if part))
 

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from canon.budget import BudgetExceeded
 from canon.claims.outcome import Residual
-from canon.claims.show import FAILURES, is_short, neat
+from canon.claims.show import FAILURES, is_short, is_steep, neat
+from canon.deadline import within
 from canon.decide.derivative import derivative
 from canon.decide.tape import Node, Unsupported
 from canon.mechanics.formulas import replaced
@@ -43,8 +45,9 @@ def verified_potential(
     if not all(is_short(tape, slope, 4 * LONGEST) for slope in slopes):
         return None
     try:
-        found = _integrated([tape.to_sympy(slope) for slope in slopes], symbols, tired_after(MOST_GUESSES))
-    except FAILURES:
+        plain = [tape.to_sympy(slope) for slope in slopes]
+        found = within(budget, lambda: _integrated(plain, symbols, tired_after(MOST_GUESSES)))
+    except (*FAILURES, BudgetExceeded):
         return None
     if found is None or found.has(sp.zoo, sp.nan, sp.oo) or budget.spent():
         return None
@@ -100,7 +103,7 @@ def _without(rest: sp.Expr, earlier: Sequence[sp.Symbol]) -> sp.Expr:
 def antiderivative(expression: sp.Expr, x: sp.Symbol, late: Late = lambda: False) -> sp.Expr | None:
     """A function whose derivative by x is the expression, term by term; None where no guess fits, or it is `late`."""
     total: sp.Expr = sp.S.Zero
-    if sp.count_ops(expression) > LONGEST:
+    if sp.count_ops(expression) > LONGEST or is_steep(expression):
         return None
     whole = _guessed(expression, x, late)
     if whole is not None:

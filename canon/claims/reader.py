@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import os
+from contextlib import suppress
 from decimal import Decimal
 from typing import Any, NamedTuple
 
@@ -130,7 +131,10 @@ def _expectation(value: Any) -> str:
 
 
 def _budget(value: Any) -> float:
-    number = float(value) if isinstance(value, (int, Decimal)) and not isinstance(value, bool) else math.nan
+    number = math.nan
+    if isinstance(value, (int, Decimal)) and not isinstance(value, bool):
+        with suppress(OverflowError):
+            number = float(value)
     if not 0 < number < math.inf:
         raise InputError("a positive number of seconds is expected", key("budget"))
     return number

@@ -34,6 +34,8 @@ def verify(claim: Claim, *, budget: float, seed: int, method: str, accuracy: flo
         raise ZeroDivisionError("division by zero")
     if kind == "nap":
         time.sleep(0.3)
+    if kind == "sleep":
+        time.sleep(3600)
     if kind == "chatter":
         print("noise on standard output")
         print("noise on standard error", file=sys.stderr)

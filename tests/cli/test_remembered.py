@@ -107,10 +107,14 @@ def test_damaged_entries_are_ignored(catalogue, asked, capsys, tmp_path, damage)
     assert asked == [2, 2]
 
 
-def test_a_tampered_verdict_is_ignored(catalogue, asked, capsys, tmp_path) -> None:
+@pytest.mark.parametrize(("one", "other"), [('"refuted"', '"proved"'), ('"title": "true"', '"title": "false"')])
+def test_a_tampered_verdict_is_ignored(catalogue, asked, capsys, tmp_path, one, other) -> None:
+    """Also where it would fit: the title of a claim and of its record are changed together."""
     first = _answers(capsys)
     (entry,) = (tmp_path / "cache/canon/verdicts/this state").iterdir()
-    entry.write_text(entry.read_text().replace('"refuted"', '"proved"'))
+    text = entry.read_text()
+    entry.write_text(text.replace(one, other))
+    assert entry.read_text() != text
     assert _answers(capsys) == first
     assert asked == [2, 2]
 

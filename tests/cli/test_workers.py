@@ -147,6 +147,24 @@ def test_workers_end_when_their_parent_is_killed(tmp_path: Path) -> None:
     assert not _running(str(file))
 
 
+@pytest.mark.slow
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
+def test_a_worker_whose_parent_is_killed_ends_though_it_is_busy(tmp_path: Path) -> None:
+    """In the middle of a call that doesn't return: by an alarm that the system rings."""
+    file = tmp_path / "claims.toml"
+    file.write_text("fine sleep")
+    process = start(file, "--jobs", "1", "--budget", "0.1")
+    assert process.stdout is not None
+    process.stdout.readline()
+    process.kill()
+    process.communicate(timeout=20)
+    assert _running(str(file))
+    deadline = time.monotonic() + 20
+    while _running(str(file)) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert not _running(str(file))
+
+
 def _running(word: str) -> list[str]:
     found = []
     for process in os.listdir("/proc"):

@@ -151,6 +151,7 @@ FILES: Final = {
     "dunder section": (_HEAD + "[__class__]\na = 1\n" + _CLAIM).encode(),
     "dunder name": (_HEAD.replace('"q"]', '"__class__.q"]') + _CLAIM).encode(),
     "unknown kind": (_HEAD + _CLAIM.replace('"bracket"', '"__import__"')).encode(),
+    "a budget beyond all numbers": (_HEAD + _CLAIM + "budget = " + "9" * 400).encode(),
     "a claim is a string": (_HEAD + "claim = ['bracket']").encode(),
     "a section is a number": (b"phase_space = 3\n" + _CLAIM.encode()),
     "a formula is a date": (_HEAD + _CLAIM.replace('"1"', "1979-05-27")).encode(),

@@ -10,12 +10,14 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import cycle
 from pathlib import Path
 
 import pytest
 
 import canon.claims.remembered as remembered
 import canon.claims.run as runs
+from canon.budget import Budget
 from canon.claims.reader import read_text
 from canon.claims.remembered import Memory, recall, remember
 from canon.claims.worker import Entry, Settings
@@ -69,6 +71,19 @@ def test_output_to_a_full_disk_is_an_error_of_its_own(tmp_path: Path) -> None:
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
     assert done.returncode == 74
     assert done.stderr == "canon: the output could not be written: No space left on device\n"
+
+
+def test_a_reader_that_hangs_up_ends_the_run(tmp_path: Path) -> None:
+    """As `| head` does. What was answered until then is in the journal, and no worker goes on."""
+    file, kept = tmp_path / "claims.toml", tmp_path / "journal"
+    file.write_text(CLAIMS, encoding="utf-8")
+    read, write = os.pipe()
+    os.close(read)
+    command = [*CANON, "verify", str(file), "--jobs", "1", "--resume", str(kept)]
+    done = subprocess.run(command, stdout=write, stderr=subprocess.PIPE, text=True, timeout=60)
+    os.close(write)
+    assert (done.returncode, done.stderr) == (141, "")
+    assert kept.read_bytes().count(b"\n") >= 1
 
 
 def test_a_full_disk_costs_the_files_and_not_the_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -190,8 +205,9 @@ def test_a_memory_with_anything_in_it_is_none(tmp_path: Path) -> None:
 def test_a_clock_that_jumps_changes_no_verdict(monkeypatch: pytest.MonkeyPatch) -> None:
     """Budgets are measured by a clock that doesn't; the one that does is asked by nobody."""
 
-    hours = iter(range(10**9, 0, -3600))
-    monkeypatch.setattr(time, "time", lambda: float(next(hours)))
+    hours = cycle([10.0**9, 10.0**9 + 7200, 10.0**9 - 7200, 10.0**9 + 3600])
+    monkeypatch.setattr(time, "time", lambda: next(hours))
+    assert not any(Budget(60.0).spent() for _ in range(8))
     entries = [Entry("claims.toml", claim.index, claim) for claim in read_text(CLAIMS).claims]
     answers = dict(runs.run(entries, Settings(budget=5.0), claim_record, jobs=1, start_method="fork"))
     assert [answers[k]["claim"]["verdict"] for k in (0, 1)] == ["proved", "refuted"]

@@ -1,0 +1,80 @@
+"""What can't be asked to stop is stopped: sympy's rules, and what is given to them."""
+
+from __future__ import annotations
+
+import math
+import threading
+import time
+
+import pytest
+
+from canon import verify
+from canon.budget import Budget
+from canon.claims.reader import read_text
+from canon.deadline import within
+from canon.errors import BudgetExceeded
+
+LONG = 60.0
+
+
+def test_answers_and_errors_pass() -> None:
+    for seconds in (math.inf, 20.0):
+        assert within(Budget(seconds), lambda: 7) == 7
+        with pytest.raises(ZeroDivisionError, match="as it was"):
+            within(Budget(seconds), lambda: (_ for _ in ()).throw(ZeroDivisionError("as it was")))
+    with pytest.raises(BudgetExceeded):
+        within(Budget(0.0), lambda: pytest.fail("nothing is begun"))
+
+
+def test_what_goes_on_for_ever_is_ended() -> None:
+    """Also where it catches whatever is an error; and what it holds is given back."""
+    undone = []
+
+    def deaf() -> None:
+        try:
+            while True:
+                try:
+                    sum(range(100))
+                except Exception:
+                    pytest.fail("it is no error")
+        finally:
+            undone.append(True)
+
+    before = threading.active_count()
+    start = time.monotonic()
+    with pytest.raises(BudgetExceeded, match=r"the budget of .* is spent"):
+        within(Budget(0.1), deaf)
+    assert time.monotonic() - start < LONG
+    assert (undone, threading.active_count()) == ([True], before)
+
+
+def test_what_is_busy_elsewhere_is_left_until_it_comes_back() -> None:
+    release = threading.Event()
+    start = time.monotonic()
+    with pytest.raises(BudgetExceeded):
+        within(Budget(0.05), lambda: release.wait(LONG))
+    assert time.monotonic() - start < LONG / 2
+    release.set()
+
+
+HEAD = '[phase_space]\nq = ["q", "x"]\np = ["p", "y"]\n'
+
+
+def test_a_claim_keeps_to_its_budget() -> None:
+    """An integral of which sympy's rules find no antiderivative, in four minutes: it is enclosed instead."""
+    integral = 'f = "log(1 + q)/((1 + q**3)*sqrt(1 + q))"\nvariable = "q"\nfrom = "0"\nto = "1"\nequals = "1"\n'
+    (claim,) = read_text(f'{HEAD}[[claim]]\nkind = "integral"\n{integral}').claims
+    start = time.process_time()
+    assert verify(claim, budget=1.0).status == "refuted"
+    assert time.process_time() - start < 3.0
+
+
+def test_exponents_of_a_long_number_are_multiplied_out_by_nobody() -> None:
+    """tanh p beside tanh(1001 p/1000), as exponentials: a polynomial of degree 2000 in two names."""
+    field = (
+        'kind = "hamiltonian_field"\nqdot = ["(1 - tanh(p)**2)*p + tanh(1001*p/1000)", "exp(y/2)"]\npdot = ["0", "0"]\n'
+    )
+    (claim,) = read_text(f"{HEAD}[[claim]]\n{field}").claims
+    start = time.process_time()
+    assert verify(claim, budget=20.0).status == "proved"
+    assert time.process_time() - start < 5.0

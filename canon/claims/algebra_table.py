@@ -10,8 +10,9 @@ from canon.claims import group_of_matrices
 from canon.claims.algebra import basis_of, stated_constants
 from canon.claims.bracket import keys_domain
 from canon.claims.group import law_of, structure_constants
-from canon.claims.matrix_algebra import closings, entries_of, scaled_matrices, unscaled
+from canon.claims.matrix_algebra import closings, entries_of
 from canon.claims.question import Question
+from canon.claims.scaled_matrices import scaled_matrices, unscaled
 from canon.claims.structure_constants import find_constants
 from canon.claims.verify import verify
 from canon.errors import InputError

@@ -16,8 +16,9 @@ import sympy as sp
 
 from canon.claims.fixed_parameters import fixed_region
 from canon.claims.group import germ
-from canon.claims.matrix_algebra import COMMUTATOR, closings, independent_entries, scaled_matrices, unscaled
+from canon.claims.matrix_algebra import COMMUTATOR, closings, independent_entries
 from canon.claims.outcome import Outcome, Residual
+from canon.claims.scaled_matrices import scaled_matrices, unscaled
 from canon.claims.show import neat
 from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node, Tape

@@ -15,12 +15,12 @@ from typing import Any, Final, Literal
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.compiled_jacobian import LARGEST_TAKEN_APART, compiled_jacobian
 from canon.numeric.differences import central_differences, complex_step, misfits, neighbours
 from canon.numeric.emit import run
 from canon.numeric.map_shape import MOST_TRIALS, TRIALS, PointMap, point_map, shown
 from canon.numeric.noise import noise_of
-from canon.numeric.precision import UNIT, double
-from canon.numeric.rounding import Unbounded, with_rounding
+from canon.numeric.precision import UNIT
 from canon.numeric.running_bound import run_bounded
 from canon.numeric.scalar_program import Unscalar, values_and_jacobian
 from canon.numeric.traced import Source, Traced, traced
@@ -31,17 +31,6 @@ Array = np.ndarray
 Linearise = Callable[[Array], tuple[Array, Array]]
 
 TRIAL_POINTS: Final = 3
-LARGEST_TAKEN_APART: Final = 32
-"""Maps of more variables are left to jax as they are."""
-
-MOST_POINTS: Final = 2048
-MOST_ENTRIES: Final = 2**22
-"""So many entries of Jacobians are computed at once, so that memory does not grow with the dimension."""
-
-FEW: Final = 16
-BLOCK: Final = 128
-"""Points at once where errors are estimated: such functions are long, and each point is computed three times."""
-
 CLOSE: Final = 1e-9
 """The part of M by which complex steps may miss differences where it is asked whether a map continues analytically."""
 
@@ -190,10 +179,10 @@ def _of_jax(traced: Traced, points: Array, rounded_numbers: bool) -> Differentia
         evaluate, linearise, bounded = _run_directly(program, rounded_numbers)
     except Unscalar:
         program = None
-        evaluate, linearise, bounded = _compiled(traced.one, size, unit)
+        evaluate, linearise, bounded = compiled_jacobian(traced.one, size, unit)
     if bounded and _says_nothing(linearise, points[:TRIAL_POINTS]):
         program = None
-        evaluate, linearise, bounded = _compiled(traced.one, size, unit, bounds=False)
+        evaluate, linearise, bounded = compiled_jacobian(traced.one, size, unit, bounds=False)
     tries = (points[:TRIALS], points[:MOST_TRIALS])
     if not any(np.isfinite(evaluate(trial)).all(axis=1).any() for trial in tries):
         raise InputError(
@@ -247,66 +236,3 @@ def _says_nothing(linearise: Linearise, points: Array) -> bool:
     with np.errstate(all="ignore"):
         useful = E.max(axis=(1, 2)) < USELESS * np.abs(M).max(axis=(1, 2))
     return bool(finite.any() and not (finite & useful).any())
-
-
-def _compiled(
-    one: Callable[[Any], Any], size: int, unit: float, *, bounds: bool = True
-) -> tuple[Callable[[Array], Array], Linearise, bool]:
-    """Values and Jacobian of a jax function, compiled once, for blocks of points of a fixed length; without `bounds`
-    errors are estimated from neighbours.
-    """
-    import jax
-    import jax.numpy as jnp
-
-    block = max(1, min(MOST_POINTS, MOST_ENTRIES // size**2))
-
-    def both(z: Any) -> Any:
-        """(Z M), so that there is one program to compile."""
-        M, Z = jax.jacfwd(lambda w: (one(w),) * 2, has_aux=True)(z)
-        return jnp.concatenate([Z[:, None], M], axis=1)
-
-    with double():
-        try:
-            if not bounds:
-                raise Unbounded("asked for")
-            program, bounded = with_rounding(both, jnp.zeros(size)), True
-        except Unbounded:
-            program, bounded = lambda z: (both(z),), False
-        compiled: Any = jax.jit(jax.vmap(program))
-        values: Any = jax.jit(jax.vmap(lambda z: (one(z),)))
-
-    def call(z: Array, function: Any = compiled, length: int = block) -> list[Array]:
-        parts = []
-        for start in range(0, len(z), length):
-            part = z[start : start + length]
-            padded = np.concatenate([part, np.repeat(part[-1:], length - len(part), axis=0)])
-            with double():
-                parts.append([np.asarray(array, dtype=float)[: len(part)] for array in function(padded)])
-        return [np.concatenate(column) for column in zip(*parts, strict=True)]
-
-    def linearise(z: Array) -> tuple[Array, Array]:
-        values, errors = call(z)
-        return values[:, :, 1:], errors[:, :, 1:]
-
-    def evaluate(z: Array) -> Array:
-        if size > LARGEST_TAKEN_APART:  # the values alone are a shorter program, and Jacobians are large
-            return call(z, values, FEW)[0]
-        return call(z)[0][:, :, 0]
-
-    def stretched(z: Array, stretch: float) -> Array:
-        return call(z, lambda part: slopes(part, stretch), min(block, BLOCK))[0]
-
-    if bounded:
-        return evaluate, linearise, True
-    with double():
-        slopes: Any = jax.jit(jax.vmap(lambda z, s: (_slopes(one, z, s),), in_axes=(0, None)))
-    return evaluate, neighbours(stretched, unit), False
-
-
-def _slopes(one: Callable[[Any], Any], z: Any, stretch: Any) -> Any:
-    """M (2n, 2n) from tangents that are longer than 1: of a linear map, too, it is rounded otherwise."""
-    import jax
-    import jax.numpy as jnp
-
-    columns = jax.vmap(lambda v: jax.jvp(one, (z,), (v,))[1])(stretch * jnp.eye(z.shape[0], dtype=z.dtype))
-    return columns.T / stretch

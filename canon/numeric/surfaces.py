@@ -16,6 +16,7 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.numeric.loops import real
+from canon.numeric.pfaffians import pfaffians
 from canon.numeric.precision import UNIT
 from canon.numeric.quadrature import Grid, grid
 
@@ -174,15 +175,15 @@ def _of_two_dimensions(grids: Sequence[Grid], points: Array, off: Array) -> tupl
     flat = points.reshape(-1, points.shape[-1])
     tangents = np.stack([g.derivative(points, axis).reshape(flat.shape).T for axis, g in enumerate(grids)])
     weights = np.multiply.outer(grids[0].weights, grids[1].weights).ravel()
-    total, bound = (weights @ part for part in _pfaffians(tangents))
+    total, bound = (weights @ part for part in pfaffians(tangents))
     larger = [_along(g.amplification(), axis, counts) * off[:, None] for axis, g in enumerate(grids)]
     for axis in range(2):
         errors = np.zeros_like(tangents)
         errors[axis] = larger[axis]
-        added = (weights * _pfaffians(tangents, errors)[1]).reshape(counts)
+        added = (weights * pfaffians(tangents, errors)[1]).reshape(counts)
         bound = bound + SAFETY * np.sqrt(np.sum(added.sum(axis=1 - axis) ** 2))
     everywhere = np.full_like(tangents, 2 * np.pi) * off[:, None]
-    return total, bound + weights @ _pfaffians(tangents, everywhere)[1]
+    return total, bound + weights @ pfaffians(tangents, everywhere)[1]
 
 
 def _by_slabs(grids: Sequence[Grid], points: Array, off: Array) -> tuple[Array, Array]:
@@ -211,7 +212,7 @@ def _by_slabs(grids: Sequence[Grid], points: Array, off: Array) -> tuple[Array, 
         here = stacked[(slice(None), *index)]
         for axis in range(lead, len(grids)):
             tangents[axis] = grids[axis].derivative(here, 1 + axis - lead).reshape(width, -1)
-        values, rounding = _pfaffians(tangents, errors)
+        values, rounding = pfaffians(tangents, errors)
         total = total + weight * (inner @ values)
         bound = bound + weight * (inner @ rounding)
     return total, bound
@@ -220,47 +221,6 @@ def _by_slabs(grids: Sequence[Grid], points: Array, off: Array) -> tuple[Array, 
 def _along(values: Array, axis: int, counts: Sequence[int]) -> Array:
     shape = [-1 if a == axis else 1 for a in range(len(counts))]
     return np.broadcast_to(values.reshape(shape), tuple(counts)).ravel()
-
-
-def _pfaffians(t: Array, off: Array | None = None) -> tuple[Array, Array]:
-    """Pf(ω(t_a, t_b)) at each node for tangents (2k, 2n, N), with its error for tangents off by `off`."""
-    size, width, count = t.shape
-    n = width // 2
-    large = np.abs(t)
-
-    def sums(x: Array, y: Array, a: int, b: int) -> tuple[Array, Array]:
-        """Σ p_i q_i and Σ q_i p_i, the first factors of x_a, the second ones of y_b."""
-        return np.einsum("in,in->n", x[a, n:], y[b, :n]), np.einsum("in,in->n", x[a, :n], y[b, n:])
-
-    entries: dict[tuple[int, int], tuple[Array, Array]] = {}
-    for a in range(size):
-        for b in range(a + 1, size):
-            first, second = sums(t, t, a, b)
-            error = (n + 1) * UNIT * sum(sums(large, large, a, b))
-            if off is not None:
-                error = error + sum(sums(large, off, a, b)) + sum(sums(off, large, a, b))
-            entries[a, b] = first - second, error
-    known: dict[tuple[int, ...], tuple[Array, Array]] = {(): (np.ones(count), np.zeros(count))}
-    return _pfaffian(tuple(range(size)), entries, known)
-
-
-def _pfaffian(
-    rows: tuple[int, ...],
-    entries: dict[tuple[int, int], tuple[Array, Array]],
-    known: dict[tuple[int, ...], tuple[Array, Array]],
-) -> tuple[Array, Array]:
-    """The Pfaffian of the rows by expansion along the first one, each minor once."""
-    if rows not in known:
-        total: Array = 0.0
-        error: Array = 0.0
-        first, *rest = rows
-        for position, b in enumerate(rest):
-            minor, off = _pfaffian(tuple(rest[:position] + rest[position + 1 :]), entries, known)
-            value, bound = entries[first, b]
-            total = total + (-1) ** position * value * minor
-            error = error + bound * np.abs(minor) + np.abs(value) * off + len(rows) * UNIT * np.abs(value * minor)
-        known[rows] = total, error
-    return known[rows]
 
 
 def _points(surface: Surface, u: Array) -> Array:

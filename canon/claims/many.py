@@ -41,6 +41,7 @@ def verify_many(
     budget: float = 10.0,
     seed: int = 0,
     method: Method = "symbolic",
+    accuracy: float | None = None,
     batch: int = BATCH,
     certificates: bool = False,
     apart: bool = True,
@@ -50,15 +51,16 @@ def verify_many(
 
     **Arguments:** `claims`, taken only as they are needed; `executor`, on which they are decided (default: a process
     for each core here), with workers that can import `canon`; `budget` in seconds for each claim (its own wins),
-    `seed` and `method` as of `verify`; `batch`, how many claims travel together; `certificates`, whether verdicts bring
-    theirs along; `apart`, whether each worker decides in a process beside it, which is killed where a claim overstays
-    its budget or needs more than `memory` bytes (default: a core's share of the machine's; False: in the worker
-    itself, whose time nothing but the deciders' own clock limits).
+    `seed`, `method` and `accuracy` as of `verify`; `batch`, how many claims travel together; `certificates`, whether
+    verdicts bring theirs along; `apart`, whether each worker decides in a process beside it, which is killed where a
+    claim overstays its budget or needs more than `memory` bytes (default: a core's share of the machine's; False: in
+    the worker itself, whose time nothing but the deciders' own clock limits).
 
     **Yields:** (position, verdict); for an ill-posed claim (position, `InputError`). They are the same on every
     executor and in every order, as long as no budget ends a decision.
     """
-    settings = (Settings(budget=budget, seed=seed, method=method, memory=memory), certificates, apart)
+    asked = Settings(budget=budget, seed=seed, method=method, accuracy=accuracy, memory=memory)
+    settings = (asked, certificates, apart)
     if executor is None:
         with ProcessPoolExecutor(available_cores(), mp_context=get_context("spawn")) as own:
             yield from _answers(enumerate(claims), own, settings, batch)
@@ -119,7 +121,13 @@ def decided_here(claim: Claim, settings: Settings, certificates: bool) -> Answer
     """The answer to a claim, in this process."""
     try:
         with _ONE_AT_A_TIME:
-            verdict = verify(claim, budget=settings.budget, seed=settings.seed, method=settings.method)
+            verdict = verify(
+                claim,
+                budget=settings.budget,
+                seed=settings.seed,
+                method=settings.method,
+                accuracy=settings.accuracy,
+            )
         return verdict if certificates else replace(verdict, certificate=None)
     except InputError as error:
         return error

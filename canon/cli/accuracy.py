@@ -12,8 +12,6 @@ def no_accuracy(arguments: argparse.Namespace) -> str:
 
     if arguments.method == "symbolic":
         return "an exact decision has none: it is for --method numeric or all"
-    if arguments.cluster is not None:
-        return "not on a cluster"
     if not LEAST <= arguments.accuracy < 1:
         return f"give one from {LEAST:g} to 1, as 1e-30"
     if arguments.accuracy < DOUBLE:

@@ -39,6 +39,7 @@ def answers_of(address: str, entries: Sequence[Entry], settings: Settings) -> It
             budget=settings.budget,
             seed=settings.seed,
             method=settings.method,
+            accuracy=settings.accuracy,
         )
         for position, answer in found:
             entry = entries[position]

@@ -34,7 +34,8 @@ NARROWER: Final = 16.0
 """Times that a window is shorter where so many steps are too few for it."""
 WINDOWS: Final = 8
 LEAST: Final = 3
-"""Runs of which the time is taken: one of two may be slow by chance."""
+"""Runs of which the time is taken, and with as many steps as are tried where the whole will have more: one of two may
+be slow by chance."""
 GAIN: Final = 0.8
 """What a candidate's work is to be below, beside that of the method that the rules choose, to be taken instead."""
 ROUNDING: Final = 1e-12
@@ -200,7 +201,8 @@ def _like_the_motion(runs: Sequence[Trial]) -> list[Trial]:
     times as long. The finest one is among them, and the shortest, for what every run takes.
     """
     shortest = min(runs, key=lambda run: run.seconds)
-    return [run for run in runs if run is runs[-1] or run is shortest or run.difference < STRAY]
+    finest = runs[-1].steps
+    return [run for run in runs if run.steps == finest or run is shortest or run.difference < STRAY]
 
 
 def _kept(task: Task, method: Method, costs: Costs) -> float:
@@ -257,7 +259,8 @@ def _trial(task: Task, accuracy: float, window: float) -> _Trial | None:
     if found is None:
         return None
     runs = tuple(replace(t, difference=d) for t, d in zip(search.trials, (math.inf, *differences), strict=True))
-    while len(search.trials) < LEAST:
+    beyond = window < task.duration or found.error > goal  # the whole has more steps than any of these runs
+    while len(search.trials) < (len(runs) + LEAST - 1 if beyond else LEAST):
         _made(search, runs[-1].steps)
     return replace(found, runs=runs, costs=costs_of(_like_the_motion([*runs, *search.trials[len(runs) :]])))
 

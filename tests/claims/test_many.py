@@ -179,6 +179,15 @@ def test_certificates_travel_where_they_are_wanted() -> None:
     assert again.certificate["verdict"] == "proved"
 
 
+def test_an_accuracy_goes_along_to_whoever_decides() -> None:
+    claims = [CLAIMS[k] for k in (0, 1)]
+    found = dict(verify_many(claims, executor=Here(), method="numeric", accuracy=1e-40, apart=False))
+    for verdict in found.values():
+        assert verdict.status == "supported"
+        assert verdict.numeric.bound <= 1e-40
+        assert verdict.detail["accuracy"] == {"asked": 1e-40, "reached": True}
+
+
 def test_a_cluster_that_is_not_there_is_an_input_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "claims.toml"
     file.write_text(brackets(1))
@@ -195,8 +204,9 @@ def test_a_worker_of_a_cluster_is_killed_and_nothing_lost(tmp_path: Path, capsys
     import json
 
     distributed = pytest.importorskip("distributed")
-    file, journal = tmp_path / "claims.toml", tmp_path / "journal"
+    file, few, journal = tmp_path / "claims.toml", tmp_path / "few.toml", tmp_path / "journal"
     file.write_text(brackets(400))
+    few.write_text(brackets(2))
     written: list[int] = []
 
     def kill(process: int) -> None:
@@ -215,8 +225,12 @@ def test_a_worker_of_a_cluster_is_killed_and_nothing_lost(tmp_path: Path, capsys
         command = ["verify", "--json", str(file), "--resume", str(journal)]
         status = main([*command, "--cluster", cluster.scheduler_address])
         killer.join(30)
+        record = json.loads(capsys.readouterr().out)
+        command = ["verify", "--json", str(few), "--method", "numeric", "--accuracy", "1e-30"]
+        assert main([*command, "--cluster", cluster.scheduler_address]) == 0
+        bounded = json.loads(capsys.readouterr().out)["claims"]
+    assert [claim["detail"]["accuracy"]["reached"] for claim in bounded] == [True, True]
     assert 20 <= written[-1] < 400
-    record = json.loads(capsys.readouterr().out)
     assert [claim["index"] for claim in record["claims"]] == list(range(400))
     assert record["summary"] == {"proved": 267, "refuted": 133, "supported": 0, "undecided": 0, "errors": 0}
     assert status == 1

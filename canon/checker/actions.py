@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from canon.checker.case import Case
 from canon.checker.functions import Unknown
-from canon.checker.obligations import Case
 from canon.checker.points import Numbers, Outside
 from canon.checker.statement import Statement
 

@@ -7,10 +7,11 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
+from canon.checker.case import Case
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.lie import Algebra, is_named
 from canon.checker.linear import rank, solved
-from canon.checker.obligations import Case, bracketed
+from canon.checker.obligations import bracketed
 from canon.checker.statement import Statement
 
 Pair = tuple[int, int]
@@ -80,6 +81,7 @@ def stated(s: Statement, names: Sequence[str]) -> Table | None:
         zeros = {f"#{name}": s.f.number(0) for name in names}
         if s.f.value(s.f.substitute(value, zeros)) != 0 or any(_has(s, c, marks) for c in row.values()):
             raise Unreadable(f"{text[:40]!r} is no combination of the basis")
+        (s.written if "structure" in s.claim else s.added).extend(row.values())
         table[min(a, b), max(a, b)] = {k: c if a < b else s.f.mul(s.f.number(-1), c) for k, c in row.items() if c}
     return table
 

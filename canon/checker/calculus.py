@@ -7,9 +7,10 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
+from canon.checker.case import Case
 from canon.checker.functions import Unknown
-from canon.checker.obligations import Case
 from canon.checker.points import Numbers, Outside
+from canon.checker.positive import is_positive
 from canon.checker.shapes import is_smooth
 from canon.checker.statement import Statement
 
@@ -29,6 +30,7 @@ def by_antiderivative(s: Statement, inside: int, x: str, ends: list[int], total:
     if text is None or s.verdict != "proved":
         return None
     F = f.read(text, s.names)
+    s.added.append(F)
     low, high = (f.substitute(F, {x: end}) for end in ends)
     return Case([f.sub(f.slope(F, x), inside), f.sub(f.sub(high, low), total)]) if is_smooth(s, F, x) else None
 
@@ -80,8 +82,11 @@ def average(s: Statement) -> Case:
             return f.add(f.bracket(a, s.H, f.pairs), f.slope(a, s.time))
 
         mean = f.sub(value, rate(G))
-        if s.verdict == "refuted":  # that motions stay in the domain isn't looked at
-            return Case([f.sub(mean, equals)])
+        if s.verdict == "refuted":  # motions that leave the domain are none that the claim is about
+            zeros = [rate(a) for a in (mean, bound, *(a for a, _ in s.conditions))]
+            bounded = all(is_positive(s, a, strict=False, real=True) for a in (f.sub(bound, G), f.add(bound, G)))
+            against = "" if bounded else "that the virial is bounded as it says"
+            return Case([f.sub(mean, equals)], granted=zeros, against=against)
         zeros = [rate(mean), rate(bound), f.sub(mean, equals)]
         return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)])
     if "coordinate" in claim:
@@ -102,7 +107,7 @@ def average(s: Statement) -> Case:
         for x, other, sign in ((q, p, 1), (p, q, -1)):
             slope = f.mul(f.number(sign), f.substitute(f.slope(s.H, other), moved), pace)
             zeros.append(f.sub(f.slope(moved[x], u), slope))
-    return replace(case, zeros=zeros, positive=[(pace, True)])  # time grows
+    return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)])  # time grows
 
 
 def _pieces(numbers: Numbers, a: Any, b: Any) -> list[Any]:

@@ -19,14 +19,15 @@ from itertools import chain
 from typing import Any
 
 from canon.checker import core
-from canon.checker.followed import Followed
+from canon.checker.case import Case
+from canon.checker.followed import Followed, is_identity
 from canon.checker.functions import Rejected, Unknown, Unreadable
 from canon.checker.intervals import Intervals, Open
 from canon.checker.kinds import obligations
-from canon.checker.obligations import Case
 from canon.checker.points import CLOSE, DIGITS, Numbers, Outside, domain_of, independence, names_in, points
 from canon.checker.positive import is_positive
-from canon.checker.shapes import is_rational
+from canon.checker.reality import unreal
+from canon.checker.shapes import is_algebraic
 from canon.checker.statement import KNOWN, Statement
 from canon.checker.values import Values
 from canon.checker.witness import refutes
@@ -105,7 +106,13 @@ class _Check:
     def _run(self) -> list[str]:
         witness = self.data.get("witness")
         if self.verdict == "refuted" and witness is not None and all(case.found is not False for case in self.cases):
-            return refutes(self.s, self.cases, witness, real=self.real)
+            trusted = refutes(self.s, self.cases, witness, real=self.real)
+            own = Values(self.s, self.primes[0], self.rng, real=self.real)
+            if not all(is_identity(own, a) for case in self.cases for a in case.granted):
+                trusted.append(
+                    "that the point says something of what is claimed, as its grounds aren't seen to be constant"
+                )
+            return trusted
         if self.verdict == "proved" and witness is not None:
             raise Rejected("a proof with a witness against it")
         if len(self.data["cases"]) != len(self.cases):
@@ -147,6 +154,9 @@ class _Check:
         known = {str(text): tuple(map(core.read, value)) for text, value in data["atoms"].items()}
         atoms = self._atoms([*case.zeros, *s.surface], known, places)
         followed = Followed(s, kernels, atoms, Values(s, self.primes[0], self.rng, real=self.real))
+        if self.real:
+            own = [*domain_of(s), *(targets if not s.added else [])]
+            trusted += unreal(followed, own, kernels)
         used = {name for entry in data["residuals"] for name in entry.get("cofactors", {})} & relations.keys()
         for name in sorted(n for n in used if not followed.vanishes(relations[n])):
             trusted.append(f"the relation of {f.text(kernels[name])[:80]} (seen to hold at {len(places)} points)")
@@ -182,9 +192,9 @@ class _Check:
         return [*trusted, *self._positive(case, places), *self._measured(case, places)]
 
     def _is_not_zero(self, a: int, of: Mapping[str, Any], followed: Followed) -> bool:
-        """Whether a formula isn't identically 0: a rational one by its value modulo a prime, others by an interval."""
-        if is_rational(self.s, a):
-            return followed.is_not_zero(a)
+        """Whether a formula isn't identically 0: one of roots alone modulo a prime, others in intervals."""
+        if is_algebraic(self.s, a):
+            return not self.s.surface and followed.is_not_zero(a)
         own = Intervals(2 * DIGITS)
         try:
             point = {n: x if isinstance(x, str) else own.iv.mpf(x) for n, x in of.items()}

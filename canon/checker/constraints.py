@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations
 
+from canon.checker.case import Case
 from canon.checker.functions import Unknown
 from canon.checker.motion import Motion, formulas
-from canon.checker.obligations import Case
 from canon.checker.shapes import is_rational
 from canon.checker.statement import Statement
 

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
+from canon.checker.case import Case
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown
-from canon.checker.obligations import Case
 from canon.checker.statement import Statement
 
 Dimension = dict[str, Fraction]

@@ -57,15 +57,12 @@ class Followed:
 
     def is_zero(self, a: int) -> bool:
         """Whether a residual that isn't written as an identity is 0 all the same."""
-        try:
-            return not self.s.surface and not self.values.value(a)
-        except FAILURES:
-            return False
+        return not self.s.surface and is_identity(self.values, a)
 
     def is_not_zero(self, a: int) -> bool:
-        """Whether a rational function isn't 0."""
+        """Whether a function of roots alone is 0 for no choice of them."""
         try:
-            return bool(self.values.value(a))
+            return bool(self.values.t.inverse(self.values.value(a)))
         except FAILURES:
             return False
 
@@ -73,3 +70,11 @@ class Followed:
         """Whether a polynomial is seen to vanish nowhere: its terms have one sign, and one of them is never 0."""
         sign, never = sign_of(self.values.roots.words, core.read(data))
         return sign != 0 and never
+
+
+def is_identity(values: Values, a: int) -> bool:
+    """Whether a formula is seen to be 0 by the rules for its functions."""
+    try:
+        return not values.value(a)
+    except FAILURES:
+        return False

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import ast
 import re
+import unicodedata
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from canon.checker.functions import SLOPES, Unknown, Unreadable
+from canon.checker.functions import ARITIES, SLOPES, Unknown, Unreadable
 
 _NAME = re.compile(r"(?<![\w.])[^\W\d]\w*")
 LONGEST, MOST, BITS = 50_000, 50_000, 40_000
@@ -27,7 +28,7 @@ class Formulas:
     def __init__(self, functions: Sequence[str] = (), pairs: Sequence[tuple[str, str]] = ()) -> None:
         self.ops: list[tuple[Any, ...]] = []
         self.functions, self.pairs = functions, pairs
-        self._memo, self._slopes = dict[Any, int](), dict[tuple[int, str], int]()
+        self._memo, self._slopes, self._counts = dict[Any, int](), dict[tuple[int, str], int](), dict[str, int]()
         self._bodies = dict[tuple[str, tuple[int, ...]], int]()
         for value in (0, 1):
             self.number(value)
@@ -209,6 +210,8 @@ class Formulas:
         """The tree of a text; every name gets a mark in front, so that Python's own words are names too."""
         if not isinstance(text, (str, int)) or len(str(text)) > LONGEST:
             raise Unreadable(f"no formula: {str(text)[:40]}")
+        if "#" in str(text) or unicodedata.normalize("NFKC", str(text)) != str(text):
+            raise Unreadable(f"letters that aren't of the language, or look like others: {str(text)[:60]}")
         marked = _NAME.sub(r"_\g<0>", " ".join(str(text).split()))
         try:
             return ast.parse(marked, mode="eval").body, marked.encode()
@@ -262,19 +265,22 @@ class Formulas:
 
     def call(self, name: str, orders: Sequence[int], arguments: Sequence[int]) -> int:
         """The value of a function, a derivative or a bracket."""
-        a = arguments[0]
-        if name in self.functions and len(orders) in (0, len(arguments)):
+        a, count = arguments[0], len(arguments)
+        if name in self.functions and len(orders) in (0, count) and self._counts.setdefault(name, count) == count:
             return self.node("f", name, tuple(orders) or (0,) * len(arguments), tuple(arguments))
+        if orders or count not in ARITIES.get(name, ()):
+            raise Unreadable(f"{name[:40]} is no function of {count} arguments")
         if name in ("sqrt", "cbrt"):
             return self.power(a, self.number(Fraction(1, 2 if name == "sqrt" else 3)))
         if name == "bracket":
             return self.bracket(a, arguments[1], self.pairs)
         if name == "D":
-            for _ in range(min(20, int(self.value(arguments[2]) or 0)) if len(arguments) > 2 else 1):
+            order = self.value(arguments[2]) if count > 2 else Fraction(1)
+            if self.ops[arguments[1]][0] != "s" or order is None or order.denominator > 1 or not 0 <= order <= 20:
+                raise Unreadable("D is by a name, and of a whole order up to 20")
+            for _ in range(int(order)):
                 a = self.slope(a, self.ops[arguments[1]][1])
             return a
-        if name not in SLOPES or orders:
-            raise Unreadable(f"{name[:40]} is no function")
         return self.node("f", name, (), tuple(arguments))
 
     def text(self, a: int) -> str:

@@ -44,6 +44,10 @@ SLOPES = {
 }  # fmt: skip
 """The derivatives of the functions by their arguments u, v and w; one that isn't here is not known."""
 
+ARITIES = {name.partition("/")[0]: {len(rules) or 1} for name, rules in SLOPES.items() if "/" not in name}
+"""The numbers of arguments with which each function may be called."""
+ARITIES |= {"sqrt": {1}, "cbrt": {1}, "bracket": {2}, "D": {2, 3}, "elliptic_e": {1, 2}, "elliptic_pi": {2, 3}}
+
 
 class Unreadable(ValueError):
     """A certificate, or a formula in it, that isn't what it should be."""

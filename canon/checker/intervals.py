@@ -39,6 +39,7 @@ class Intervals:
         self.iv.dps = digits
         self.mp: Any = mpmath.MPContext()
         self.mp.dps = digits
+        self.signs: Mapping[str, Sequence[str]] = {}
 
     def number(self, x: Fraction) -> Any:
         """A rational number."""
@@ -56,6 +57,8 @@ class Intervals:
                 if op[0] == "f" and op[1] in f.functions:
                     body = f.body(of[op[1]], op[2])
                     out[a] = self.values(f, [body], {f"#{k}": x for k, x in enumerate(parts, 1)})[body]
+                    if not any(op[2]) and not is_allowed(self.signs.get(op[1], ()), out[a]):
+                        raise Open
                 else:
                     out[a] = self._value(op, parts, of)
             except (ValueError, ZeroDivisionError, OverflowError, TypeError, KeyError, NotImplementedError):
@@ -162,3 +165,12 @@ class Intervals:
         if y.b < 0:
             return -turn - self._monotone("atan", [x / y])
         raise Open
+
+
+def is_allowed(words: Sequence[str], x: Any) -> bool:
+    """Whether the values in an interval are as a name's assumptions say."""
+    return not (
+        ("positive" in words and not x.a > 0) or ("negative" in words and not x.b < 0)
+        or ("nonnegative" in words and not x.a >= 0) or ("nonpositive" in words and not x.b <= 0)
+        or ("nonzero" in words and 0 in x) or ("integer" in words and (x.a != x.b or int(x.a) != x.a))
+    )  # fmt: skip

@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from canon.checker import actions, algebras, calculus, constraints, dimensions, matrices
 from canon.checker import obligations as mechanics
+from canon.checker.case import Case
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.motion import Motion, formulas
-from canon.checker.obligations import Case
 from canon.checker.statement import Statement
 
 
@@ -57,8 +57,10 @@ def hamilton_jacobi(s: Statement) -> Case:
     s.without_map()
     S, constants = s.key(word), list(s.claim["constants"])
     energy = s.key("energy") if word == "W" else f.number(0)
-    if len(constants) < len(s.q):
+    if len(constants) < len(s.q) and f.ops[energy][0] == "s":
         constants.append(f.ops[energy][1])
+    if len({*constants}) != len(s.q) or {*constants} & {*s.q, *s.p, s.time, *f.functions}:
+        raise Unreadable("as many constants as coordinates are needed, none of which moves")
     momenta = {p: f.slope(S, q) for p, q in zip(s.p, s.q, strict=True)}
     other = f.slope(S, s.time) if word == "S" else f.mul(f.number(-1), energy)
     complete = s.determinant([[f.slope(p, a) for a in constants] for p in momenta.values()])

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from canon.checker.case import Case
 from canon.checker.functions import Unreadable
-from canon.checker.obligations import Case
 from canon.checker.statement import Statement
 
 Rows = list[list[int]]

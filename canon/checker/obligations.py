@@ -3,59 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
 from itertools import combinations
 from math import factorial
-from typing import Any
 
-from canon.checker.formulas import Unknown
+from canon.checker.case import Case, whole
+from canon.checker.functions import Unknown, Unreadable
+from canon.checker.positive import is_nowhere_zero
 from canon.checker.shapes import is_rational, is_smooth_there
 from canon.checker.statement import Statement
-
-
-@dataclass
-class Case:
-    """What must vanish, and groups of which a member must not vanish everywhere.
-
-    `images` are values of names that it is about; `trusted`, what would have to be shown besides; `labels`, what the
-    zeros are called, where they have names. `independent` are functions that must be linearly independent over the
-    reals, whatever the parameters are; `positive`, formulas that must be positive throughout the domain (or, with
-    False, nowhere negative). `found` is what exact arithmetic says of the rest of the claim, if anything, and
-    `measured` gives further values that must vanish at a point, to so many `digits`: they are evidence, never a proof.
-    Where one of the groups `outside` is independent, the claim fails.
-    Names that stand in `mentions` get values too.
-    """
-
-    zeros: list[int]
-    nonzeros: list[list[int]] = field(default_factory=list)
-    images: dict[str, int] = field(default_factory=dict)
-    trusted: str = ""
-    labels: list[str] = field(default_factory=list)
-    independent: list[int] = field(default_factory=list)
-    positive: list[tuple[int, bool]] = field(default_factory=list)
-    found: bool | None = None
-    measured: Callable[[Any, Mapping[str, Any]], list[Any]] | None = None
-    digits: int = 20
-    outside: list[list[int]] = field(default_factory=list)
-    mentions: list[int] = field(default_factory=list)
-
-    def shown(self, verdict: str) -> list[int]:
-        """What a certificate of this verdict has to show to be 0; of a refutation without a point, its grounds."""
-        if verdict == "proved" or self.found is False:
-            return self.zeros
-        return self.nonzeros[0] if self.nonzeros else []
 
 
 def canonical(s: Statement) -> Case:
     """Brackets, or their Taylor coefficients up to an order; of a generating function, its mixed Hessian too."""
     f, claimed = s.f, s.key("scale") if "scale" in s.claim else s.f.number(1)
+    if f.value(claimed) == 0:
+        raise Unreadable("a scale is nowhere 0")
+    trusted = "" if is_nowhere_zero(s, claimed) else "that the scale vanishes nowhere"
     zeros, _ = s.brackets(claimed)
     if s.direction == "implicit":
         return Case([*zeros, f.sub(claimed, f.number(1))], [[hessian(s)]])
     if "order" in s.claim:
         name, order = s.claim["order"]
-        return Case([c for z in zeros for c in taylor(s, z, name, range(order + 1))], images={name: f.number(0)})
-    return Case(zeros, labels=bracket_labels(s, str(s.claim.get("scale", 1))))
+        powers = range(whole(order) + 1)
+        images = {s.parameter(name): f.number(0)}
+        return Case([c for z in zeros for c in taylor(s, z, name, powers)], images=images, trusted=trusted)
+    return Case(zeros, labels=bracket_labels(s, str(s.claim.get("scale", 1))), trusted=trusted)
 
 
 def bracket_labels(s: Statement, scale: str = "c") -> list[str]:
@@ -88,7 +60,9 @@ def taylor(s: Statement, a: int, name: str, orders: Iterable[int]) -> list[int]:
 def canonical_when(s: Statement) -> list[Case]:
     """Canonical at each solution, and not elsewhere."""
     zeros, _ = s.brackets(s.f.number(1))
-    tables = [{name: s.f.read(text, s.names) for name, text in table.items()} for table in s.claim["solutions"]]
+    tables = [
+        {s.parameter(name): s.f.read(text, s.names) for name, text in table.items()} for table in s.claim["solutions"]
+    ]
     trusted = "that it fails at almost all values of the parameters, and not only at those tried"
     return [Case([s.f.substitute(z, t) for z in zeros], images=t) for t in tables] + [
         Case([], [zeros], trusted="" if all(is_rational(s, z) for z in zeros) else trusted)
@@ -112,7 +86,7 @@ def new_hamiltonian(s: Statement) -> Case:
         zeros.append(f.add(f.slope(difference, u), f.sub(moved[0], f.mul(c, moved[1]))))
     labels = [*(bracket_labels(s) if s.direction != "implicit" else [f"b_{k}" for k in range(len(s.lagrange(s.new)))])]
     labels += [*(f"D(c, {u})" for u in (*s.coordinates, s.time)), *(f"residual_{u}" for u in s.coordinates)]
-    return Case(zeros, [[hessian(s)]] if s.direction == "implicit" else [], labels=labels)
+    return Case(zeros, [[hessian(s) if s.direction == "implicit" else c]], labels=labels)
 
 
 def dragged(s: Statement, X: list[int], u: str) -> int:
@@ -134,7 +108,10 @@ def volume(s: Statement) -> Case:
 
 def integral_invariant(s: Statement) -> Case:
     """The Pfaffians of so many of Lagrange's brackets agree."""
-    rows = combinations(range(len(s.coordinates)), 2 * s.claim.get("order", 1))
+    order = whole(s.claim.get("order", 1), 1)
+    if order > len(s.q):
+        raise Unreadable(f"an invariant of order {order} of {len(s.q)} degrees of freedom")
+    rows = combinations(range(len(s.coordinates)), 2 * order)
     new, old = (s.lagrange(X) for X in (s.new, s.old))
     return Case([s.f.sub(s.pfaffian(new, r), s.pfaffian(old, r)) for r in rows])
 
@@ -150,6 +127,7 @@ def cartan_invariant(s: Statement) -> Case:
         slopes.append(f.add(moved, f.sub(f.add(*terms[:half]), f.add(*terms[half:]))))
     if isinstance(s.known.get("potential"), str):
         W = f.read(s.known["potential"], {})
+        s.added.append(W)
         trusted = "" if is_smooth_there(s, W) else "that the potential is smooth throughout the domain"
         return Case([f.sub(slope, f.slope(W, u)) for u, slope in zip(names, slopes, strict=True)], trusted=trusted)
     pairs = combinations(range(len(names)), 2)
@@ -239,17 +217,20 @@ def independent(s: Statement) -> Case:
 
 def lie_series(s: Statement) -> Case:
     """The value at 0 and the equation of the flow; with an order, the Taylor coefficients."""
-    f, name, G, x, given = s.f, s.claim["parameter"], s.key("generator"), s.key("f"), s.key("equals")
+    f, name, G, x, given = s.f, s.parameter(s.claim["parameter"]), s.key("generator"), s.key("f"), s.key("equals")
+    if any(f.ops[a] == ("s", name) for a in f.reach(G, x)):
+        raise Unreadable(f"the generator, or f, depends on {name[:40]!r}")
     order = s.claim.get("order", s.known.get("fails_at_order"))
+    order = None if order is None else whole(order)
     if order is None:
         flow = f.sub(f.slope(given, name), f.bracket(given, G, f.pairs))
         return Case([s.pull(f.sub(f.substitute(given, {name: f.number(0)}), x)), s.pull(flow)])
     zeros = []
-    for k, c in enumerate(taylor(s, given, name, range(int(order) + 1))):
+    for k, c in enumerate(taylor(s, given, name, range(order + 1))):
         zeros.append(s.pull(f.sub(c, f.over(x, f.number(factorial(k))))))
         x = f.bracket(x, G, f.pairs)
     rest = given
-    for _ in range(int(order) + 1 if "order" in s.claim else 0):
+    for _ in range(order + 1 if "order" in s.claim else 0):
         rest = f.slope(rest, name)
     return Case([*zeros, s.pull(rest)] if "order" in s.claim else zeros, images={name: f.number(0)})
 

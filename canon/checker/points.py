@@ -9,9 +9,9 @@ from typing import Any
 
 import mpmath
 
+from canon.checker.case import Case
 from canon.checker.core import number
 from canon.checker.formulas import Formulas, Unknown
-from canon.checker.obligations import Case
 from canon.checker.statement import Statement
 
 DIGITS = 50
@@ -39,6 +39,7 @@ class Numbers:
     def __init__(self, digits: int = DIGITS, *, real: bool = True) -> None:
         self.mp: Any = mpmath.MPContext()
         self.mp.dps, self.real = digits, real
+        self.signs: Mapping[str, Sequence[str]] = {}
 
     def number(self, value: Fraction) -> Any:
         """A rational number."""
@@ -62,6 +63,8 @@ class Numbers:
                 if op[0] == "f" and op[1] in f.functions:
                     body = f.body(of[op[1]], op[2])
                     out[a] = self.values(f, [body], {f"#{k}": x for k, x in enumerate(parts, 1)})[body]
+                    if not any(op[2]) and not _allowed(self.signs.get(op[1], ()), out[a], self):
+                        raise Outside
                 else:
                     out[a] = self._value(op, parts, of)
             except (ValueError, ZeroDivisionError, OverflowError, TypeError) as error:

@@ -8,6 +8,7 @@ from fractions import Fraction
 from canon.checker import core
 from canon.checker.functions import Unreadable
 from canon.checker.intervals import Intervals, Open
+from canon.checker.shapes import is_product_of_nonzeros
 from canon.checker.statement import Statement
 
 PRECISIONS = (40, 120, 400)
@@ -87,7 +88,7 @@ def sign_of(words: Mapping[str, Sequence[str]], p: core.Polynomial) -> tuple[int
         sign, nowhere = (1 if c > 0 else -1), True
         for name, e in monomial:
             own = words.get(name, ())
-            if "complex" in own:
+            if "complex" in own or name == "1j":
                 return 0, False
             if "negative" in own or "nonpositive" in own:
                 sign *= (-1) ** e
@@ -97,3 +98,9 @@ def sign_of(words: Mapping[str, Sequence[str]], p: core.Polynomial) -> tuple[int
         found.add(sign)
         never |= nowhere
     return (found.pop(), never) if len(found) == 1 else (0, False)
+
+
+def is_nowhere_zero(s: Statement, a: int) -> bool:
+    """Whether a formula of parameters is seen to have one sign, or to be a product of what isn't 0."""
+    signs = a, s.f.mul(s.f.number(-1), a)
+    return is_product_of_nonzeros(s, a) or any(is_positive(s, x, strict=True, real=True) for x in signs)

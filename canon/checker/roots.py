@@ -201,9 +201,7 @@ class Roots:
             self.named(n) for n, words in self.words.items() if self.real and {"positive", "nonnegative"} & {*words}
         ]
         for other in (*self.nonnegative, *named):
-            ratio = _ratio(x, other, self.t.prime)
-            value = None if ratio is None else _rational(ratio, self.t.prime)
-            if value:
+            if value := multiple(x, other, self.t.prime):
                 return 1 if value > 0 else -1
         return 0
 
@@ -231,6 +229,12 @@ def _ratio(x: Element, y: Element, prime: int) -> int | None:
     m = next(iter(x))
     ratio = x[m] * pow(y[m], -1, prime) % prime
     return ratio if all((ratio * y[k] - c) % prime == 0 for k, c in x.items()) else None
+
+
+def multiple(x: Element, y: Element, prime: int) -> core.Fraction | None:
+    """The rational number c with x = c y; None where there is none."""
+    ratio = _ratio(x, y, prime)
+    return None if ratio is None else _rational(ratio, prime)
 
 
 def _rational(x: int, prime: int) -> core.Fraction | None:

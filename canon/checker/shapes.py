@@ -17,6 +17,12 @@ def is_rational(s: Statement, a: int, names: Iterable[str] | None = None) -> boo
     return all(op[0] != "f" and (op[0] != "s" or own is None or op[1] in own) for op in ops)
 
 
+def is_algebraic(s: Statement, a: int) -> bool:
+    """Whether a formula is made of sums, products and roots."""
+    ops = [s.f.ops[b] for b in s.f.reach(a)]
+    return all(op[0] != "f" or (op[1] == "power" and s.f.value(op[3][1]) is not None) for op in ops)
+
+
 def is_smooth(s: Statement, a: int, x: str) -> bool:
     """Whether a formula is seen to be smooth for all real values of a name: sums and products of entire functions.
 
@@ -34,12 +40,16 @@ def is_smooth(s: Statement, a: int, x: str) -> bool:
     return True
 
 
-def _is_nowhere_zero(s: Statement, a: int) -> bool:
+def is_product_of_nonzeros(s: Statement, a: int) -> bool:
     """Whether a formula is a product of numbers and of names that aren't 0."""
     ops = [s.f.ops[b] for b in s.f.reach(a)]
     sure = {"positive", "negative", "nonzero"}
     return all(
-        op[1] != 0 if op[0] == "n" else bool(sure & {*s.words.get(op[1], ())}) if op[0] == "s" else op[0] in "*^"
+        op[1] != 0
+        if op[0] == "n"
+        else op[1] in ("pi", "1j") or bool(sure & {*s.words.get(op[1], ())})
+        if op[0] == "s"
+        else op[0] in "*^"
         for op in ops
     )
 
@@ -49,7 +59,7 @@ def is_smooth_there(s: Statement, a: int) -> bool:
     f, written = s.f, {*s.f.reach(*(s.pull(b) for b in (*s.written, *s.images.values())))}
     for b in f.reach(a):
         op = f.ops[b]
-        inverted = op[0] == "^" and op[2] < 0 and not _is_nowhere_zero(s, op[1])
+        inverted = op[0] == "^" and op[2] < 0 and not is_product_of_nonzeros(s, op[1])
         if inverted and not any(c[0] == "^" and c[2] < 0 and c[1] == op[1] for c in (f.ops[k] for k in written)):
             return False
         smooth = op[0] != "f" or op[1] in (*SMOOTH, *f.functions) or (op[1] in ("power", "log") and b in written)

@@ -7,17 +7,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
+from canon.checker import stated
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
 
 TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("p", -1, "P", 1)}
 """Of each type of generating function: its old variable, the sign of ∂F by it, its new one, the sign of ∂F by that."""
 
-NAMING = (
-    "parameter", "velocities", "accelerations", "coordinates", "constants", "energy", "order", "first", "second",
-    "fixed", "variable",
-)  # fmt: skip
-"""The keys of claims that declare names."""
 LARGEST = 12
 """The most rows of a Pfaffian; of a determinant, half of it."""
 KNOWN = {
@@ -60,6 +56,7 @@ class Statement:
     """
 
     def __init__(self, tables: Mapping[str, Any], known: Mapping[str, Any], verdict: str) -> None:
+        stated.check_names(tables)
         space, self.claim = tables["phase_space"], Keys(tables["claim"])
         self.verdict = verdict
         self.known = {word: known[word] for word in KNOWN[verdict] if word in known}
@@ -70,12 +67,14 @@ class Statement:
         self.fixed = {n for n, words in self.words.items() if "integer" in words}
         self.declared = {*self.words, *self.q, *self.p, *self.Q, *self.P}
         self.time, self.names, self.written = space.get("time", "t"), dict[str, int](), list[int]()
+        self.added: list[int] = []  # formulas that the certificate says of what the claim leaves open
         self.bracketed: list[str] = []  # coordinates of a bracket that isn't the canonical one
         for name, text in tables.get("definitions", {}).items():
             self.names[name] = self.f.read(text, self.names)
         self._H = self.f.read(tables["hamiltonian"]["H"], self.names) if "hamiltonian" in tables else None
         self.written += [] if self._H is None else [self._H]
         self._chart(tables.get("transformation"), tables.get("generating_function"))
+        stated.check_sides(self, tables)
         self.domain = tables.get("domain", {})
         self._restrict()
 
@@ -86,7 +85,7 @@ class Statement:
 
     def check_names(self) -> None:
         """Refuse a name that nothing declares: a section of the file, or a key of the claim that holds names."""
-        own = [self.claim.get(key, []) for key in NAMING]
+        own = [dict.get(self.claim, key, []) for key in stated.NAMING]
         named = {str(name) for value in own for name in (value if isinstance(value, list) else [value])}
         for op in self.f.ops:
             if op[0] == "s" and op[1][0] != "#" and op[1] not in self.declared | named | {self.time, "pi", "1j"}:
@@ -102,6 +101,12 @@ class Statement:
             if new & {self.f.ops[b][1] for b in self.f.reach(a) if self.f.ops[b][0] == "s"}
         }
         self.conditions = [(a, kind) for a, kind in self.conditions if a not in for_new]
+
+    def parameter(self, name: Any) -> str:
+        """A name that stands for a number: no variable of the phase space. Raises Unreadable for any other."""
+        if not isinstance(name, str) or name in {*self.q, *self.p, *self.Q, *self.P, *self.f.functions, "pi"}:
+            raise Unreadable(f"{str(name)[:40]!r} is no parameter")
+        return name
 
     @property
     def H(self) -> int:
@@ -125,6 +130,8 @@ class Statement:
     def _relation(self, text: str) -> Iterator[tuple[int, str]]:
         """The differences that an inequality says to be positive, or not to vanish."""
         words = re.split(r"(<=|>=|!=|<|>)", text)
+        if len(words) < 3:
+            raise Unreadable(f"no inequality: {text[:60]!r}")
         sides = [self.pull(self.f.read(side, self.names)) for side in words[::2]]
         for left, sign, right in zip(sides, words[1::2], sides[1:], strict=False):
             a, b = (right, left) if "<" in sign else (left, right)

@@ -18,6 +18,7 @@ from itertools import combinations, product
 from typing import Any
 
 from canon.checker import core
+from canon.checker.functions import Unknown
 from canon.checker.roots import Fraction_, Roots
 from canon.checker.statement import Statement
 from canon.checker.tower import Element, Tower
@@ -44,6 +45,7 @@ class Values:
         self.one, self.minus_one = (self.t.constant(core.Fraction(n)) for n in (1, -1))
         self.zero: Element = {}
         self._of: dict[int, Element] = {}
+        self._degrees: dict[int, int] = {}
         self._functions: dict[Key, Element] = {}
         turn = self.t.mul(self.roots.named("pi"), self.t.constant(core.Fraction(1, 2)))
         self._angles = [(turn, self.one, self.zero)]  # an angle, its sine, its cosine
@@ -71,6 +73,12 @@ class Values:
             if a in self._of:
                 continue
             op, x = f.ops[a], [self._of[b] for b in f.parts(a)]
+            degrees = [self._degrees[b] for b in f.parts(a)]
+            self._degrees[a] = degrees[0] * abs(op[2]) if op[0] == "^" else sum(degrees) + (op[0] in "sf")
+            if op[:2] == ("f", "power") and (r := f.value(op[3][1])) is not None:
+                self._degrees[a] *= max(1, abs(r.numerator))
+            if self._degrees[a] > core.STEEPEST:
+                raise Unknown("a formula of too high a degree")
             if op[0] == "n":
                 self._of[a] = t.constant(op[1])
             elif op[0] == "s":
@@ -136,22 +144,23 @@ class Values:
                     ratio = (over, under) if name == "elliptic_e" else (under, over)
                     root = self.roots.root(rest, 2, _reduced(ratio))
                     return t.mul(other, root if name == "elliptic_e" else t.inverse(root))
-        if not x[0] and name in ODD:
+        if not x[0] and name in ODD and not (name == "elliptic_e" and len(x) == 1):
             return self.zero
         return self._log(x[0]) if name == "log" else t.free()
 
     def _times(self, claimed: Fraction_ | None, factor: int) -> Fraction_ | None:
         """A fraction times a formula that is a polynomial in names and kernels; None where it is none."""
-        own = self._polynomial(factor)
+        own = self.polynomial(factor)
         return None if claimed is None or own is None else (core.combined({}, claimed[0], own), claimed[1])
 
-    def _polynomial(self, a: int) -> core.Polynomial | None:
+    def polynomial(self, a: int) -> core.Polynomial | None:
+        """The polynomial in names that sums and products make; None for anything else."""
         op = self.f.ops[a]
         if op[0] == "n":
             return {(): op[1]} if op[1] else {}
         if op[0] == "s":
             return {((op[1], 1),): core.Fraction(1)}
-        parts = [self._polynomial(b) for b in self.f.parts(a)] if op[0] in "+*" else [None]
+        parts = [self.polynomial(b) for b in self.f.parts(a)] if op[0] in "+*" else [None]
         if any(p is None for p in parts):
             return None
         first, second = (p or {} for p in parts)

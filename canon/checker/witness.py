@@ -12,9 +12,9 @@ from fractions import Fraction
 from typing import Any
 
 from canon.checker import core
+from canon.checker.case import Case
 from canon.checker.functions import Rejected, Unknown
-from canon.checker.intervals import Intervals, Open
-from canon.checker.obligations import Case
+from canon.checker.intervals import Intervals, Open, is_allowed
 from canon.checker.points import (
     CLOSE,
     Numbers,
@@ -40,20 +40,24 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
 
     Returns what is to be trusted.
     """
-    enclosed = [_enclosed(s, case, witness, k) for case in cases for k in FEW] if real else []
-    if True in enclosed:
-        return []
+    enclosed = list[bool | None]()
+    for case in cases if real else ():
+        for k in FEW:
+            enclosed.append(_enclosed(s, case, witness, k))
+            if enclosed[-1]:
+                return [case.against] if case.against else []
     if False in enclosed:
         raise Rejected("at the witness the claim doesn't fail: in intervals the residuals are 0 to 60 digits")
     f, rng = s.f, random.Random(1)
-    numbers, unmeasured = Numbers(real=real), False
+    numbers, finer, unmeasured = Numbers(real=real), Numbers(100, real=real), False
+    numbers.signs = finer.signs = {n: words for n, words in s.words.items() if n in f.functions}
     for case, k in ((x, k) for x in cases for k in (range(TRIES) if x.measured is None else FEW)):
         targets = [*case.zeros, *case.independent, *(a for a, _ in case.positive), *domain_of(s), *case.mentions]
         names = (names_in(s, targets) | {n for n in witness if n not in f.functions}) - case.images.keys()
         given = {n: x if n in f.functions else numbers.read(x) for n, x in witness.items()}
         of = completed(s, numbers, given, names, rng, Fraction(1, 2**k))  # ever nearer to 0, should that be needed
         sizes = []
-        for precise in (numbers, Numbers(100, real=real)):
+        for precise in (numbers, finer):
             of |= {n: precise.read(x) for n, x in witness.items() if n not in f.functions}
             if not on_surface(s, precise, of) or not inside(s, case, precise, of):
                 break
@@ -66,7 +70,7 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
         if len(sizes) == 2 and all(size > 10.0**-CLOSE for size in sizes) and abs(sizes[1] / sizes[0] - 1) < 1e-9:
             if case.measured is None:
                 return ["that it fails at the witness, as values in 50 and in 100 digits say (not in intervals)"]
-            return []
+            return ["what was measured at the witness, in numbers that are rounded"]
     if unmeasured:
         raise Unknown("the checker couldn't measure what is claimed at the witness")
     raise Rejected("at the witness the claim doesn't fail, or it isn't a point of the domain")
@@ -94,14 +98,11 @@ def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int) -> b
         own = Intervals(digits)
         of: dict[str, Any] = {**functions, **{n: own.number(x) for n, x in exact.items()}}
         try:
+            own.signs = {n: words for n, words in s.words.items() if n in f.functions}
             for name, image in case.images.items():
                 of[name] = own.values(f, [image], of)[image]
             found = own.values(f, [*case.zeros, *positive, *written], of)
-            signs = [(found[a], kind) for a, kind in s.conditions]
-            moved = {name: found[s.pull(image)] for name, image in s.images.items()}
-            if not all(x.a > 0 if kind == "positive" else 0 not in x for x, kind in signs):
-                continue
-            if not all(_is_allowed(s.words.get(n, ()), x) for n, x in {**of, **moved}.items() if n not in f.functions):
+            if not _lies_inside(s, of, found):
                 continue
             if any(0 not in found[a] for a in case.zeros):
                 return True
@@ -115,6 +116,15 @@ def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int) -> b
         except Open:
             continue
     return None
+
+
+def _lies_inside(s: Statement, of: Mapping[str, Any], found: Mapping[int, Any]) -> bool:
+    """Whether the inequalities and the assumptions hold, of all names and of the variables that the map gives."""
+    signs = [(found[a], kind) for a, kind in s.conditions]
+    if not all(x.a > 0 if kind == "positive" else 0 not in x for x, kind in signs):
+        return False
+    moved = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}
+    return all(is_allowed(s.words.get(n, ()), x) for n, x in moved.items() if n not in s.f.functions)
 
 
 def _are_independent(
@@ -131,18 +141,13 @@ def _are_independent(
         return False
     for _ in group:
         near = {n: x * (1 + Fraction(rng.randint(-99, 99), 600)) if n in moving else x for n, x in exact.items()}
-        found = own.values(s.f, [*group, *domain_of(s)], {**functions, **{n: own.number(x) for n, x in near.items()}})
+        of = {**functions, **{n: own.number(x) for n, x in near.items()}}
+        images = (s.pull(image) for image in s.images.values())
+        found = own.values(s.f, [*group, *domain_of(s), *images, *(a for a, _ in s.conditions)], of)
+        if not _lies_inside(s, of, found):
+            return False
         rows.append([found[a] for a in group])
     return own.is_regular(rows)
-
-
-def _is_allowed(words: Sequence[str], x: Any) -> bool:
-    """Whether the values in an interval are as a name's assumptions say."""
-    return not (
-        ("positive" in words and not x.a > 0) or ("negative" in words and not x.b < 0)
-        or ("nonnegative" in words and not x.a >= 0) or ("nonpositive" in words and not x.b <= 0)
-        or ("nonzero" in words and 0 in x) or ("integer" in words and (x.a != x.b or int(x.a) != x.a))
-    )  # fmt: skip
 
 
 def _failure(s: Statement, case: Case, numbers: Numbers, of: Mapping[str, Any]) -> Any:

@@ -12,11 +12,11 @@ from typing import Any
 import sympy as sp
 
 from canon.budget import Budget
+from canon.checker.case import Case
 from canon.checker.check import VERSION, checksum
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.kinds import obligations
-from canon.checker.obligations import Case
 from canon.checker.statement import KNOWN, Statement
 from canon.claim import Claim
 from canon.claims.obligation_tape import OnTape

@@ -35,7 +35,6 @@ CLAIMS = {
     ("flows", "harmonic-oscillator"): (0, 3),
     ("errata", "valence"): (0, 1, 2),
     ("actions", "pendulum-generating-function"): (0, 3),
-    ("actions", "heavy-top-actions"): (2,),
 }
 IN_PART = {
     ("transformations", "power-and-angle", 0): "almost all values",
@@ -46,6 +45,7 @@ IN_PART = {
     ("transformations", "oscillator-type-2", 0): "on a connected cell",
     ("transformations", "rotating-polar-coordinates", 1): "is exact",
     ("actions", "heavy-top-actions", 0): "points where it was measured",
+    ("actions", "heavy-top-actions", 2): "measured at the witness",
 }
 PATHS = {(Path(str(file)).parent.name, Path(str(file)).stem): Path(str(file)) for file in files()}
 

@@ -159,7 +159,7 @@ def test_a_proof_of_something_false_is_rejected() -> None:
 
 def test_a_proof_is_no_refutation() -> None:
     """Without a witness there is nothing to be said against a claim, unless what must not vanish is shown to."""
-    answer = check(resealed({**made("new H"), "verdict": "refuted", "known": {}}))
+    answer = check(resealed({**made("conserved"), "verdict": "refuted", "known": {}}))
     assert str(answer) == "not confirmed: a refutation without a point, by an argument that there is no rule for"
     assert check(resealed({**made("implicit"), "verdict": "refuted"})).status == "rejected"
     assert check(resealed({**made("not conserved"), "verdict": "proved", "witness": None})).status != "confirmed"

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
+from canon.checker.case import Case
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.kinds import obligations
-from canon.checker.obligations import Case
 from canon.checker.statement import Statement
 from canon.report.proof.blocks import Block, Display, Items, Piece, equation, paragraph, words
 from canon.report.proof.findings import details, open_question, refutation

@@ -1,0 +1,144 @@
+"""Where are kernels real? One that is real on a part of the domain only would say nothing of the rest.
+
+The claim's own formulas are real on its domain, by the meaning of the domain; a kernel, or a formula that the
+certificate adds, need not be: √(x + 1) as a kernel of a claim about every x would make x + 1 look like a square. So
+each of its roots, logarithms and inverse functions must be one of the claim's, or its argument be seen to lie where
+they are real.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+from canon.checker import core
+from canon.checker.followed import Followed
+from canon.checker.functions import Unknown
+from canon.checker.positive import sign_of
+from canon.checker.roots import Undecided, multiple
+from canon.checker.tower import Element
+
+ENTIRE = (
+    "sin", "cos", "tan", "cot", "sec", "csc", "exp", "sinh", "cosh", "tanh", "coth", "atan", "asinh", "atan2", "abs",
+    "sign", "jacobi_sn", "jacobi_cn", "jacobi_dn", "jacobi_epsilon",
+)  # fmt: skip
+"""Functions that are real wherever they have a value."""
+FAILURES = (Undecided, Unknown, ZeroDivisionError, RecursionError, ValueError)
+
+
+def unreal(followed: Followed, own: Iterable[int], kernels: Mapping[str, int]) -> list[str]:
+    """What has to be taken on trust of kernels, and of formulas that a certificate adds to a claim's own."""
+    s, known = followed.s, Real(followed, own)
+    doubtful = {name: a for name, a in kernels.items() if not known.is_real(a)}
+    while found := {name for name, a in doubtful.items() if known.is_factor(name, a, doubtful)}:
+        doubtful = {name: a for name, a in doubtful.items() if name not in found}
+    left = [*doubtful.values(), *(a for a in s.added if not known.is_real(a))]
+    return [f"that {s.f.text(a)[:80]} is real throughout the domain" for a in left]
+
+
+class Real:
+    """What of a claim is known to be real on its domain: its own formulas, and what has a sign."""
+
+    def __init__(self, followed: Followed, own: Iterable[int]) -> None:
+        self.s = s = followed.s
+        self.f, self.values, self.atoms = s.f, followed.values, followed.atoms
+        self.own = {*s.f.reach(*own, *(a for a, _ in s.conditions))}
+        self.words = {**s.words, "pi": ["positive"]}
+        plain = [s.f.ops[a] for a, kind in s.conditions if kind == "positive"]
+        self.words |= {op[1]: [*self.words.get(op[1], ()), "positive"] for op in plain if op[0] == "s"}
+        arguments = [x for a in self.own if s.f.ops[a][0] == "f" for x in self._radicands(a)]
+        self._known = [*arguments, *(a for a, kind in s.conditions if kind == "positive")]
+        self._elements: list[Element] | None = None
+
+    def is_real(self, meaning: int) -> bool:
+        """Whether a formula is real throughout the domain, but where it has a pole."""
+        for a in self.f.reach(meaning):
+            op = self.f.ops[a]
+            if op[0] != "f" or op[1] in ENTIRE or op[1] in self.f.functions or a in self.own:
+                continue
+            radicands = self._radicands(a)
+            if not radicands and not self._is_own_function(a):
+                return False
+            if not all(self._is_nonnegative(x) for x in radicands):
+                return False
+        return True
+
+    def is_factor(self, name: str, meaning: int, doubtful: Collection[str]) -> bool:
+        """Whether a kernel R^(1/n) is all that isn't known to be real in one of the claim's roots, n being even.
+
+        With (g A/B)^n = S, which is nowhere negative where the claim's S^(1/n) is real, R = S (B/A)^n isn't either.
+        """
+        op, roots, t = self.f.ops[meaning], self.values.roots, self.values.t
+        n = self.f.value(op[3][1]) if op[:2] == ("f", "power") else None
+        if n is None or n.numerator != 1 or n.denominator % 2 or not self.is_real(op[3][0]):
+            return False
+        for a, (over, under) in self.atoms.items():
+            if a not in self.own or self.f.ops[a][:2] != ("f", "power") or self.f.value(self.f.ops[a][3][1]) != n:
+                continue
+            powers = [dict(m).get(name, 0) for m in over]
+            if {*powers} != {1} or (core.names(over) | core.names(under)) & ({*doubtful} - {name}):
+                continue
+            if name in core.names(under):
+                continue
+            try:
+                if t.power(roots.fraction((over, under)), n.denominator) == self.values.value(self.f.ops[a][3][0]):
+                    return True
+            except FAILURES:
+                continue
+        return False
+
+    def _radicands(self, a: int) -> list[int]:
+        """Formulas that are nowhere negative where a function is real; none where that isn't said by such."""
+        f, op = self.f, self.f.ops[a]
+        x = op[3][0] if op[3] else 0
+        if op[1] in ("power", "log"):
+            return [x]
+        if op[1] in ("asin", "acos", "atanh"):
+            return [f.sub(f.number(1), f.power(x, f.number(2)))]
+        if op[1] in ("elliptic_f", "elliptic_e") and len(op[3]) == 2:
+            return [f.sub(f.number(1), f.mul(op[3][1], f.power(f.node("f", "sin", (), (x,)), f.number(2))))]
+        return [f.add(x, f.number(n)) for n in (1, -1)] if op[1] == "acosh" else []
+
+    def _is_own_function(self, a: int) -> bool:
+        """Whether the claim has the same function, of the same arguments."""
+        op = self.f.ops[a]
+        others = [self.f.ops[b][3] for b in self.own if self.f.ops[b][:2] == op[:2]]
+        try:
+            mine = [self.values.value(x) for x in op[3]]
+            return any([self.values.value(x) for x in other] == mine for other in others)
+        except FAILURES:
+            return False
+
+    def _is_nonnegative(self, a: int) -> bool:
+        f, op = self.f, self.f.ops[a]
+        parts = f.parts(a)
+        if op[0] == "n":
+            return op[1] >= 0
+        if op[0] == "s":
+            return bool({"positive", "nonnegative"} & {*self.words.get(op[1], ())})
+        if op[0] == "f" and (op[1] in ("exp", "cosh", "abs") or (op[1] == "power" and self._is_nonnegative(parts[0]))):
+            return True
+        if op[0] == "^" and op[2] % 2 == 0:
+            return True
+        if op[0] == "+" and all(map(self._is_nonnegative, parts)):
+            return True
+        if op[0] in "*^" and all(map(self._is_nonnegative, parts)):
+            return True
+        polynomial = self.values.polynomial(a)
+        if polynomial is not None and sign_of(self.words, polynomial)[0] > 0:
+            return True
+        return self._is_known(a)
+
+    def _is_known(self, a: int) -> bool:
+        """Whether a formula is a positive multiple of one that the claim says to be nowhere negative."""
+        if self._elements is None:
+            self._elements = []
+            for b in self._known:
+                try:
+                    self._elements.append(self.values.value(b))
+                except FAILURES:
+                    continue
+        try:
+            mine = self.values.value(a)
+        except FAILURES:
+            return False
+        return any((multiple(mine, x, self.values.t.prime) or 0) > 0 for x in self._elements)

@@ -1,0 +1,146 @@
+"""Is a claim stated as a claim file may state it? Names that are distinct, formulas of the variables open to them.
+
+A certificate could else be about a text that says something else to its reader than to the checker: {Q, p} = 0, as Q is
+no function of q when the bracket is taken; a definition that gives a coordinate's name to something else.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import unicodedata
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from canon.checker.functions import Unknown, Unreadable
+
+if TYPE_CHECKING:
+    from canon.checker.statement import Statement
+
+WORDS = {"real", "complex", "positive", "negative", "nonnegative", "nonzero", "integer", "function"}
+BOTH = ("identity", "inequality", "field_equations", "invariant_interval", "matrix_group", "solves", "dimension")
+"""Kinds of claims whose formulas may mix old and new variables."""
+SIDES = {
+    "K": "new", "F": "mixed", "scale": "parameters", "solutions": "parameters", "period": "parameters",
+    "well": "parameters", "fixed": "parameters", "angle_period": "parameters",
+}  # fmt: skip
+"""Of keys of claims: the variables that their formulas may use; where nothing is said, the old ones."""
+NAMING = (
+    "parameter", "velocities", "accelerations", "coordinates", "constants", "energy", "order", "first", "second",
+    "variable",
+)  # fmt: skip
+"""The keys of claims that declare names."""
+_NAME = re.compile(r"[^\W\d]\w*")
+HOLD_NO_FORMULA = {
+    "kind", "title", "source", "expect", "budget", "coordinate", "branch", "relation", "side", "type", "extremum",
+    "fields", *NAMING,
+}  # fmt: skip
+
+MAPPED = ("canonical", "canonical_when", "fundamental_brackets", "bracket_invariance")
+SQUARE = (
+    "volume", "integral_invariant", "cartan_invariant", "generates", "generating_function", "new_hamiltonian",
+    "symmetry", "action_angle",
+)  # fmt: skip
+"""Kinds of claims about a map, the latter about one with as many new pairs as old ones."""
+
+
+def check_names(tables: Mapping[str, Any]) -> None:
+    """Refuse names that are declared twice, and words that say nothing. Raises Unreadable."""
+    space, symbols = tables["phase_space"], tables.get("symbols", {})
+    sides = {side: list(space.get(side, [])) for side in "qpQP"}
+    names = [name for side in sides.values() for name in side]
+    claim = tables["claim"]
+    own = [
+        n
+        for key in NAMING
+        if key != "energy"
+        for n in (claim[key] if isinstance(claim.get(key), list) else [claim.get(key)])
+    ]
+    for name in (*names, space.get("time", "t"), *symbols, *tables.get("definitions", {}), *own):
+        if isinstance(name, str) and not _NAME.fullmatch(unicodedata.normalize("NFKC", name)):
+            raise Unreadable(f"{name[:40]!r} is no name")
+        if name == "pi":
+            raise Unknown("a file in which pi is something else")
+    if len(sides["q"]) != len(sides["p"]) or len(sides["Q"]) != len(sides["P"]):
+        raise Unreadable("as many momenta as coordinates are needed")
+    given = [*names, *([space["time"]] if "time" in space else [])]
+    if len({*given}) < len(given):
+        raise Unreadable("a name stands twice in the phase space")
+    taken = {*given, *symbols, space.get("time", "t")}
+    for name in tables.get("definitions", {}):
+        if name in taken and not (name == "t" and "time" not in space):
+            raise Unreadable(f"{name[:40]!r} is declared, and defined as something else")
+    for name, words in symbols.items():
+        if unknown := {words} - WORDS if isinstance(words, str) else {*words} - WORDS:
+            raise Unreadable(f"{min(unknown)[:40]!r} is no assumption on {name[:40]!r}")
+
+
+def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
+    """Refuse formulas of variables that they may not use. Raises Unreadable."""
+    old, new = {*s.q, *s.p}, {*s.Q, *s.P}
+    explicit, generating = tables.get("transformation", {}), tables.get("generating_function", {})
+    if {"Q", "P"} & {*explicit} and {"q", "p"} & {*explicit}:
+        raise Unreadable("a transformation in both directions")
+    places = [(tables.get("hamiltonian", {}).get("H"), old | new, new)]
+    places += [(explicit.get(side), old | new, old if side in "qp" else new) for side in "QPqp"]
+    places += [(generating.get("F"), old | new, _of_the_rest(s, generating.get("type")))] if generating else []
+    claim, kind = tables["claim"], tables["claim"].get("kind")
+    if kind in (*MAPPED, *SQUARE) and not (explicit or generating):
+        raise Unreadable("a claim about a map that isn't there")
+    if kind in ("generates", "generating_function") and not (explicit and (generating or kind != "generates")):
+        raise Unreadable("a generating function needs an explicit map beside it")
+    if kind in SQUARE and len(s.Q) != len(s.q):
+        raise Unreadable("as many new variables as old ones are needed")
+    own = {str(n) for key in HOLD_NO_FORMULA for n in _texts(claim.get(key))}
+    for key, value in claim.items():
+        side = SIDES.get(key, "old")
+        if key in HOLD_NO_FORMULA or (kind in BOTH and side == "old"):
+            continue
+        if kind == "bracket_invariance":
+            side = "new"
+        rest = _of_the_rest(s, claim.get("type")) if side == "mixed" else set[str]()
+        refused = {"old": new, "new": old, "mixed": rest, "parameters": old | new | {s.time}}[side]
+        places.append((value, old | new, refused - own))
+    for value, variables, refused in places:
+        for text in _texts(value):
+            if wrong := _names(s, text) & refused:
+                raise Unreadable(f"{min(wrong)[:40]!r} is out of place in {text[:60]!r}")
+            if refused == old and variables and "bracket" in _called(s, text):
+                raise Unreadable(f"a bracket in the old variables of new ones: {text[:60]!r}")
+
+
+def _of_the_rest(s: Statement, types: Any) -> set[str]:
+    """The variables that a generating function of these types is none of."""
+    found = set[str]()
+    for i in range(len(s.q)):
+        one = types if isinstance(types, int) else types[i]
+        found |= {s.p[i] if one in (1, 2) else s.q[i], s.P[i] if one in (1, 3) else s.Q[i]}
+    return found
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    items = value.values() if isinstance(value, Mapping) else value if isinstance(value, list) else ()
+    for item in items:
+        yield from _texts(item)
+
+
+def _nodes(s: Statement, text: str) -> list[Any]:
+    try:
+        return list(ast.walk(s.f.tree(text)[0]))
+    except Unreadable:  # no formula: whoever wants one here says so
+        return []
+
+
+def _called(s: Statement, text: str) -> set[str]:
+    return {
+        node.func.id[1:] for node in _nodes(s, text) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
+    }
+
+
+def _names(s: Statement, text: str) -> set[str]:
+    """The names that a formula is made of, those of its abbreviations too."""
+    written = {node.id[1:] for node in _nodes(s, text) if isinstance(node, ast.Name)}
+    inner = [s.names[name] for name in written if name in s.names]
+    return (written - {*s.names}) | {s.f.ops[a][1] for a in s.f.reach(*inner) if s.f.ops[a][0] == "s"}

@@ -1,0 +1,150 @@
+"""Certificates of false claims, and of claims that no file could state: none is confirmed.
+
+What they show is right, as far as it goes: they lie in what a claim means, in where a formula is real, in what a point
+has to do with what is claimed. Each was confirmed by an earlier checker.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import pytest
+
+from canon.checker.check import check
+from canon.checker.functions import Unreadable
+from tests.checker.test_forgeries import forged, kernel, sealed
+
+MAPPED = {"q": ["x"], "p": ["p"], "Q": ["X"], "P": ["Y"]}
+IDENTITY = {"Q": ["x"], "P": ["p"]}
+CONSTANT = {"Q": ["1"], "P": ["2"]}
+ROOT = kernel("g1", "(x+1)**(1/2)", {"g1^2": "1", "x": "-1", "": "-1"}, "pos")
+ROOTED = "(((x+1)**2)**(1/2))"
+ARCSINE = kernel("g1", "cos(asin(x))", {"g1^2": "1", "x^2": "1", "": "-1"}, "pos")
+ONE, BARE = {"": "1"}, {"q": ["q"], "p": ["p"]}
+ZERO = {"numerator": {}, "denominator": ONE, "cofactors": {}}
+
+
+def of(
+    claim: Mapping[str, Any],
+    zeros: int = 1,
+    *,
+    kernels: Sequence[Any] = (),
+    atoms: Mapping[str, Any] | None = None,
+    known: Mapping[str, str] | None = None,
+    cases: int = 1,
+    **tables: Any,
+) -> dict[str, Any]:
+    """A certificate that so many residuals are 0/1."""
+    data = forged("0")
+    own = {"phase_space": MAPPED if "transformation" in tables else {"q": ["x"], "p": ["p"]}, "claim": claim}
+    shown = [{"kernels": list(kernels), "atoms": atoms or {}, "residuals": [ZERO] * zeros}]
+    rest = [{"kernels": [], "atoms": {}, "residuals": []}] * (cases - 1)
+    return sealed({**data, "tables": {**own, **tables}, "known": known or {}, "cases": shown + rest})
+
+
+def against(data: dict[str, Any], **witness: str) -> dict[str, Any]:
+    """A refutation by a point."""
+    return sealed({**data, "verdict": "refuted", "witness": witness, "cases": []})
+
+
+UNREAL = {
+    "a root as a kernel": forged("sqrt((x + 1)**2)", "x + 1", kernels=(ROOT,),
+        atoms={ROOTED: [{"x": "1", "": "1"}, ONE]}),
+    "a root's even power": forged("sqrt((x + 1)**2)", "x + 1", kernels=(ROOT,), atoms={ROOTED: [{"g1^2": "1"}, ONE]},
+        residual={"numerator": {"g1^2": "1", "x": "-1", "": "-1"}, "denominator": ONE, "cofactors": {"g1": ONE}}),
+    "an arcsine as a kernel": forged("abs(1 - x**2)", "1 - x**2", kernels=(ARCSINE,),
+        atoms={"abs((1+(-1*(x**2))))": [{"x^2": "-1", "": "1"}, ONE]}),
+    "an antiderivative with a root": of(
+        {"kind": "integral", "f": "sqrt((x+1)**2)", "variable": "u", "from": "0", "to": "1", "equals": "x+1"}, 2,
+        known={"antiderivative": "u*sqrt((x+1)**2) + sqrt(x+1) - sqrt(x+1)"}, kernels=(ROOT,), symbols={"x": "real"},
+        atoms={"((x+1)**(1/2))": [{"g1": "1"}, ONE], ROOTED: [{"x": "1", "": "1"}, ONE]}, phase_space=BARE),
+}  # fmt: skip
+MEANT = {
+    "a scale of 0": of({"kind": "canonical", "scale": "0"}, transformation=CONSTANT),
+    "a scale that varies": of({"kind": "canonical", "scale": "x"}, transformation={"Q": ["x**2/2"], "P": ["p"]}),
+    "a map to a point": of({"kind": "new_hamiltonian", "K": "X"}, 6, transformation=CONSTANT, hamiltonian={"H": "p"}),
+    "no map": of({"kind": "canonical"}),
+    "an order in a coordinate": of({"kind": "canonical", "order": ["x", 0]},
+        transformation={"Q": ["x + x**2"], "P": ["p"]}),
+    "an invariant beyond the last": of({"kind": "integral_invariant", "order": 2}, 0,
+        transformation={"Q": ["2*x"], "P": ["p"]}),
+    "an invariant before the first": of({"kind": "integral_invariant", "order": 0},
+        transformation={"Q": ["2*x"], "P": ["p"]}),
+    "a generating function of its own map": of({"kind": "generates"}, 2, phase_space=MAPPED,
+        generating_function={"type": 2, "F": "x*Y + x**3"}),
+    "K in old variables": of({"kind": "new_hamiltonian", "K": "p**2/2"}, 6, hamiltonian={"H": "p**2/2"},
+        transformation={"Q": ["x"], "P": ["p + x"]}),
+    "a bracket of new variables": of({"kind": "bracket", "f": "X", "g": "p", "equals": "0"}, transformation=IDENTITY),
+    "a bracket in K": of({"kind": "new_hamiltonian", "K": "bracket(X, Y)"}, 6, hamiltonian={"H": "0"},
+        transformation=IDENTITY),
+    "H in new variables": of({"kind": "conserved", "f": "p"}, transformation=IDENTITY, hamiltonian={"H": "X**2"}),
+    "solutions in a coordinate": of({"kind": "canonical_when", "solutions": [{"x": "0"}]}, cases=2,
+        transformation={"Q": ["x + x**2"], "P": ["p"]}),
+    "an integral's constant that moves": of({"kind": "hamilton_jacobi", "W": "x**3/3", "energy": "1/2",
+        "constants": ["x"]}, hamiltonian={"H": "p**2/2 - x**4/2 + 1/2"}),
+    "a generator with the series' parameter": of({"kind": "lie_series", "generator": "s*p", "parameter": "s", "f": "x",
+        "equals": "x + s**2/2"}, 2, symbols={"s": "real"}),
+    "an average over no time": of({"kind": "average", "f": "0", "equals": "7", "parameter": "u", "from": "0", "to": "0",
+        "motion": {"t": "u", "x": "u", "p": "1"}, "antiderivative": "0"}, 4, hamiltonian={"H": "p**2/2"}),
+    "a derivative beyond the twentieth": forged("D(x**20, x, 21)", "2432902008176640000"),
+    "a derivative by a number": forged("D(x**3, 2)"),
+    "a derivative by a product": forged("D(x**3*p, x*p)"),
+    "half a derivative": forged("D(x**3, x, 1/2)", "x**3"),
+    "one argument too many": forged("sin(x, p)", "sin(x, p)"),
+    "a comment": forged("x # + 1", "x"),
+    "two letters that look alike": forged("\u00b5 - \u03bc", symbols={"\u00b5": "real", "\u03bc": "real"}),
+    "a coordinate twice": of({"kind": "bracket", "f": "x", "g": "p", "equals": "2"},
+        phase_space={"q": ["x", "x"], "p": ["p", "p"]}),
+    "a coordinate defined as another": of({"kind": "identity", "lhs": "x", "rhs": "p"}, definitions={"x": "p"}),
+    "a condition that says nothing": forged("0", domain={"where": ["x"]}),
+    "an assumption that says nothing": forged("0", symbols={"a": "positiv"}),
+    "pi as a name": forged("sqrt(pi**2)", "pi", symbols={"pi": "real"}, domain={"where": ["pi > -1/10**30"]},
+        atoms={"((pi**2)**(1/2))": [{"pi": "1"}, ONE]}),
+    "the imaginary unit as a name": against(forged("1j**2", "-1", symbols={"1j": "real"}), **{"1j": "2"}),
+}  # fmt: skip
+SPIKE = "10**40/(1 + (10**40*(u - 1/3))**2)/(atan(2*10**40/3) + atan(10**40/3))"
+TRUE = {
+    "an integral of a spike": against(of({"kind": "integral", "f": SPIKE, "variable": "u", "from": "0", "to": "1",
+        "equals": "1"}, 0, phase_space=BARE), q="1", p="1"),
+    "a limit that is late": against(of({"kind": "limit", "f": "u/(u + 1/2**200) + u", "variable": "u", "to": "0",
+        "side": "+", "equals": "0"}, 0, phase_space=BARE), q="1", p="1"),
+    "an average by a virial that is none": against(of({"kind": "average", "f": "x**2", "equals": "(x**2 + p**2)/2",
+        "virial": "0", "bound": "1"}, 0, hamiltonian={"H": "(x**2 + p**2)/2"}), x="1", p="3"),
+    "a positive function that is negative": against(
+        forged("sqrt(V(x)**2)", "V(x)", symbols={"V": ["function", "positive"]}), x="1", p="1", V="-1"),
+    "functions that are independent outside": against(of({"kind": "algebra", "basis": {"A": "p", "B": "(x - 1)**2/2",
+        "C": "abs(x - 1)", "D": "1"}, "structure": {"B,A": "C", "C,A": "D"}}, 0, domain={"where": ["x > 1"]}),
+        x="101/100", p="1"),
+}  # fmt: skip
+
+
+def status(data: Any) -> str:
+    try:
+        return check(data).status
+    except Unreadable:
+        return "unreadable"
+
+
+@pytest.mark.parametrize("name", sorted(UNREAL))
+def test_a_kernel_says_nothing_of_where_it_isnt_real(name: str) -> None:
+    answer = check(UNREAL[name])
+    assert answer.status == "confirmed in part"
+    assert "is real throughout the domain" in str(answer)
+
+
+@pytest.mark.parametrize("name", sorted(MEANT))
+def test_no_claim_that_a_file_could_not_state(name: str) -> None:
+    assert status(MEANT[name]) in ("unreadable", "rejected", "not confirmed"), name
+
+
+@pytest.mark.parametrize("name", sorted(TRUE))
+def test_no_refutation_of_what_is_true(name: str) -> None:
+    assert status(TRUE[name]) != "confirmed", name
+
+
+def test_a_kernel_that_is_real_is_confirmed() -> None:
+    """The claim's own root, and one of a number that is positive."""
+    relation = {"numerator": {"g1^2": "1", "x": "-1", "": "-1"}, "denominator": ONE, "cofactors": {"g1": ONE}}
+    own = forged(
+        "sqrt(x + 1)**2", "x + 1", kernels=(ROOT,), residual=relation, atoms={"((x+1)**(1/2))": [{"g1": "1"}, ONE]}
+    )
+    assert str(check(own)) == "confirmed"

@@ -24,7 +24,7 @@ from canon.checker.followed import Followed, is_identity
 from canon.checker.functions import Rejected, Unknown, Unreadable
 from canon.checker.intervals import Intervals, Open
 from canon.checker.kinds import obligations
-from canon.checker.points import CLOSE, DIGITS, Numbers, Outside, domain_of, independence, names_in, points
+from canon.checker.points import CLOSE, DIGITS, Numbers, Outside, domain_of, independence, names_in, points, value_of
 from canon.checker.positive import is_positive
 from canon.checker.reality import unreal
 from canon.checker.shapes import is_algebraic
@@ -247,7 +247,7 @@ class _Check:
             if not core.is_triangular(relation, name, order[order.index(name) :]):
                 raise Rejected(f"the relation of {name} is not one for it in terms of those before")
             for of, _ in places:
-                value, size = core.value(relation, of, self.numbers.number)
+                value, size = value_of(relation, of, self.numbers.number)
                 if abs(value) > 10.0**-CLOSE * size:
                     raise Rejected(f"the relation of {name} doesn't hold at a point of the domain")
         for kernel in kernels:
@@ -267,7 +267,7 @@ class _Check:
                 continue
             over, under = atoms[a] = known[text]
             for of, values in places:
-                (x, size), (y, other) = (core.value(p, of, self.numbers.number) for p in (over, under))
+                (x, size), (y, other) = (value_of(p, of, self.numbers.number) for p in (over, under))
                 if abs(y) < 10.0**-CLOSE * other or abs(values[a] * y - x) > 10.0**-CLOSE * (size + other):
                     raise Rejected(f"{text[:80]} hasn't the value in the kernels that is stated")
         return atoms
@@ -275,7 +275,7 @@ class _Check:
     def _denominator(self, entry: Any, places: Places) -> None:
         under = core.read(entry["denominator"])
         for of, _ in places:
-            value, size = core.value(under, of, self.numbers.number)
+            value, size = value_of(under, of, self.numbers.number)
             if abs(value) < 10.0**-CLOSE * size:
                 raise Rejected("a denominator vanishes at a point of the domain")
 

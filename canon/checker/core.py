@@ -8,7 +8,7 @@ value in the kernels, a fraction of polynomials.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -61,8 +61,8 @@ def number(text: Any) -> Fraction:
         raise Unreadable(f"no rational number: {str(text)[:40]!r}") from None
 
 
-def combined(a: Polynomial, b: Polynomial, factor: Polynomial) -> Polynomial:
-    """a + factor · b, multiplied out."""
+def combined(a: Mapping[Any, Any], b: Mapping[Any, Any], factor: Mapping[Any, Any]) -> dict[Any, Any]:
+    """a + factor · b, sums of monomials, multiplied out."""
     if len(b) * len(factor) > MOST:
         raise Unreadable("a product of polynomials that is too large")
     found = dict(a)
@@ -72,26 +72,13 @@ def combined(a: Polynomial, b: Polynomial, factor: Polynomial) -> Polynomial:
             for name, e in n:
                 powers[name] = powers.get(name, 0) + e
             key = tuple(sorted(powers.items()))
-            found[key] = found.get(key, Fraction(0)) + c * d
+            found[key] = found.get(key, 0) + c * d
     return {key: c for key, c in found.items() if c}
 
 
 def names(a: Polynomial) -> set[str]:
     """The names in it."""
     return {name for monomial in a for name, _ in monomial}
-
-
-def value(a: Polynomial, of: Mapping[str, Any], number_of: Callable[[Fraction], Any]) -> tuple[Any, Any]:
-    """Its value, and the sum of the moduli of its terms: what its rounding errors are to be measured against."""
-    total = size = number_of(Fraction(0))
-    for monomial, c in a.items():
-        term = number_of(c)
-        for name, e in monomial:
-            if name not in of:
-                raise Unreadable(f"{name[:40]!r} is neither a name of the claim nor a kernel")
-            term = term * of[name] ** e
-        total, size = total + term, size + abs(term)
-    return total, size
 
 
 def random_prime(rng: random.Random) -> int:
@@ -121,22 +108,14 @@ def modulo(a: Polynomial, of: Mapping[str, int], prime: int) -> int:
     return total % prime
 
 
-# -- a residual is a fraction of polynomials in the kernels -----------------------------------------
-
-
 def is_triangular(relation: Polynomial, name: str, later: Sequence[str]) -> bool:
     """Whether it is name^n + lower powers of name, with none of the kernels after it.
 
     No polynomial in the kernels before it, other than 0, is a consequence of such relations: each defines its kernel.
     """
     degree = max((e for monomial in relation for n, e in monomial if n == name), default=0)
-    top = [m for m in relation if (name, degree) in m]
-    return (
-        degree > 0
-        and top == [((name, degree),)]
-        and relation[top[0]] == 1
-        and not (names(relation) & {*later} - {name})
-    )
+    highest = {m: c for m, c in relation.items() if (name, degree) in m}
+    return degree > 0 and highest == {((name, degree),): 1} and not names(relation) & ({*later} - {name})
 
 
 def identity(
@@ -156,21 +135,15 @@ def identity(
 
 
 def fraction(program: Program, entry: Mapping[str, Any], primes: Sequence[int]) -> Polynomial:
-    """The numerator of a formula that is numerator / denominator, as rational functions of free kernels."""
-    over, under = (read(entry[word]) for word in ("numerator", "denominator"))
-    if not over and under != ONE:
-        raise Rejected("0 is written as 0/1")
-    compared(program, over, under, primes)
-    return over
-
-
-def compared(program: Program, over: Polynomial, under: Polynomial, primes: Sequence[int]) -> None:
-    """A formula is over / under, as rational functions of free kernels. Raises Rejected.
+    """The numerator of a formula that is numerator / denominator, as rational functions of free kernels.
 
     The two are compared at random values modulo each prime: an error goes unseen with a probability of about
-    degree / 2^127 for each.
+    degree / 2^127 for each. Raises Rejected.
     """
+    over, under = (read(entry[word]) for word in ("numerator", "denominator"))
     rng, leaves = random.SystemRandom(), [p for pair in program.leaves.values() for p in pair]
+    if not over and under != ONE:
+        raise Rejected("0 is written as 0/1")
     if _degree(program) > STEEPEST:
         raise Unknown("a residual of too high a degree")
     free = {name for p in (*leaves, over, under) for name in names(p)}
@@ -186,6 +159,7 @@ def compared(program: Program, over: Polynomial, under: Polynomial, primes: Sequ
             raise Rejected("a formula of the claim has no value in the kernels")
         if (value * modulo(under, of, prime) - modulo(over, of, prime)) % prime:
             raise Rejected("a formula of the claim isn't the numerator over the denominator that is stated")
+    return over
 
 
 def _degree(program: Program) -> int:
@@ -198,23 +172,23 @@ def _degree(program: Program) -> int:
 
 
 def _run(program: Program, of: Mapping[str, int], prime: int) -> int:
-    """The value of a program at free values of the kernels, modulo a prime."""
-
-    def inverse(x: int) -> int:
-        if x % prime == 0:
-            raise ZeroDivisionError
-        return pow(x, -1, prime)
-
+    """The value of a program at free values of the kernels, modulo a prime. Raises ZeroDivisionError."""
     out = {
-        a: modulo(over, of, prime) * inverse(modulo(under, of, prime)) % prime
+        a: modulo(over, of, prime) * _power(modulo(under, of, prime), -1, prime)
         for a, (over, under) in program.leaves.items()
     }
     for a, op, parts in program.steps:
         x = [out[b] for b in parts]
         if op[0] == "n":
-            out[a] = op[1].numerator * inverse(op[1].denominator) % prime
+            out[a] = op[1].numerator * _power(op[1].denominator, -1, prime)
         elif op[0] == "^":
-            out[a] = pow(x[0] if op[2] > 0 else inverse(x[0]), abs(op[2]), prime)
+            out[a] = _power(x[0], op[2], prime)
         else:
             out[a] = (x[0] + x[1] if op[0] == "+" else x[0] * x[1]) % prime
     return out[program.target]
+
+
+def _power(x: int, n: int, prime: int) -> int:
+    if n < 0 and x % prime == 0:
+        raise ZeroDivisionError
+    return pow(x, n, prime)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
 import mpmath
 
 from canon.checker.case import Case
-from canon.checker.core import number
-from canon.checker.formulas import Formulas, Unknown
+from canon.checker.core import Polynomial, number
+from canon.checker.formulas import Formulas, Unknown, Unreadable
 from canon.checker.statement import Statement
 
 DIGITS = 50
@@ -236,6 +236,19 @@ def independence(s: Statement, case: Case, functions: Sequence[int], numbers: Nu
         return mp.mpf(0)
     size = mp.det(mp.matrix([[x / m for x, m in zip(row, largest, strict=True)] for row in rows]))
     return size if abs(size) > mp.mpf(10) ** -CLOSE else mp.mpf(0)
+
+
+def value_of(a: Polynomial, of: Mapping[str, Any], number_of: Callable[[Fraction], Any]) -> tuple[Any, Any]:
+    """Its value, and the sum of the moduli of its terms: what its rounding errors are to be measured against."""
+    total = size = number_of(Fraction(0))
+    for monomial, c in a.items():
+        term = number_of(c)
+        for name, e in monomial:
+            if name not in of:
+                raise Unreadable(f"{name[:40]!r} is neither a name of the claim nor a kernel")
+            term = term * of[name] ** e
+        total, size = total + term, size + abs(term)
+    return total, size
 
 
 def domain_of(s: Statement) -> list[int]:

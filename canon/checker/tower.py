@@ -25,8 +25,7 @@ class Tower:
 
     def __init__(self, prime: int, rng: random.Random) -> None:
         self.prime, self.rng, self.spent = prime, rng, 0
-        self._powers: list[list[Element]] = []  # of each generator: 1, g, … g^n and further as they are needed
-        self._degrees: list[int] = []
+        self._roots: list[tuple[int, Element]] = []  # of each generator g its n and its R, with g^n = R
 
     def free(self) -> Element:
         """A new quantity without a relation: a random number."""
@@ -39,10 +38,8 @@ class Tower:
 
     def root(self, radicand: Element, degree: int) -> Element:
         """A new generator g with g^degree = radicand."""
-        k = len(self._degrees)
-        self._degrees.append(degree)
-        self._powers.append([{((k, e),): 1} if e else {(): 1} for e in range(degree)] + [radicand])
-        return {((k, 1),): 1}
+        self._roots.append((degree, radicand))
+        return {((len(self._roots) - 1, 1),): 1}
 
     def add(self, a: Element, b: Element, factor: int = 1) -> Element:
         """a + factor b."""
@@ -52,76 +49,46 @@ class Tower:
         return {m: c for m, c in out.items() if c}
 
     def mul(self, a: Element, b: Element) -> Element:
-        """The product, powers of generators reduced by their relations."""
+        """The product, g^n replaced by R in it."""
         self.spent += len(a) * len(b)
         if self.spent > LARGEST:
             raise Unknown("relations that are too many to be followed")
         out: Element = {}
-        over: list[tuple[Monomial, int]] = []
-        for m, c in a.items():
-            for n, d in b.items():
-                powers = dict(m)
-                for g, e in n:
-                    powers[g] = powers.get(g, 0) + e
-                key = tuple(sorted(powers.items()))
-                if any(e >= self._degrees[g] for g, e in key):
-                    over.append((key, c * d))
-                else:
-                    out[key] = (out.get(key, 0) + c * d) % self.prime
-        out = {m: c for m, c in out.items() if c}
-        for key, c in over:
-            g, e = max((g, e) for g, e in key if e >= self._degrees[g])
-            rest: Element = {tuple(pair for pair in key if pair[0] != g): c % self.prime}
-            out = self.add(out, self.mul(rest, self._power_of(g, e)))
-        return out
-
-    def _power_of(self, g: int, e: int) -> Element:
-        known = self._powers[g]
-        while len(known) <= e:
-            known.append(self.mul(known[-1], {((g, 1),): 1}))
-        return known[e]
+        for m, c in core.combined({}, a, b).items():
+            over = [(g, e) for g, e in m if e >= self._roots[g][0]]
+            if not over:
+                out[m] = (out.get(m, 0) + c) % self.prime
+                continue
+            (g, e), (n, radicand) = over[-1], self._roots[over[-1][0]]
+            rest = tuple((h, e - n if h == g else k) for h, k in m if h != g or e > n)
+            out = self.add(out, self.mul({rest: c % self.prime}, radicand))
+        return {m: c for m, c in out.items() if c}
 
     def power(self, a: Element, n: int) -> Element:
         """a^n. Raises ZeroDivisionError for an inverse that isn't there."""
         if n < 0:
             return self.power(self.inverse(a), -n)
-        out, square = self.constant(1), a
-        while n:
-            out = self.mul(out, square) if n & 1 else out
-            n >>= 1
-            square = self.mul(square, square) if n else square
-        return out
+        half = self.power(a, n // 2) if n else self.constant(1)
+        square = self.mul(half, half)
+        return self.mul(square, a) if n % 2 else square
 
     def inverse(self, a: Element) -> Element:
-        """1/a, by Cayley and Hamilton for the last generator in it. Raises ZeroDivisionError for a divisor of 0."""
-        g = max((g for m in a for g, _ in m), default=-1)
-        if g < 0:
-            if not a:
-                raise ZeroDivisionError
-            return {(): pow(a[()], -1, self.prime)}
-        n, powers, traces = self._degrees[g], [self.constant(1)], list[Element]()
-        for _ in range(n):
-            powers.append(self.mul(powers[-1], a))
-            traces.append(self._trace(powers[-1], g))
-        symmetric = [self.constant(1)]  # elementary ones of the conjugates (Newton)
-        for k in range(1, n + 1):
-            total: Element = {}
-            for i in range(1, k + 1):
-                total = self.add(total, self.mul(symmetric[k - i], traces[i - 1]), (-1) ** (i - 1))
-            symmetric.append(self.mul(total, {(): pow(k, -1, self.prime)}))
-        found: Element = {}
-        for k in range(n):  # a^n − e1 a^(n−1) + … ± en = 0
-            found = self.add(found, self.mul(symmetric[k], powers[n - 1 - k]), (-1) ** (n - 1 - k))
-        return self.mul(found, self.inverse(symmetric[n]))
+        """1/a, by its characteristic polynomial over the generators before its last one (Faddeev and LeVerrier).
 
-    def _trace(self, a: Element, g: int) -> Element:
-        """The trace of the multiplication by a over the generators before g."""
-        total: Element = {}
-        for j in range(self._degrees[g]):
-            moved = self.mul(a, {((g, j),): 1} if j else {(): 1})
-            here = {tuple(p for p in m if p[0] != g): c for m, c in moved.items() if dict(m).get(g, 0) == j}
-            total = self.add(total, here)
-        return total
+        The trace of a product is n times what is free of g in it. Raises ZeroDivisionError for a divisor of 0.
+        """
+        g = max((g for m in a for g, _ in m), default=-1)
+        if not a:
+            raise ZeroDivisionError
+        if g < 0:
+            return {(): pow(a[()], -1, self.prime)}
+        n, rest, last, constant = self._roots[g][0], self.constant(1), self.constant(1), self.constant(0)
+        for k in range(1, n + 1):
+            last, moved = rest, self.mul(a, rest)
+            free = {m: c for m, c in moved.items() if g not in dict(m)}
+            constant = self.mul(free, {(): n * pow(-k, -1, self.prime) % self.prime})
+            rest = self.add(moved, constant)
+        return self.mul(last, self.inverse(self.mul(constant, {(): self.prime - 1})))
 
     def polynomial(self, p: core.Polynomial, of: Mapping[str, Element]) -> Element:
         """The value of a polynomial, its names' values being given."""

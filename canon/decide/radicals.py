@@ -192,7 +192,7 @@ def _whole_power(
         made = tower.generator("root", sign, ("whole", numerator, denominator, m), relation=(m, lower))
         roots.append((numerator, denominator, m, made))
     root = tower.element(made)
-    if not denominator.is_constant():
+    if denominator != ring.one:  # it may be another number: a power of 2**(1/3)
         root = field.product([root, field.inverse((denominator, {}))])
     return field.power(root, exponent.numerator)
 

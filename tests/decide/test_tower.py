@@ -100,7 +100,7 @@ CASES: list[tuple[sp.Expr, ...]] = [  # a formula, and conditions that are known
 CASES += [  # what sympy would write in another way before it is seen
     (sp.Pow(exp(x), HALF, evaluate=False) + sp.Pow(exp(x) ** 2, THIRD, evaluate=False),),
     (exp(2 * log(w * z) + x, evaluate=False) + exp(log(w * z) / 2, evaluate=False),),
-    (exp(log(x * y) / 2 + x, evaluate=False) + exp(3 * log(-x * y**3), evaluate=False),),
+    (exp(log(x * y) / 2 + x, evaluate=False) + exp(3 * log(x * y**3), evaluate=False),),
     (exp(log(a**2 * b) / 3 - y, evaluate=False) + log(exp(x) * a, evaluate=False),),
     (sp.Pow(x**2, HALF, evaluate=False) + sp.Pow(4 * x**2 * y**4, THIRD / 2, evaluate=False),),
     (sp.Pow(x**2 / y**2, HALF, evaluate=False) + sp.Pow(x**-2 * (y + 1) ** -4, HALF / 2, evaluate=False),),

@@ -17,11 +17,12 @@ from canon.errors import InputError
 from canon.numeric.convergence import AIM, estimated_error
 from canon.numeric.forecast import GROWTH
 from canon.numeric.foreseen import Costs, costs_of, runs_to_come
-from canon.numeric.integrate import LONG_RUN
+from canon.numeric.integrate import LONG_RUN, Run
 from canon.numeric.integrators.stepper import Method
 from canon.numeric.operations import operations_per_step
 from canon.numeric.precision import UNIT
 from canon.numeric.progress import Progress, Trial
+from canon.numeric.run_difference import distance
 from canon.numeric.step_search import Search, Task
 
 WORTH: Final = 5e9
@@ -39,6 +40,9 @@ be slow by chance."""
 GAIN: Final = 0.8
 """What a candidate's work is to be below, beside that of the method that the rules choose, to be taken instead."""
 ROUNDING: Final = 1e-12
+TIMED_SHARE: Final = 16
+"""Parts of the steps of the whole that are run to see how long they take, where no other run has so many."""
+MOST_TIMED: Final = 1 << 18
 STRAY: Final = 0.1
 """Difference of two runs from which on they are no picture of the motion."""
 
@@ -74,12 +78,13 @@ class Prediction:
 @dataclass(frozen=True)
 class _Trial:
     """The runs of a window that were made, and the one of them by which to go on: its `steps`, its error, and the order
-    that it shows. `costs` is what they took.
+    that it shows. Its error grows with time to the power of `growth`; `costs` is what they took.
     """
 
     steps: int
     error: float
     order: float | None
+    growth: float = 1.0
     runs: tuple[Trial, ...] = ()
     costs: Costs | None = None
 
@@ -179,21 +184,27 @@ def _prediction(
 ) -> Prediction:
     """From the window to the whole: its error grows with time, and so does the number of steps."""
     order, whole = method.traits.order, task.duration / window
-    goal = AIM * accuracy / whole
-    needed = max(trial.steps * (trial.error / goal) ** (1 / order) * whole, float(task.samples - 1))
+    needed = max(_needed(trial, order, accuracy, whole), float(task.samples - 1))
     if costs is None:
         assert trial.costs is not None
         costs = trial.costs
         costs = replace(costs, kept=_kept(task, method, costs)) if 2 * needed >= LONG_RUN else costs
     known = Prediction(method, _operations(task, method), trial.order, needed=needed, costs=costs)
     runs = runs_to_come(
-        trial.runs, whole, order, accuracy, first=task.first_steps, samples=task.samples, costs=costs
+        trial.runs, whole, order, accuracy,
+        first=task.first_steps, samples=task.samples, costs=costs, growth=trial.growth,
     )  # fmt: skip
     if not runs:
         return replace(known, steps=needed, error=AIM * accuracy, seconds=costs.seconds(needed))
     last, total = runs[-1], sum(run.seconds for run in runs)
     error = estimated_error(runs, order)
     return replace(known, steps=last.steps, error=error, seconds=last.seconds, runs=len(runs), total=total)
+
+
+def _needed(trial: _Trial, order: int, accuracy: float, whole: float) -> float:
+    """Steps with which the error of so many windows is what is aimed at."""
+    goal = AIM * accuracy / whole**trial.growth
+    return trial.steps * (trial.error / goal) ** (1 / order) * whole
 
 
 def _like_the_motion(runs: Sequence[Trial]) -> list[Trial]:
@@ -208,7 +219,7 @@ def _like_the_motion(runs: Sequence[Trial]) -> list[Trial]:
 def _kept(task: Task, method: Method, costs: Costs) -> float:
     """How many times the seconds of a step it takes to keep the rounding of its additions: a long run will."""
     search = Search(replace(task, method=method), None, False, None, None, None, Progress(compensated=True))
-    spent = [_made(search, LONGEST) for _ in range(2)]
+    spent = [_made(search, MOST_TIMED) for _ in range(2)]
     return max((min(each.seconds for each in spent) - costs.per_run) / (costs.per_step * spent[0].steps or 1e-9), 1.0)
 
 
@@ -241,7 +252,8 @@ def _made(search: Search, steps: int) -> Trial:
 
 def _trial(task: Task, accuracy: float, window: float) -> _Trial | None:
     """Runs of the window with twice as many steps each, until the error is what is aimed at, or rounding."""
-    order, goal = task.method.traits.order, AIM * accuracy * window / task.duration
+    order, whole = task.method.traits.order, task.duration / window
+    goal = AIM * accuracy / whole
     search = _short_runs(replace(task, duration=window))
     steps, differences, found = task.first_steps, list[float](), None
     most = max(LONGEST, 8 * steps)
@@ -250,7 +262,8 @@ def _trial(task: Task, accuracy: float, window: float) -> _Trial | None:
         if len(search.trials) > 1:
             complete = not any(run.ended for run in search.runs[-2:])
             differences.append(made.difference if complete else math.inf)
-            found = _seen(differences, order, made.steps) or found
+            seen = _seen(differences, order, made.steps)
+            found = replace(seen, growth=_growth(*search.runs[-2:])) if seen else found
             if found is None and differences[-1] < max(goal, ROUNDING):
                 found = _Trial(made.steps, differences[-1], None)  # the first ones are as fine as is wanted
             if found is not None and (found.error <= goal or differences[-1] < ROUNDING):
@@ -259,17 +272,26 @@ def _trial(task: Task, accuracy: float, window: float) -> _Trial | None:
     if found is None:
         return None
     runs = tuple(replace(t, difference=d) for t, d in zip(search.trials, (math.inf, *differences), strict=True))
-    beyond = window < task.duration or found.error > goal  # the whole has more steps than any of these runs
+    timed = min(round(_needed(found, order, accuracy, whole) / TIMED_SHARE), MOST_TIMED)
+    beyond = timed > runs[-1].steps
     while len(search.trials) < (len(runs) + LEAST - 1 if beyond else LEAST):
-        _made(search, runs[-1].steps)
+        _made(search, max(timed, runs[-1].steps))
     return replace(found, runs=runs, costs=costs_of(_like_the_motion([*runs, *search.trials[len(runs) :]])))
 
 
+def _growth(before: Run, last: Run) -> float:
+    """The power of time with which the difference of two runs grows, as its two halves tell: from 1 to 2."""
+    half = distance(last, before, (last.samples + 1) // 2)
+    return min(max(math.log2(distance(last, before) / half), 1.0), 2.0) if half > 0 else 1.0
+
+
 def _seen(differences: Sequence[float], order: int, steps: int) -> _Trial | None:
-    """The trial, where the last two differences fall as the order says they should."""
+    """The trial, where the last two differences fall as the order says they should: not slower by an order, and not
+    faster by two, as they do where the runs with fewer steps had nothing to do with the motion.
+    """
     if len(differences) < 2 or not 0 < differences[-1] < differences[-2] < math.inf:
         return None
     measured = math.log2(differences[-2] / differences[-1])
-    if measured < order - 1:
+    if not order - 1 <= measured <= order + 2:
         return None
     return _Trial(steps, differences[-1] / (2**order - 1), measured)

@@ -61,18 +61,26 @@ def costs_of(trials: Sequence[Trial]) -> Costs:
 
 
 def runs_to_come(
-    trials: Sequence[Trial], whole: float, order: int, accuracy: float, *, first: int, samples: int, costs: Costs
+    trials: Sequence[Trial],
+    whole: float,
+    order: int,
+    accuracy: float,
+    *,
+    first: int,
+    samples: int,
+    costs: Costs,
+    growth: float = 1.0,
 ) -> list[Trial]:
     """The runs of a search for the accuracy, each with its steps, its difference from the one before, and its seconds.
 
     **Arguments:** `trials`, runs of a part of the duration with twice as many steps each, of which `whole` such parts
-    make all: errors grow with time; `first`, the steps of the search's first run.
+    make all: errors grow with time, to the power of `growth`; `first`, the steps of the search's first run.
 
     **Returns:** the runs up to the one that reaches the accuracy; none where that takes more steps than are ever made.
     """
     found = list[Trial]()
     for steps in _counts(first, samples):
-        off = _difference(trials, steps / whole, order) * whole if found else math.inf
+        off = _difference(trials, steps / whole, order) * whole**growth if found else math.inf
         found.append(Trial(steps, off, costs.seconds(steps)))
         if reaches(found, order, accuracy):
             return found

@@ -52,6 +52,8 @@ def range_of(question: Question, x: sp.Symbol, low: End, high: End, formulas: Se
     for word, end in (("from", low), ("to", high)):
         if isinstance(end, Formula) and x in end.expr.free_symbols:
             raise InputError(f"{x} is the variable of integration: it can't be in an end of its range", f"key {word!r}")
+        if isinstance(end, Formula) and tape.is_complex(question.load(end)):
+            raise InputError(f"{end} is complex: a range is one of real numbers", f"key {word!r}")
     whole = region_in_velocities(question, *formulas, *(e for e in (low, high) if isinstance(e, Formula)))
     demanded = tuple(r for r in whole.requirements if any(node in tape.support(n) for n in r.nodes))
     if any(node in tape.support(n) for n in whole.surface):
@@ -113,6 +115,8 @@ def _assumed(question: Question, span: Range) -> None:
 def is_positive(question: Question, node: Node, region: Region, *, strict: bool = True) -> bool:
     """Whether a node is shown to be positive (not negative) throughout a region."""
     tape, budget = question.tape, question.budget
+    if tape.is_complex(node):
+        return False
     if not tape.support(node) and not tape.functions_of([node]):
         with precision(64):
             ball = evaluate(tape, tape.reach([node]), {})[node]

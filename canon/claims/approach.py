@@ -90,7 +90,7 @@ def signs_on(question: Question, region: Region) -> Callable[[Node], Sign | None
         (answer,) = ladder.vanish(tape, [node], region, budget=question.budget.share(0.3), seed=question.seed)
         if answer.status == "proved":
             return "zero"
-        if not tape.support(node) and answer.balls:
+        if not tape.support(node) and not tape.functions_of([node]) and answer.balls:
             return (
                 "pos"
                 if certainly_positive(answer.balls[0])

@@ -90,6 +90,7 @@ def exact_value(question: Question, span: Range, f: Node, F: Formula) -> tuple[L
         place = 1 if end == "infinity" else -1 if end == "-infinity" else side
         try:
             near = approaching(question, span.x, end, place, (F,))
+            near = replace(near, region=near.region.also(*span.others.requirements))
             ends.append(limit_of(question, near, node, (node, f)))
         except (Unexpanded, Unsupported, InputError) as reason:
             raise Unproved(f"the antiderivative's limit at {end} was not found: {reason}") from None

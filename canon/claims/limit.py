@@ -55,6 +55,8 @@ def limit(question: Question) -> Outcome:
     for word, value in (("to", to), ("equals", equals)):
         if isinstance(value, Formula) and x in value.expr.free_symbols:
             raise InputError(f"{x} tends to its limit: it can't be in it", f"key {word!r}")
+    if isinstance(equals, str) and question.tape.is_complex(question.load(f)):
+        raise InputError(f"{f} is complex: {equals} is a limit of real numbers", "key 'equals'")
     outcomes = []
     for side in _sides(question, to):
         approach = approaching(question, x, to, side, (f, *(e for e in (to, equals) if isinstance(e, Formula))))

@@ -65,6 +65,8 @@ def stationary(question: Question) -> Outcome:
     first = question.decide(residuals, Region((*span.inside.requirements, *span.demanded), span.inside.surface, ()))
     if word is None or first.status == "refuted":
         return first
+    if any(question.tape.is_complex(node) for node in (question.load(L), *images.values())):
+        raise InputError("an extremum is one of real numbers: L or its path is complex", "key 'extremum'")
     second = _second(question, span, jets, question.load(L), images)
     return combined([first, _extremum(question, span, second, word, fields)])
 

@@ -29,7 +29,10 @@ def enclosed(
     point: Mapping[Node, Ball],
     functions: Mapping[str, ChosenFunction] | None = None,
 ) -> Ball | None:
-    """The integral of a node over x between two numbers, all else at a point; None where it can't be enclosed."""
+    """The integral of a node over x between two numbers, all else at a point; None where it can't be enclosed.
+
+    It is complex where the node is: the imaginary part of a real node's is rounding alone.
+    """
     wanted = without_modulus(tape, node)
     order = tape.reach([wanted])
     if any(tape.ops[i][:2] == ("f", "abs") for i in order):
@@ -53,7 +56,9 @@ def enclosed(
             )
         except FAILURES:
             return None
-        return value.real if value.is_finite() else None
+        if not value.is_finite():
+            return None
+        return value if tape.is_complex(node) else value.real
 
 
 def without_modulus(tape: Tape, node: Node) -> Node:

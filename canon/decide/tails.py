@@ -17,6 +17,7 @@ from canon.decide.asymptotic import Expander, Ramified, SignOf
 from canon.decide.derivative import substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision, whole_power
 from canon.decide.growth import Tamed, tamed
+from canon.decide.power_series import Unexpanded
 from canon.decide.tape import Node, Tape, Unsupported
 
 TERMS = 6
@@ -62,6 +63,8 @@ def tail_of(tape: Tape, node: Node, x: Node, s: Node, sign_of: SignOf) -> Tail:
 
     **Raises:** `Unexpanded` where it has no such form.
     """
+    if tape.is_complex(node):
+        raise Unexpanded("complex values")
     target = substitute(tape, node, {x: tape.power(s, -1)})
     try:
         return Tail(tape, s, tamed(Expander(tape, s, sign_of, TERMS), target))

@@ -89,6 +89,28 @@ def test_a_pole_under_a_concave_function(status):
     assert status(claim, symbols=SYMBOLS) == "undecided"
 
 
+@pytest.mark.parametrize(
+    ("f", "low", "high", "equals", "expected"),
+    [
+        ("1/(q + 1j)", "-1", "1", "-1j*pi/2", "supported"),
+        ("1/(q + 1j)", "-1", "1", "0", "refuted"),
+        ("exp(1j*q)", "0", "pi", "2j", "supported"),
+        ("exp(1j*q)", "0", "pi", "2.001j", "refuted"),
+        ("1j/(1 + q**4)", "0", "infinity", "0", "undecided"),
+        ("(1 + 1j*q)**(-5/2)", "0", "infinity", "0", "undecided"),  # a fractional power, so that envelopes are asked
+        ("k*(1 + 1j)*q", "0", "1", "k/2", "refuted"),
+    ],
+)
+def test_complex_integrands(status, f, low, high, equals, expected):
+    assert status(_claim(f, "q", low, high, equals), symbols=SYMBOLS) == expected
+
+
+def test_the_sign_of_an_arbitrary_function_s_value_decides_nothing(status):
+    claim = _claim("exp(-V(0)*q)", "q", "0", "infinity", "1/V(0)")
+    assert status(claim, symbols=SYMBOLS) == "undecided"  # it diverges where V(0) < 0
+    assert status(claim, symbols='V = ["function", "positive"]') == "proved"
+
+
 def test_arbitrary_functions(status):
     claim = _claim("D(V(q), q)", "q", "a", "b", "V(b) - V(a)", "V(q)")
     assert status(claim, symbols=SYMBOLS) == "undecided"  # which of a and b is the larger?

@@ -120,6 +120,27 @@ def test_what_has_no_expansion(status, f, equals, expected):
     assert status(_claim(f, "q", "0", equals, "+"), symbols=SYMBOLS) == expected
 
 
+@pytest.mark.parametrize(
+    ("f", "to", "equals", "side"),
+    [
+        ("abs(V(q))", "0", "V(0)", ""),
+        ("abs(V(q))", "0", "abs(V(0))", ""),  # true, but of no sign that is known
+        ("V(0)*q", "infinity", "infinity", ""),
+        ("exp(V(0)*q)", "infinity", "infinity", ""),
+        ("atan(V(0)/q)", "0", "pi/2", "+"),
+        ("atan2(q, V(0))", "0", "0", ""),
+        ("(V(0)*q + 1)/(V(0)*q + 2)", "infinity", "1", ""),
+    ],
+)
+def test_values_of_arbitrary_functions_have_no_sign(status, f, to, equals, side):
+    assert status(_claim(f, "q", to, equals, side), symbols=SYMBOLS) in ("undecided", "supported")
+
+
+def test_values_of_positive_functions_have_a_sign(status):
+    claim = _claim("V(0)*q", "q", "infinity", "infinity")
+    assert status(claim, symbols='V = ["function", "positive"]') == "proved"
+
+
 @pytest.mark.parametrize("equals", ["2", "2002/1000"])
 def test_balls_that_hold_any_value_support_nothing(ask, equals):
     numeric = {"method": "numeric"}  # 1 - tanh q is below the rounding of 128 bits where q is large
@@ -158,6 +179,7 @@ def test_numeric_only(ask):
         (_claim("q", "q", "0", "0", "above"), "from above"),
         (_claim("q", "V", "0", "0"), "function"),
         (_claim("n", "n", "0", "0"), "integer"),
+        (_claim("1j*q", "q", "infinity", "infinity"), "complex"),
     ],
 )
 def test_faults(ask, claim, message):

@@ -146,6 +146,12 @@ def test_faults(ask, keys, extremum, message):
         ask(_claim(OSCILLATOR, SWING, *keys, extremum=extremum), symbols=SYMBOLS)
 
 
+def test_an_extremum_is_one_of_real_numbers(ask, status):
+    assert status(_claim("1j*v**2", "t"), symbols=SYMBOLS) == "proved"
+    with pytest.raises(InputError, match="complex"):
+        ask(_claim("1j*v**2", "t", extremum="minimum"), symbols=SYMBOLS)
+
+
 def test_a_path_is_a_function_of_time(ask):
     with pytest.raises((InputError, AssertionError), match="not of p"):
         ask(_claim("m*v**2/2", "p*t"), symbols=SYMBOLS)

@@ -114,6 +114,10 @@ class _Space:
             return sign is not None or self.sign(nodes[1]) == "pos"
         return sign == "pos" or (requirement.kind == "nonzero" and sign == "neg")
 
+    def is_complex(self, requirement: Requirement) -> bool:
+        """Whether it isn't one equation in real numbers that it takes out, but two: x + i·y is 0 at a point alone."""
+        return any(self.tape.is_complex(node) for node in requirement.nodes)
+
     def sign(self, node: Node) -> str | None:
         return definite_sign(self.tape, node, self.box, self.budget)
 
@@ -126,6 +130,8 @@ class _Space:
 
     def straightens(self, requirement: Requirement, others: Sequence[Requirement]) -> bool:
         """Whether its expressions may take the places of coordinates that the other conditions don't contain."""
+        if self.is_complex(requirement):
+            return False
         elsewhere = self.inside(*(node for other in others for node in other.nodes))
         free = [x for x in sorted(self.inside(*requirement.nodes) - elsewhere) if self.is_free(x)]
         if len(requirement.nodes) == 1:
@@ -152,7 +158,7 @@ class _Space:
         inside = self.inside(*nodes)
         if len(inside) <= 1:
             return True
-        if requirement.kind == "uncut":
+        if requirement.kind == "uncut" or self.is_complex(requirement):
             return False
         return not any(self.inside(derivative(self.tape, nodes[0], x)) for x in inside)
 

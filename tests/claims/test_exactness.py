@@ -67,6 +67,12 @@ def test_a_hole_that_two_formulas_take_out_is_a_hole(status):
     )
 
 
+def test_a_complex_denominator_takes_out_a_hole(status):
+    """x + iy is 0 on a line of space, not on a wall: no loop is contracted across it."""
+    form = ("(1/(x - 1j*y) - 1/(x + 1j*y))*1j/2", "(1/(x + 1j*y) + 1/(x - 1j*y))/2")
+    assert gauge(status, "xy", form) == "supported"
+
+
 def test_the_loop_integral_is_the_flux(ask):
     (verdict,) = gauge(ask, "xy", flux(a="3"))
     assert abs(float(verdict.detail["loop_integral"])) == pytest.approx(6 * math.pi)

@@ -195,6 +195,8 @@ class _Check:
         """Whether a formula isn't identically 0: one of roots alone modulo a prime, others in intervals."""
         if is_algebraic(self.s, a):
             return not self.s.surface and followed.is_not_zero(a)
+        if followed.is_number(a):
+            return True
         own = Intervals(2 * DIGITS)
         try:
             point = {n: x if isinstance(x, str) else own.iv.mpf(x) for n, x in of.items()}

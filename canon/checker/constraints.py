@@ -8,6 +8,7 @@ from itertools import combinations
 from canon.checker.case import Case
 from canon.checker.functions import Unknown
 from canon.checker.motion import Motion, formulas
+from canon.checker.positive import is_nowhere_zero
 from canon.checker.shapes import is_rational
 from canon.checker.statement import Statement
 
@@ -33,7 +34,7 @@ def constraint(s: Statement) -> list[Case]:
     found += [_of_forms(s, m, forms, word) for word in ON_FORMS if word in asked]
     if "holonomic" in asked or "integrals" in asked:
         minors, moving = _minors(s, forms), (*m.q, m.t)
-        sure = all(is_rational(s, a, moving) for a in minors)
+        sure = all(is_rational(s, a, moving) for a in minors) or any(is_nowhere_zero(s, a) for a in minors)
         found.append(Case([], [minors], trusted="" if sure else "that the forms are independent nearly everywhere"))
     if "determined" in asked:
         found.append(_determined(s, m, forms))
@@ -75,7 +76,8 @@ def _determined(s: Statement, m: Motion, forms: Sequence[Form]) -> Case:
     whole = s.determinant(rows)
     if s.claim["determined"] is not True:
         return Case([whole])
-    return Case([], [[whole]], trusted="that the multipliers are determined at every state, not only at those tried")
+    trusted = "that the multipliers are determined at every state, not only at those tried"
+    return Case([], [[whole]], trusted="" if is_nowhere_zero(s, whole) else trusted)
 
 
 def _minors(s: Statement, rows: Sequence[Form]) -> list[int]:

@@ -7,9 +7,9 @@ from typing import Any
 
 from canon.checker import core
 from canon.checker.functions import Unknown
-from canon.checker.positive import sign_of
-from canon.checker.roots import Undecided
+from canon.checker.roots import Undecided, multiple
 from canon.checker.statement import Statement
+from canon.checker.terms import sign_of
 from canon.checker.values import Values
 
 FAILURES = (Undecided, Unknown, ZeroDivisionError, RecursionError)
@@ -63,6 +63,13 @@ class Followed:
         """Whether a function of roots alone is 0 for no choice of them."""
         try:
             return bool(self.values.t.inverse(self.values.value(a)))
+        except FAILURES:
+            return False
+
+    def is_number(self, a: int) -> bool:
+        """Whether a formula is a rational number other than 0."""
+        try:
+            return bool(multiple(self.values.value(a), self.values.one, self.values.t.prime))
         except FAILURES:
             return False
 

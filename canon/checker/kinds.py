@@ -9,6 +9,7 @@ from canon.checker import obligations as mechanics
 from canon.checker.case import Case
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.motion import Motion, formulas
+from canon.checker.positive import is_nowhere_zero
 from canon.checker.statement import Statement
 
 
@@ -65,10 +66,10 @@ def hamilton_jacobi(s: Statement) -> Case:
     other = f.slope(S, s.time) if word == "S" else f.mul(f.number(-1), energy)
     complete = s.determinant([[f.slope(p, a) for a in constants] for p in momenta.values()])
     names = {f.ops[a][1] for a in f.reach(complete) if f.ops[a][0] == "s"}
-    whole = names <= {*s.q, *constants, s.time, "pi"} and not any(f.ops[a][1] in f.functions for a in f.reach(complete))
-    trusted = (
-        "" if whole else "that the integral is complete for all values of the parameters, not only for those tried"
-    )
+    called = any(f.ops[a][1] in f.functions for a in f.reach(complete))
+    whole = names <= {*s.q, *constants, s.time, "pi"} and not called
+    trusted = "that the integral is complete for all values of the parameters, not only for those tried"
+    trusted = "" if whole or is_nowhere_zero(s, complete) else trusted
     return Case([f.add(f.substitute(s.H, momenta), other)], [[complete]], momenta, trusted)
 
 

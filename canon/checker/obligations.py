@@ -209,7 +209,7 @@ def independent(s: Statement) -> Case:
     rows = [[s.pull(s.f.slope(a, x)) for x in variables] for a in s.keys("functions")]
     columns = combinations(range(len(variables)), len(rows))
     minors = [s.determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
-    everywhere = all(is_rational(s, a, s.coordinates) for a in minors)
+    everywhere = all(is_rational(s, a, s.coordinates) for a in minors) or any(is_nowhere_zero(s, a) for a in minors)
     trusted = "that a minor, which is not 0 at some points, is not 0 on any component of the domain"
     trusted = "" if everywhere else trusted
     return Case([], [minors or [s.f.number(0)]], trusted=trusted)

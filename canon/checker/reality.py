@@ -13,8 +13,9 @@ from collections.abc import Collection, Iterable, Mapping
 from canon.checker import core
 from canon.checker.followed import Followed
 from canon.checker.functions import Unknown
-from canon.checker.positive import sign_of
 from canon.checker.roots import Undecided, multiple
+from canon.checker.signs import Signs
+from canon.checker.terms import sign_of
 from canon.checker.tower import Element
 
 ENTIRE = (
@@ -27,7 +28,7 @@ FAILURES = (Undecided, Unknown, ZeroDivisionError, RecursionError, ValueError)
 
 def unreal(followed: Followed, own: Iterable[int], kernels: Mapping[str, int]) -> list[str]:
     """What has to be taken on trust of kernels, and of formulas that a certificate adds to a claim's own."""
-    s, known = followed.s, Real(followed, own)
+    s, known = followed.s, Real(followed, own, kernels)
     doubtful = {name: a for name, a in kernels.items() if not known.is_real(a)}
     while found := {name for name, a in doubtful.items() if known.is_factor(name, a, doubtful)}:
         doubtful = {name: a for name, a in doubtful.items() if name not in found}
@@ -38,7 +39,7 @@ def unreal(followed: Followed, own: Iterable[int], kernels: Mapping[str, int]) -
 class Real:
     """What of a claim is known to be real on its domain: its own formulas, and what has a sign."""
 
-    def __init__(self, followed: Followed, own: Iterable[int]) -> None:
+    def __init__(self, followed: Followed, own: Iterable[int], kernels: Mapping[str, int]) -> None:
         self.s = s = followed.s
         self.f, self.values, self.atoms = s.f, followed.values, followed.atoms
         self.own = {*s.f.reach(*own, *(a for a, _ in s.conditions))}
@@ -48,6 +49,7 @@ class Real:
         arguments = [x for a in self.own if s.f.ops[a][0] == "f" for x in self._radicands(a)]
         self._known = [*arguments, *(a for a, kind in s.conditions if kind == "positive")]
         self._elements: list[Element] | None = None
+        self.kernels, self._signs = kernels, Signs(s)
 
     def is_real(self, meaning: int) -> bool:
         """Whether a formula is real throughout the domain, but where it has a pole."""
@@ -63,25 +65,26 @@ class Real:
         return True
 
     def is_factor(self, name: str, meaning: int, doubtful: Collection[str]) -> bool:
-        """Whether a kernel R^(1/n) is all that isn't known to be real in one of the claim's roots, n being even.
+        """Whether a kernel R^(1/n) is all that isn't known to be real in one of the claim's powers, n being even.
 
-        With (g A/B)^n = S, which is nowhere negative where the claim's S^(1/n) is real, R = S (B/A)^n isn't either.
+        With (g^k A/B)^n = S^m, which is nowhere negative where the claim's S^(m/n) is real, R^k = S^m (B/A)^n isn't
+        either, nor R for an odd k.
         """
-        op, roots, t = self.f.ops[meaning], self.values.roots, self.values.t
+        f, op, roots, t = self.f, self.f.ops[meaning], self.values.roots, self.values.t
         n = self.f.value(op[3][1]) if op[:2] == ("f", "power") else None
         if n is None or n.numerator != 1 or n.denominator % 2 or not self.is_real(op[3][0]):
             return False
         for a, (over, under) in self.atoms.items():
-            if a not in self.own or self.f.ops[a][:2] != ("f", "power") or self.f.value(self.f.ops[a][3][1]) != n:
+            m = f.value(f.ops[a][3][1]) if a in self.own and f.ops[a][:2] == ("f", "power") else None
+            if m is None or m.denominator != n.denominator or core.names(over) & ({*doubtful} - {name}):
                 continue
-            powers = [dict(m).get(name, 0) for m in over]
-            if {*powers} != {1} or (core.names(over) | core.names(under)) & ({*doubtful} - {name}):
-                continue
-            if name in core.names(under):
-                continue
+            powers = [{dict(monomial).get(name, 0) for monomial in p} for p in (over, under)]
+            if any(len(p) != 1 for p in powers) or (min(powers[0]) - min(powers[1])) % 2 == 0:
+                continue  # an odd power of g it has to be
             try:
-                if t.power(roots.fraction((over, under)), n.denominator) == self.values.value(self.f.ops[a][3][0]):
-                    return True
+                radicand = t.power(self.values.value(f.ops[a][3][0]), m.numerator)
+                if t.power(roots.fraction((over, under)), n.denominator) == radicand:
+                    return not core.names(under) & ({*doubtful} - {name})
             except FAILURES:
                 continue
         return False
@@ -114,8 +117,10 @@ class Real:
         if op[0] == "n":
             return op[1] >= 0
         if op[0] == "s":
-            return bool({"positive", "nonnegative"} & {*self.words.get(op[1], ())})
-        if op[0] == "f" and (op[1] in ("exp", "cosh", "abs") or (op[1] == "power" and self._is_nonnegative(parts[0]))):
+            kernel = self.kernels.get(op[1])
+            own = kernel is not None and f.ops[kernel][0] == "f" and self._is_nonnegative(kernel)
+            return own or bool({"positive", "nonnegative"} & {*self.words.get(op[1], ())})
+        if op[0] == "f" and op[1] in ("exp", "cosh", "abs", "power"):  # of a root it is asked elsewhere that it be real
             return True
         if op[0] == "^" and op[2] % 2 == 0:
             return True
@@ -126,7 +131,9 @@ class Real:
         polynomial = self.values.polynomial(a)
         if polynomial is not None and sign_of(self.words, polynomial)[0] > 0:
             return True
-        return self._is_known(a)
+        ops = [f.ops[b] for b in f.reach(a)]
+        plain = all(x[0] != "f" and (x[0] != "s" or x[1] not in self.kernels) for x in ops)
+        return (plain and self._signs.is_positive(a, strict=False)) or self._is_known(a)
 
     def _is_known(self, a: int) -> bool:
         """Whether a formula is a positive multiple of one that the claim says to be nowhere negative."""

@@ -13,8 +13,8 @@ from typing import Any
 
 from canon.checker import core
 from canon.checker.functions import Unknown
-from canon.checker.positive import sign_of
 from canon.checker.statement import Statement
+from canon.checker.terms import sign_of
 from canon.checker.tower import Element, Tower
 
 MOST_ROOTS = 9

@@ -33,6 +33,8 @@ from canon.checker.statement import Statement
 TRIES, FEW = 20, (0, 10, 20)
 PRECISIONS, NEARLY = (40, 120, 400), 1e-60
 """Digits of intervals; and what is less than can be a witness."""
+NEAR = (600, 20_000)
+"""Points are near to another within 99 parts of so many."""
 
 
 def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, real: bool) -> list[str]:
@@ -106,8 +108,9 @@ def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int) -> b
                 continue
             if any(0 not in found[a] for a in case.zeros):
                 return True
-            if any(_are_independent(s, case, group, own, exact, functions) for group in case.outside):
-                return True
+            for group, size in ((group, size) for group in case.outside for size in NEAR):
+                if _are_independent(s, case, group, own, exact, functions, size):
+                    return True
             if any(found[a].b < 0 or (strict and f.value(a) == 0) for a, strict in case.positive):
                 return True
             nearly = [found[a].a > -NEARLY and found[a].b < NEARLY for a in case.zeros]
@@ -134,13 +137,14 @@ def _are_independent(
     own: Intervals,
     exact: Mapping[str, Fraction],
     functions: Mapping[str, str],
+    size: int,
 ) -> bool:
     """Whether functions of the coordinates are linearly independent: their values near a point have a determinant."""
     rng, moving, rows = random.Random(2), {*s.coordinates, *s.bracketed} & exact.keys(), []
     if case.images:
         return False
     for _ in group:
-        near = {n: x * (1 + Fraction(rng.randint(-99, 99), 600)) if n in moving else x for n, x in exact.items()}
+        near = {n: x * (1 + Fraction(rng.randint(-99, 99), size)) if n in moving else x for n, x in exact.items()}
         of = {**functions, **{n: own.number(x) for n, x in near.items()}}
         images = (s.pull(image) for image in s.images.values())
         found = own.values(s.f, [*group, *domain_of(s), *images, *(a for a, _ in s.conditions)], of)

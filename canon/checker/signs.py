@@ -1,0 +1,254 @@
+"""Is a formula nowhere negative on its domain? Sums of terms of one sign, squares completed, roots and conditions used.
+
+A function is a name of its own here: √R a positive w with w² = R (zeros of radicands are no part of a domain), an
+exponential a positive one, sine and cosine two with s² + c² = 1, any other one of which nothing is known. What holds
+for all real values of such names holds for the functions. A polynomial P in them is nowhere negative
+
+- if its terms are, by the signs of names and even powers, and with it P times a monomial of one sign;
+- with P = A + B w, if A and B are; or if A is and B nowhere positive, and A² − B² R nowhere negative (or the reverse);
+- with P = a x² + b x + c, if a is and 4 a c − b² is;
+- with P = A + B c for a sine or cosine c, if A + B and A − B are;
+- with a name u, or a square, replaced by what a condition u − v > 0 says: u = v + d with a positive d.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from canon.checker import core
+from canon.checker.core import Polynomial, combined
+from canon.checker.functions import Unreadable
+from canon.checker.statement import Statement
+from canon.checker.terms import sign_of
+
+DEPTH, MOST = 5, 250
+"""Steps one inside the other, and terms of a polynomial."""
+Pair = tuple[Polynomial, Polynomial]
+ONE = core.ONE
+
+
+class Undetermined(ValueError):
+    """A formula that isn't one of real quantities, or is too large."""
+
+
+def name_of(name: str, exponent: int = 1) -> Polynomial:
+    """A power of a name."""
+    return {((name, exponent),): Fraction(1)}
+
+
+def times(*factors: Polynomial) -> Polynomial:
+    """Their product."""
+    total = ONE
+    for factor in factors:
+        if len(total) * len(factor) > MOST**2:
+            raise Undetermined
+        total = combined({}, total, factor)
+    if len(total) > MOST:
+        raise Undetermined
+    return total
+
+
+def minus(p: Polynomial) -> Polynomial:
+    """-p."""
+    return {m: -c for m, c in p.items()}
+
+
+class Signs:
+    """The signs of a claim's formulas on its domain."""
+
+    def __init__(self, s: Statement) -> None:
+        self.s, self.f = s, s.f
+        self.words: dict[str, Sequence[str]] = {**s.words, "pi": ["positive"]}
+        self._roots: dict[str, tuple[int, Polynomial]] = {}
+        self._circles: dict[str, str] = {}  # the name of a sine, and of its cosine
+        self._known: dict[int, Pair] = {}
+        conditions = list[Polynomial]()
+        for a in (a for a, kind in s.conditions if kind == "positive"):
+            op = self.f.ops[a]
+            if op[0] == "s":
+                self.words[op[1]] = [*self.words.get(op[1], ()), "positive"]
+            try:
+                over, under = self.fraction(a)
+            except (Undetermined, Unreadable):
+                continue
+            if under == ONE and op[0] != "s":
+                conditions.append(over)
+        self._shifts = [shift for k, p in enumerate(conditions) for shift in self._shifts_of(p, f"#above{k}")]
+
+    def is_positive(self, a: int, *, strict: bool) -> bool:
+        """Whether a formula is positive, or nowhere negative, wherever it has a value. False says nothing."""
+        try:
+            over, under = self.fraction(a)
+            for choice in (False, True):
+                p, q = (self._reduced(x, cosines=choice) for x in (over, under))
+                for sign in (p, q), (minus(p), minus(q)):
+                    if self._holds(sign[1], strict=False) and self._holds(sign[0], strict=strict):
+                        return True
+        except (Undetermined, Unreadable, RecursionError):
+            return False
+        return False
+
+    # -- formulas as fractions ----------------------------------------------------------------------
+
+    def fraction(self, target: int) -> Pair:
+        """Numerator and denominator in the names of this file. Raises Undetermined."""
+        f, out = self.f, self._known
+        for a in f.reach(target):
+            if a in out:
+                continue
+            op, x = f.ops[a], [out[b] for b in f.parts(a)]
+            if op[0] == "n":
+                out[a] = ({(): op[1]} if op[1] else {}), ONE
+            elif op[0] == "s":
+                if op[1] == "1j" or "complex" in self.words.get(op[1], ()):
+                    raise Undetermined
+                out[a] = name_of(op[1]), ONE
+            elif op[0] == "+":
+                (p, q), (r, t) = x
+                out[a] = (combined(p, r, ONE), q) if q == t else (combined(times(p, t), r, q), times(q, t))
+            elif op[0] == "*":
+                out[a] = times(x[0][0], x[1][0]), times(x[0][1], x[1][1])
+            elif op[0] == "^":
+                over, under = x[0] if op[2] > 0 else x[0][::-1]
+                if abs(op[2]) > 40:
+                    raise Undetermined
+                out[a] = times(*[over] * abs(op[2])), times(*[under] * abs(op[2]))
+            else:
+                out[a] = self._function(a, x)
+        return out[target]
+
+    def _function(self, a: int, x: Sequence[Pair]) -> Pair:
+        f, op, mark = self.f, self.f.ops[a], f"#{a}"
+        if op[1] == "power" and (r := f.value(op[3][1])) is not None and abs(r.numerator) < 20:
+            over, under = x[0]
+            mark, n, below = f"#root {op[3][0]} {r.denominator}", r.denominator, ONE
+            self.words[mark] = ["positive"]
+            if under == ONE or (n == 2 and self._holds(under, strict=False)):  # √(P/Q) = √(P Q)/Q, with a positive Q
+                self._roots[mark] = n, times(over, under)
+                below = under
+            pair = name_of(mark, abs(r.numerator)), times(*[below] * abs(r.numerator))
+            return pair if r > 0 else (pair[1], pair[0])
+        if op[1] in ("sin", "cos"):
+            sine, cosine = (f"#{word} {op[3][0]}" for word in ("sin", "cos"))
+            self._circles[sine] = cosine
+            return name_of(sine if op[1] == "sin" else cosine), ONE
+        sure = op[1] in ("exp", "cosh", "abs")
+        self.words[mark] = ["positive"] if sure else [*self.s.words.get(op[1], ())] if not any(op[2]) else []
+        return name_of(mark), ONE
+
+    def _reduced(self, p: Polynomial, *, cosines: bool) -> Polynomial:
+        """Without powers of roots that are polynomials, or squares of sines (or of cosines)."""
+        rules = {name: (n, radicand) for name, (n, radicand) in self._roots.items()}
+        for sine, cosine in self._circles.items():
+            first, other = (cosine, sine) if cosines else (sine, cosine)
+            rules[first] = 2, combined(ONE, name_of(other, 2), {(): Fraction(-1)})
+        for _ in range(40):
+            step: Polynomial = {}
+            for m, c in p.items():
+                name = next((n for n, e in m if n in rules and e >= rules[n][0]), None)
+                value = ONE if name is None else rules[name][1]
+                rest = tuple((n, e - rules[n][0] if n == name else e) for n, e in m if n != name or e > rules[n][0])
+                step = combined(step, {rest: c}, value)
+            if step == p:
+                return p
+            p = step
+            if len(p) > MOST:
+                raise Undetermined
+        raise Undetermined
+
+    # -- signs of polynomials -----------------------------------------------------------------------
+
+    def _holds(self, p: Polynomial, *, strict: bool, depth: int = DEPTH) -> bool:
+        if not p:
+            return not strict
+        if p.get((), 0) < 0 and len(p) == 1:
+            return False
+        sign, never = self._terms(p)
+        if sign:
+            return sign > 0 and (never or not strict)
+        if depth == 0 or len(p) > MOST:
+            return False
+        common = dict(min(p, key=len))
+        for m in p:
+            powers = dict(m)
+            common = {n: min(e, powers[n]) for n, e in common.items() if n in powers}
+        if common:
+            outer, never = self._terms({tuple(sorted(common.items())): Fraction(1)})
+            rest = {tuple((n, e - common.get(n, 0)) for n, e in m if e > common.get(n, 0)): c for m, c in p.items()}
+            if outer and (never or not strict):
+                return self._holds(rest if outer > 0 else minus(rest), strict=strict, depth=depth)
+        rules = self._by_roots, self._by_squares, self._by_conditions, self._by_bounds
+        return any(rule(p, strict, depth - 1) for rule in rules)
+
+    def _terms(self, p: Polynomial) -> tuple[int, bool]:
+        return sign_of(self.words, p)
+
+    def _by_roots(self, p: Polynomial, strict: bool, depth: int) -> bool:
+        for name in sorted(core.names(p) & {*self._roots}):
+            n, radicand = self._roots[name]
+            parts = _coefficients(p, name)
+            if n != 2 or len(parts) != 2:
+                continue
+            A, B = parts
+            squares = combined(times(A, A), times(B, B, radicand), {(): Fraction(-1)})
+            squares = self._reduced(squares, cosines=False)
+            for first, second, difference in ((A, B, squares), (B, A, minus(squares))):
+                if self._holds(first, strict=strict, depth=depth) and self._holds(second, strict=False, depth=depth):
+                    return True
+                if self._holds(first, strict=False, depth=depth) and self._holds(
+                    difference, strict=strict, depth=depth
+                ):
+                    return True
+        return False
+
+    def _by_squares(self, p: Polynomial, strict: bool, depth: int) -> bool:
+        for name in sorted(core.names(p)):
+            parts = _coefficients(p, name)
+            if len(parts) == 3 and self._holds(parts[2], strict=strict, depth=depth):
+                c, b, a = parts
+                left = combined(times({(): Fraction(4)}, a, c), times(b, b), {(): Fraction(-1)})
+                if self._holds(left, strict=strict, depth=depth):
+                    return True
+        return False
+
+    def _by_conditions(self, p: Polynomial, strict: bool, depth: int) -> bool:
+        for name, exponent, value in self._shifts:
+            powers = {dict(m).get(name, 0) for m in p}
+            if powers == {0} or any(e % exponent for e in powers):
+                continue
+            moved: Polynomial = {}
+            for m, c in p.items():
+                rest = tuple((n, e) for n, e in m if n != name)
+                moved = combined(moved, {rest: c}, times(*[value] * (dict(m).get(name, 0) // exponent)))
+            if self._holds(moved, strict=strict, depth=depth):
+                return True
+        return False
+
+    def _by_bounds(self, p: Polynomial, strict: bool, depth: int) -> bool:
+        """A + B c at a sine or cosine c lies between A + B and A - B."""
+        for name in sorted(core.names(p) & {*self._circles, *self._circles.values()}):
+            parts = _coefficients(p, name)
+            ends = (combined(parts[0], parts[1], {(): Fraction(k)}) for k in (1, -1)) if len(parts) == 2 else ()
+            if len(parts) == 2 and all(self._holds(end, strict=strict, depth=depth) for end in ends):
+                return True
+        return False
+
+    def _shifts_of(self, p: Polynomial, above: str) -> Iterator[tuple[str, int, Polynomial]]:
+        """What p > 0 says of a name, or of its square: k u + rest = d, so that u = (d - rest)/k."""
+        self.words[above] = ["positive"]
+        for m, k in p.items():
+            if len(m) != 1 or m[0][1] not in (1, 2):
+                continue
+            name, exponent = m[0]
+            rest = {n: c for n, c in p.items() if n != m}
+            if name not in core.names(rest):
+                yield name, exponent, {n: c / k for n, c in combined(name_of(above), rest, {(): Fraction(-1)}).items()}
+
+
+def _coefficients(p: Polynomial, name: str) -> list[Polynomial]:
+    """Those of the powers of a name, from the 0th on."""
+    parts: list[Polynomial] = [{} for _ in range(1 + max(dict(m).get(name, 0) for m in p))]
+    for m, c in p.items():
+        parts[dict(m).get(name, 0)][tuple((n, e) for n, e in m if n != name)] = c
+    return parts

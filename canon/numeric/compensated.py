@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Final
+
+Constant = tuple[float, float]
+"""The sum of two doubles."""
 
 _SPLITTER: Final = 134217729.0  # 2**27 + 1
 
@@ -44,9 +48,33 @@ def sum_of_products(pairs: Any) -> tuple[Any, Any]:
     return two_sum(high, low)
 
 
+def times_constant(h: Any, constant: Constant) -> tuple[Any, Any]:
+    """h·c as (high, low), for a constant in two doubles."""
+    product, beyond = two_product(h, constant[0])
+    return two_sum(product, beyond + h * constant[1])
+
+
+def weighed_sum(weights: Sequence[tuple[Any, Any]], values: Sequence[Any]) -> tuple[Any, Any]:
+    """Σ w·v as (high, low), the weights in two doubles: neither their rounding nor that of the products is lost."""
+    high, low = sum_of_products((w, v) for (w, _), v in zip(weights, values, strict=True))
+    return two_sum(high, low + sum(beyond * v for (_, beyond), v in zip(weights, values, strict=True)))
+
+
+def in_two_doubles(value: Any) -> Constant:
+    """A number of more digits (of mpmath, or a `Fraction`) as the sum of two doubles."""
+    high = float(value)
+    return high, float(value - high)
+
+
 def add_increment(value: Any, lost: Any, increment: Any) -> tuple[Any, Any]:
     """value + lost + increment, as a new value and what its rounding lost. Neumaier (1974), ZAMM 54, 39."""
     return two_sum(value, lost + increment)
+
+
+def add_pair(value: Any, lost: Any, increment: tuple[Any, Any]) -> tuple[Any, Any]:
+    """value + lost + (high + low) likewise."""
+    total, rounded = two_sum(value, increment[0])
+    return two_sum(total, lost + (rounded + increment[1]))
 
 
 def add_product(value: Any, lost: Any, a: Any, b: Any) -> tuple[Any, Any]:

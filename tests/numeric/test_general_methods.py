@@ -1,5 +1,6 @@
 """Methods for whole vector fields: their measured orders and traits on a Hamiltonian that does not separate."""
 
+from fractions import Fraction
 from functools import cache
 
 import jax.numpy as jnp
@@ -13,8 +14,8 @@ from canon.numeric.integrators import Field, separable
 from canon.numeric.integrators.composed import OneStep, composed
 from canon.numeric.integrators.compositions import KAHAN_LI_6_GAMMA
 from canon.numeric.integrators.fields import as_field, hamiltonian_field
+from canon.numeric.integrators.gauss import GAUSS_6, Gauss, exact_tableau, tableau
 from canon.numeric.integrators.gauss import METHODS as GAUSS
-from canon.numeric.integrators.gauss import Gauss, tableau
 from canon.numeric.integrators.measure import errors, measure_step
 from canon.numeric.integrators.runge_kutta import METHODS as RUNGE_KUTTA
 from canon.numeric.integrators.stepper import Method
@@ -126,3 +127,27 @@ def test_a_splitting_has_a_field() -> None:
         q, p = as_field(problem, "any").rate((jnp.asarray([2.0]), jnp.asarray([0.5])), 0.0)
     assert np.allclose(q, [1.0])
     assert np.allclose(p, [-8.3])
+
+
+@pytest.mark.parametrize("stages", [1, 2, 3, 4])
+def test_coefficients_in_two_doubles_are_symplectic_to_thirty_digits(stages: int) -> None:
+    rows, last = exact_tableau(stages)
+    a = [[sum(map(Fraction, w)) for w in row] for row in rows]
+    b = [sum(map(Fraction, w)) for w in last]
+    A, weights, _ = tableau(stages)
+    assert np.array(a, dtype=float) == pytest.approx(A, rel=1e-14, abs=1e-16)
+    assert np.array(b, dtype=float) == pytest.approx(weights, rel=1e-14)
+    for i in range(stages):
+        for j in range(stages):
+            assert abs(b[i] * a[i][j] + b[j] * a[j][i] - b[i] * b[j]) < 1e-31
+
+
+def test_energy_of_a_run_that_keeps_its_rounding_does_not_drift_in_one_direction() -> None:
+    """With the rounding of additions alone kept, it grows by 1.4e-14, as t; random walks as long scatter by 3e-16."""
+    angles = np.linspace(0, 2 * np.pi, 8, endpoint=False)
+    run = integrate(
+        separable(lambda p: p, lambda q: -q), GAUSS_6, (np.cos(angles), np.sin(angles)),
+        duration=2500.0, steps=50_000, compensated=True,
+    )  # fmt: skip
+    values = (np.asarray(run.states[0], np.longdouble) ** 2 + np.asarray(run.states[1], np.longdouble) ** 2)[[0, -1]]
+    assert abs(float(np.mean(values[1] / values[0] - 1))) < 6e-16

@@ -2,8 +2,9 @@
 
 Of a map given as old variables in new ones the cycle of an angle is the curve along which it alone grows. It must close
 after `angle_period`, and not before (`cycle`), where H is smooth (`cycle_smooth`). A map given forward, or by a
-generating function, is compared with the action in closed form where there is one (`cycle_action`); else it is
-inverted first, and the inverse, which is only one branch of it, is verified.
+generating function, is compared with the actions in closed form where there are (`cycle_action` for one degree of
+freedom, `cycle_lattice` for several); else it is inverted first, and the inverse, which is only one branch of it, is
+verified.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import sympy as sp
 
 from canon.claims.cycle import Cycle, closes
 from canon.claims.cycle_action import by_action
+from canon.claims.cycle_lattice import by_actions
 from canon.claims.cycle_smooth import stays_smooth
 from canon.claims.generating_function import generated
 from canon.claims.outcome import Outcome, Residual, combined
@@ -52,10 +54,9 @@ def action_angle(question: Question) -> Outcome:
         return outcome
     backward, grounds = question, [outcome]
     if given.direction != "backward":
-        by_itself = by_action(question, length)
+        by_itself = by_action(question, length) or by_actions(question, length)
         if by_itself is not None:
             return combined([outcome, by_itself])
-    if given.direction != "backward":
         inverse = _inverted(question, length)
         if inverse is None:
             return Outcome("undecided", outcome.method, note="the map wasn't inverted, so that its cycles aren't known")

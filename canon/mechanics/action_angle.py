@@ -56,7 +56,8 @@ class ClosedAction:
     `vanishes`, identities by which the integrand is the one of the standard integral, in q or in u; `method`;
     `passes_zero`, whether the orbit passes q = 0, where |q| has its kink; `needs`, what has to be positive for the
     closed form to be that of the orbit, wherever the claim is made; `period`, ∂J/∂E, where that isn't found by
-    differentiating `value`; `inside`, a value of the coordinate between the turning points.
+    differentiating `value`; `inside`, a value of the coordinate between the turning points; `through`, what of
+    `exists` is enough where an orbit is known to pass: the rest follows from a point where p² > 0 (None: all of it).
     """
 
     value: sp.Expr
@@ -67,6 +68,7 @@ class ClosedAction:
     needs: tuple[sp.Expr, ...] = ()
     period: sp.Expr | None = None
     inside: sp.Expr | None = None
+    through: tuple[sp.Expr, ...] | None = None
 
 
 def one_degree(

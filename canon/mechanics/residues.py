@@ -46,11 +46,14 @@ def _with(motion: OneDegree, chosen: Substitution, G: sp.Expr) -> ClosedAction |
         return None
     A, B, C = -Q.coeff(U, 2), Q.coeff(U, 1), Q.coeff(U, 0)
     exists: list[Any] = [A, B**2 + 4 * A * C]
+    through: list[Any] = [A]  # a parabola that opens downwards, positive in the range and negative at its ends
     if chosen.low != sp.S.NegativeInfinity:
         exists += [-Q.xreplace({U: chosen.low}), B - 2 * A * chosen.low]
+        through.append(exists[-2])
     if chosen.high != sp.S.Infinity:
         exists += [-Q.xreplace({U: chosen.high}), 2 * A * chosen.high - B]
-    exists = [sp.factor(sp.together(e)) for e in exists]
+        through.append(exists[-2])
+    exists, through = ([sp.factor(sp.together(e)) for e in part] for part in (exists, through))
     if any(known_sign(e) in ("zero", "negative", "nonpositive") for e in exists):
         return None
     terms = sp.Add.make_args(sp.apart(S, U) if S.has(U) else S)
@@ -63,7 +66,8 @@ def _with(motion: OneDegree, chosen: Substitution, G: sp.Expr) -> ClosedAction |
     value = 2 * sign * sp.Add(*(value for value in integrals if value is not None))
     middle: Any = {U: B / (2 * A)}
     inside: Any = chosen.q.xreplace(middle)
-    return ClosedAction(value, tuple(exists), checks, f"residues in u = {chosen.u}", inside=inside)
+    method = f"residues in u = {chosen.u}"
+    return ClosedAction(value, tuple(exists), checks, method, inside=inside, through=tuple(through))
 
 
 def root_and_factor(G: Any) -> tuple[Any, list[tuple[Any, int]]] | None:

@@ -256,3 +256,40 @@ def test_a_cycle_that_leaves_the_domain_at_a_kink_of_H(ask, H, transformation, d
     (verdict,) = ask(_claim(), space=SPACE, transformation=plain, **smooth)
     assert verdict.status in ("proved", "supported")
     assert "whether the cycles stay" not in verdict.detail.get("note", "")
+
+
+ISOCHRONE = {
+    "symbols": "\n".join(f'{name} = "positive"' for name in ("r", "k", "b", "J", "K")),
+    "hamiltonian": 'H = "(p_r**2 + L**2/r**2)/2 - k/(b + sqrt(b**2 + r**2))"',
+}
+ISOCHRONES = """
+M = "sqrt(K**2 + 4*k*b)"
+n = "k/({radial} + (K + M)/2)"
+s = "sqrt(b**2 + r**2)"
+X = "2*k*(s - b) - n**2*r**2 - K**2"
+eta = "atan2(n*sqrt(X), k - n**2*s)"
+f = "atan2(K*sqrt(X), K**2 - (k - n**2*b)*(s - b))"
+h = "atan2(M*sqrt(X), M**2 - (k + n**2*b)*(s + b))"
+"""
+
+
+@pytest.mark.parametrize(
+    ("radial", "period", "expected"),
+    [
+        ("J", "2*pi", "proved"),
+        ("J + K", "2*pi", "proved"),  # another basis of the same cycles
+        ("J", "1", "refuted"),
+        ("J", "4*pi", "refuted"),
+        ("2*J", "2*pi", "refuted"),
+        ("J + K/2", "2*pi", "refuted"),
+        ("1001/1000*J", "2*pi", "refuted"),
+    ],
+)
+def test_the_angles_of_the_isochrone_by_their_generating_function(status, radial, period, expected):
+    sections = {
+        **ISOCHRONE,
+        "definitions": ISOCHRONES.format(radial=radial),
+        "generating_function": 'type = 2\nF = "K*theta + sqrt(X) + k/n*eta - (K*f + M*h)/2"',
+    }
+    space = 'q = ["r", "theta"]\np = ["p_r", "L"]\nQ = ["u", "v"]\nP = ["J", "K"]\n'
+    assert status(_claim(period), space=space, **sections) == expected

@@ -76,14 +76,14 @@ def _pieces_of(tape: Tape, p: Polynomial, below: Polynomial, symbols: Sequence[N
 
 
 def _squares(tape: Tape, p: Polynomial, symbols: Sequence[Node]) -> list[Polynomial]:
-    """The linear forms of Lagrange's reduction where p = ± Σ c·l² with all c > 0 in real names; else none."""
+    """The linear forms of Lagrange's reduction where a monic p is Σ c·l² with all c > 0 in real names; else none."""
     if p.total_degree() != 2 or not all(
         tape.symbol_at(n).is_real for n, d in zip(symbols, p.degrees(), strict=True) if d
     ):
         return []
     context = p.context()
     forms: list[Polynomial] = []
-    rest, sign = p, None
+    rest = p
     for k in range(len(symbols)):
         if rest.degrees()[k] == 0:
             continue
@@ -91,13 +91,12 @@ def _squares(tape: Tape, p: Polynomial, symbols: Sequence[Node]) -> list[Polynom
             return []
         slope = rest.derivative(k)
         lead = slope.derivative(k).leading_coefficient() / 2
-        sign = lead > 0 if sign is None else sign
-        if (lead > 0) is not sign:
+        if lead < 0:
             return []
         forms.append(slope / (2 * lead))
         rest = rest - forms[-1] ** 2 * lead
     if rest.is_constant() and rest:
-        return [] if (rest.leading_coefficient() > 0) is not sign else [context.constant(1)]
+        return [] if rest.leading_coefficient() < 0 else [context.constant(1)]
     return forms if len(forms) > 1 else []
 
 

@@ -88,7 +88,7 @@ def _solve(
     gens = [names[k] for k in left]
     basis = sp.groebner(polynomials, *gens, order="lex", domain=sp.QQ)
     last = [p for p in basis.exprs if p.free_symbols <= {gens[-1]}]
-    if basis.exprs == [1] or not last or last[0].is_number:
+    if not last:
         return None
     for factor, _ in sp.Poly(last[0], gens[-1], domain=sp.QQ).factor_list()[1]:
         root = _rational_root(factor)

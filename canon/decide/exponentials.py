@@ -14,7 +14,7 @@ from canon.decide.fraction_field import Element
 from canon.decide.linear import divided_basis
 from canon.decide.radicals import absolute, factor_power, power, root_generator
 from canon.decide.ring import Polynomial
-from canon.decide.signs import add_fact, classify, split
+from canon.decide.signs import add_fact, classify
 from canon.decide.tape import ONE, Unsupported
 
 if TYPE_CHECKING:
@@ -45,8 +45,7 @@ def _log_of_unknown(tower: Tower, sign: int, unknown: list[tuple[Polynomial, int
         if sign < 0:
             raise Unsupported("the logarithm of minus a square")
         # of each factor by itself: |f|² in a product would be f² by its relation, without a sign
-        magnitudes = [(split(tower, absolute(tower, (f, {})))[1], e) for f, e in unknown]
-        return [(Fraction(e * k), log_of_factor(tower, g)) for pieces, e in magnitudes for g, k in pieces]
+        return [(Fraction(e), log_of_factor(tower, absolute(tower, (f, {}))[0])) for f, e in unknown]
     if len(unknown) == 1:
         f, e = unknown[0]
         f = f if sign > 0 else -f

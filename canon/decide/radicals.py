@@ -139,7 +139,7 @@ def group_power(tower: Tower, sign: int, factors: list[tuple[Polynomial, int]], 
         if common % 2 == 0 and sign < 0:
             raise Unsupported("a root of minus a square")
         if common % 2 == 0:  # of each factor by itself: |f|² in a product would be f² by its relation, without a sign
-            return field.product([positive_power(tower, absolute(tower, (f, {})), exponent * e) for f, e in factors])
+            return field.product([factor_power(tower, absolute(tower, (f, {}))[0], exponent * e) for f, e in factors])
         factors = [(f, e // common) for f, e in factors]
         exponent = exponent * common
     numerator, denominator = ring.constant(sign), ring.one
@@ -155,16 +155,6 @@ def group_power(tower: Tower, sign: int, factors: list[tuple[Polynomial, int]], 
     if numerator.is_constant():
         return factor_power(tower, denominator * numerator, -exponent)
     return _whole_power(tower, numerator, denominator, exponent, "real")
-
-
-def positive_power(tower: Tower, x: Element, exponent: Fraction) -> Element:
-    """x ** exponent factor by factor, for x that is a product of positive factors."""
-    if exponent.denominator == 1:
-        return tower.field.power(x, exponent.numerator)
-    constant, pieces = split(tower, x)
-    parts = [factor_power(tower, f, exponent * e) for f, e in pieces]
-    parts += [factor_power(tower, tower.ring.constant(p), exponent * e) for p, e in prime_factors(abs(constant))]
-    return tower.field.product([tower.field.constant(1), *parts])
 
 
 def _complex_power(tower: Tower, x: Element, exponent: Fraction) -> Element:

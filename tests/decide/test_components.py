@@ -32,6 +32,7 @@ EQUATIONS = [
     x**2 + 3 * x * y + y**2,
     x * y - 2,
     x**2 + y * z,
+    x**2 + y**2 + z,
     x**2 - 2 * y**2,
     x**2 + 2 * y + 1,
     x + I * y - 1 - I,
@@ -73,6 +74,8 @@ def test_pieces_vanish_where_the_equation_does(equation: sp.Expr):
         (x * w - 2, [1]),
         (x + I * w, [1]),  # w isn't real: no real and imaginary parts
         (sp.sqrt(x) * (y - 1) / (1 + sp.exp(z)), [2]),  # what is below isn't among them
+        (3 * sp.sqrt(x) * (y - 1), [2]),
+        (1 + sp.sqrt(x) * (y - 1), [1]),
         (3 * (x - y) ** -2, [0]),
         ((x - y) - (x - y), []),
         (x**5 - x - 1, [1]),

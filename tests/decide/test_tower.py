@@ -98,6 +98,7 @@ CASES: list[tuple[sp.Expr, ...]] = [  # a formula, and conditions that are known
 
 
 CASES += [  # what sympy would write in another way before it is seen
+    (log((1 + sp.I) * (1 - sp.I) * x) + log((2 + sp.I) * (sp.I - 2) * y) + sqrt((1 + sp.I) * (sp.I - 1) * x * y),),
     (sp.Pow(exp(x), HALF, evaluate=False) + sp.Pow(exp(x) ** 2, THIRD, evaluate=False),),
     (exp(2 * log(w * z) + x, evaluate=False) + exp(log(w * z) / 2, evaluate=False),),
     (exp(log(x * y) / 2 + x, evaluate=False) + exp(3 * log(x * y**3), evaluate=False),),

@@ -12,6 +12,7 @@ from canon import verify
 from canon.budget import Budget
 from canon.claims.reader import read_text
 from canon.deadline import within
+from canon.decide.ring import Ring, TooCostly
 from canon.errors import BudgetExceeded
 
 LONG = 60.0
@@ -78,3 +79,11 @@ def test_exponents_of_a_long_number_are_multiplied_out_by_nobody() -> None:
     start = time.process_time()
     assert verify(claim, budget=20.0).status == "proved"
     assert time.process_time() - start < 5.0
+
+
+def test_what_flint_cant_do_in_time_is_not_begun() -> None:
+    ring = Ring(4, 1e30, Budget(0.2))
+    sums = sum(ring.generators, ring.one)
+    with pytest.raises(TooCostly, match="in the time that is left"):
+        ring.power(sums, 200)
+    assert len(ring.power(sums, 3)) == 35

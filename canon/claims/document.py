@@ -85,6 +85,8 @@ def _text(path: Path) -> str:
             data = file.read(BIGGEST + 1)
         except OSError as error:
             raise InputError(f"can't be read: {error.strerror or error}") from None
+    if data is None:  # a file of the system's that has nothing to say now
+        raise InputError("can't be read: there is nothing in it yet")
     if len(data) > BIGGEST:
         raise InputError(f"is too big: at most {BIGGEST} bytes are read")
     try:

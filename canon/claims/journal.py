@@ -11,7 +11,7 @@ import hashlib
 import json
 import os
 import stat
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -75,20 +75,29 @@ def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
         places.setdefault(kept.name(entry), []).append(position)
     found: dict[int, Record] = {}
     lines = sound = 0
-    with open(kept.path, "rb") as file:
-        while line := file.readline(LONGEST):
-            lines += 1
-            if (body := _body(line)) is None:
-                continue
-            sound += 1
-            for position in places.get(body["name"], ()):
-                entry, kind = entries[position], body["kind"]
-                record = {**body["record"], "file": entry.file}
-                if fits(kind, record, entry):
-                    found[position] = {kind: record}
+    for line in _lines(kept.path):
+        lines += 1
+        if (body := _body(line)) is None:
+            continue
+        sound += 1
+        for position in places.get(body["name"], ()):
+            entry, kind = entries[position], body["kind"]
+            record = {**body["record"], "file": entry.file}
+            if fits(kind, record, entry):
+                found[position] = {kind: record}
     if lines and not sound:
         raise InputError("this file is no journal of `canon verify --resume`", f"--resume {kept.path}")
     return found
+
+
+def _lines(path: Path) -> Iterator[bytes]:
+    """The lines of a file. **Raises:** `InputError` where they can't be read."""
+    try:
+        with open(path, "rb", opener=lambda name, flags: os.open(name, flags | getattr(os, "O_NONBLOCK", 0))) as file:
+            while line := file.readline(LONGEST):
+                yield line
+    except OSError as error:
+        raise InputError(f"can't be read: {error.strerror or error}", f"--resume {path}") from None
 
 
 def fits(kind: str, record: Record, entry: Entry) -> bool:

@@ -33,6 +33,7 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.claims.reader import read_file
     from canon.errors import InputError
     from canon.report.algebra_text import as_latex, as_record, as_text
+    from canon.report.words import visible
 
     files, missing = claim_files(arguments.files)
     errors: list[dict[str, Any]] = [{"file": f.name, "where": "", "message": f.message} for f in missing]
@@ -61,7 +62,7 @@ def execute(arguments: argparse.Namespace) -> int:
     if not arguments.json:
         for error in errors:
             place = ": ".join(part for part in (error["file"], error["where"], error["message"]) if part)
-            print(f"canon algebra: {place}", file=sys.stderr)
+            print(f"canon algebra: {visible(place)}", file=sys.stderr)
     against = [table.verdict.status for _, table in tables if not table.claim.is_met_by(table.verdict.status)]
     if errors:
         return BAD_INPUT

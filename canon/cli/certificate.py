@@ -21,6 +21,8 @@ EXPORT: Final = (
 )
 STATUS: Final = {"confirmed": 0, "confirmed in part": 2, "not confirmed": 2, "rejected": 1, "unreadable": BAD_INPUT}
 """The exit status of each answer; of several files, the gravest: unreadable, rejected, in part, confirmed."""
+LONGEST: Final = 1000
+"""Characters of the reasons that are printed; with --json all are."""
 _GRAVEST: Final = (0, 2, 1, BAD_INPUT)
 
 
@@ -54,6 +56,8 @@ def _export(arguments: argparse.Namespace) -> int:
         data = load(arguments.file)
         if (answer := check(data)).status == "rejected":
             raise InputError(f"this certificate is {answer}")
+        if os.path.lexists(arguments.coq) and not os.path.isfile(arguments.coq):
+            raise InputError(f"{arguments.coq} is no regular file")
         text = coq_of(data)
         with open(arguments.coq, "w", encoding="utf-8") as file:
             file.write(text)
@@ -72,6 +76,7 @@ def _check(arguments: argparse.Namespace) -> int:
     from canon.checker.check import check
     from canon.checker.files import load
     from canon.checker.functions import Unreadable
+    from canon.report.words import visible
 
     answers: list[tuple[str, str, list[str]]] = []
     for name in _files(arguments.files):
@@ -82,7 +87,8 @@ def _check(arguments: argparse.Namespace) -> int:
             answers.append((name, "unreadable", [str(reason)]))
         if not arguments.json:
             _, status, reasons = answers[-1]
-            print(f"{status:<18} {name}{': ' if reasons else ''}{'; '.join(reasons)}", flush=True)
+            why = visible("; ".join(reasons))  # which quotes the file, as does its name
+            print(f"{status:<18} {visible(name)}{': ' if why else ''}{cut(why)}", flush=True)
     if arguments.json:
         import json
 
@@ -92,6 +98,11 @@ def _check(arguments: argparse.Namespace) -> int:
         counts = ((status, sum(answer[1] == status for answer in answers)) for status in STATUS)
         print(f"\n{len(answers)} certificates: " + ", ".join(f"{n} {status}" for status, n in counts if n))
     return max((STATUS[status] for _, status, _ in answers), key=_GRAVEST.index)
+
+
+def cut(text: str) -> str:
+    """The text, or the beginning of a long one."""
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]} …"
 
 
 def _files(names: list[str]) -> list[str]:

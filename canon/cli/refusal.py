@@ -16,5 +16,7 @@ def refused(command: str, file: str | None, error: Any, *, as_json: bool) -> int
         print(json.dumps(record, ensure_ascii=False, indent=1))
     else:
         place = ", ".join(part for part in (file, error.where) if part)
-        print(f"canon {command}: {place}: {error.message}", file=sys.stderr)
+        from canon.report.words import visible
+
+        print(visible(f"canon {command}: {place}: {error.message}"), file=sys.stderr)
     return BAD_INPUT

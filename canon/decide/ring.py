@@ -19,6 +19,8 @@ Polynomial = Any  # flint.fmpq_mpoly; the package has no type stubs
 Monomial = tuple[int, ...]
 FEW = 40
 HIGHEST = 4000
+LONG, PACE, PACE_OF_POWERS = 1e6, 5e7, 6e6
+"""Term products that take a while, and how many FLINT makes in a second, in products and in powers."""
 
 
 class TooCostly(Exception):
@@ -46,8 +48,13 @@ class Ring:
         """value · p."""
         return p * flint.fmpq(*value.as_integer_ratio())
 
-    def charge(self, cost: float) -> None:
-        """Book a cost in term products; raises TooCostly beyond the limit, BudgetExceeded beyond the time."""
+    def charge(self, cost: float, pace: float = PACE) -> None:
+        """Book a cost in term products; raises TooCostly beyond the limit, BudgetExceeded beyond the time.
+
+        FLINT looks at no clock: what can't be done in time, at a `pace` of so many term products a second, isn't begun.
+        """
+        if cost > LONG and cost > pace * self.budget.left():
+            raise TooCostly(f"{cost:.1e} term products in the time that is left")
         self.spent += cost
         if self.spent > self.limit:
             raise TooCostly(f"{self.spent:.1e} term products")
@@ -65,7 +72,7 @@ class Ring:
     def power(self, a: Polynomial, exponent: int) -> Polynomial:
         """a ** exponent."""
         if len(a) > 1:
-            self.charge(2.0 * math.comb(len(a) + exponent - 1, exponent))
+            self.charge(2.0 * math.comb(len(a) + exponent - 1, exponent), PACE_OF_POWERS)
         return a**exponent
 
     def degrees(self, p: Polynomial) -> tuple[int, ...]:

@@ -14,6 +14,7 @@ from canon.mechanics.algebra.coefficients import as_sympy
 from canon.mechanics.algebra.ideals import centre, derived_series, lower_central_series
 from canon.mechanics.algebra.invariants import motion_casimirs
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
+from canon.report.words import visible
 
 if TYPE_CHECKING:
     from canon.claims.algebra_table import AlgebraTable
@@ -76,7 +77,7 @@ def _casimirs(found: Identification) -> tuple[sp.Expr, ...]:
 def as_text(table: AlgebraTable, file: str) -> list[str]:
     """The algebra as lines."""
     title = f" ({table.claim.title})" if table.claim.title else ""
-    lines = [f"{file} #{table.claim.index + 1}{title}: {table.verdict.status}"]
+    lines = [visible(f"{file} #{table.claim.index + 1}{title}: {table.verdict.status}")]
     g = table.algebra
     if g is None:
         return [*lines, f"  {table.note}"]

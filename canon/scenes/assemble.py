@@ -12,6 +12,7 @@ from canon.errors import InputError
 from canon.scenes.bodies import Start
 from canon.scenes.effects.effect import Contribution, Particle, Surroundings, Vector, square
 from canon.scenes.model import Formula, Friction, Model, Term
+from canon.scenes.multiplied_out import check_size
 from canon.scenes.own_hamiltonian import angular_momenta
 
 KINETIC: Final = "kinetic"
@@ -104,7 +105,7 @@ def _shifted(bodies: Sequence[Particle], effects: Sequence[Named], surroundings:
         if any(value != 0 for value in s):
             moved = kinetic(body, tuple(p - value for p, value in zip(body.p, s, strict=True)), surroundings)
             change = moved - kinetic(body, body.p, surroundings)
-            changes.append(change if surroundings.relativistic else sp.expand(change))
+            changes.append(change if surroundings.relativistic else sp.expand(check_size(change, "effect")))
     return [Term(kinds[0], sp.Add(*changes))]
 
 

@@ -20,6 +20,7 @@ from canon.scenes.effects.effect import Contribution, Given, Particle, Surroundi
 from canon.scenes.identity import digest_of
 from canon.scenes.model import Model
 from canon.scenes.monitors import check_monitors
+from canon.scenes.multiplied_out import check_model
 from canon.scenes.own_hamiltonian import read_own_hamiltonian
 from canon.scenes.rays import are_rays, names_rays, rays_of
 from canon.scenes.rigid_bodies import Spin, read_rigid_bodies, read_top
@@ -69,6 +70,7 @@ def scene_of(tables: Table) -> Scene:
     }
     read = _both if len(moving) > 1 else {"system": _system, "body": _bodies, "rigid_body": _rigid}[moving[0]]
     found = read(tables, constants, relativistic, settings)
+    check_model(found.model)
     check_monitors(settings.monitors, found.model, key("monitor", "[run]"))
     absent = tuple(kind for kind in EFFECTS if kind not in found.active)
     settings = replace(settings, start=found.start)

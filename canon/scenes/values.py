@@ -11,6 +11,7 @@ import sympy as sp
 from canon.claims import document
 from canon.errors import InputError
 from canon.expression import Vocabulary, read
+from canon.scenes.multiplied_out import check_size
 
 
 def number(value: Any, where: str, *, positive: bool = False, least: float | None = None) -> Any:
@@ -58,13 +59,13 @@ def matrix(value: Any, where: str, size: int) -> Any:
 def expression(value: Any, names: Mapping[str, Any], where: str) -> Any:
     """A number, or an expression in `names` (symbols or numbers by name), as sympy holds it.
 
-    **Raises:** `InputError` with the place and the nearest known name.
+    **Raises:** `InputError` with the place and the nearest known name, or where it is too large to be multiplied out.
     """
     if not isinstance(value, str):
         return number(value, where)
     symbols = {name: sp.Symbol(name, real=True) for name in names}
     found = read(value, Vocabulary(symbols, no_bracket="this is a scene"), where)
-    return found.expr.xreplace({symbol: names[name] for name, symbol in symbols.items()})
+    return check_size(found.expr, where).xreplace({symbol: names[name] for name, symbol in symbols.items()})
 
 
 def expressions(value: Any, names: Mapping[str, Any], where: str, count: int) -> tuple[Any, ...]:

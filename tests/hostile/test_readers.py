@@ -37,6 +37,7 @@ DEAR = ("derivatives nested", "brackets nested", "derivative of a tower", "denes
 LATER = [pytest.mark.thorough]
 COMMANDS = ["verify", "simulate", *(pytest.param(word, marks=LATER) for word in ("algebra", "actions"))]
 DEFINED = [pytest.param(name, marks=LATER if "of" in name else []) for name in DEFINITIONS]
+HEAD = '[phase_space]\nq = ["q"]\np = ["p"]\n'
 SCENE = """
 [system]
 q_names = ["q"]
@@ -283,3 +284,58 @@ def test_numbers_beyond_double_precision_are_input_errors(tmp_path: Path, capsys
     path.write_text(SCENE.format(formula='"10**400*q**2 + p**2"'))
     assert main(["simulate", str(path)]) == 3
     assert "beyond double precision" in capsys.readouterr().err
+
+
+BODY = "[[body]]\nmass = 1\ncharge = 1\nposition = [1, 0, 0]\n[run]\nduration = 1\n[[effect]]\n"
+TOO_MANY_TERMS = {
+    "an exponent of 308 digits": BODY + 'kind = "power_law"\na = 1\nn = 1e308\n',
+    "the same below": BODY + 'kind = "power_law"\na = 1\nn = -1e308\n',
+    "a power of a distance": BODY + 'kind = "potential"\nV = "(x**2 + y**2 + z**2)**999"\n',
+    "a field": BODY + 'kind = "electric_field"\nE = ["(x + y + z + 1)**999", "0", "0"]\n',
+    "the square of its potential": BODY + 'kind = "magnetic_field"\nB = ["0", "0", "(x + 1)**200"]\n',
+    "a product": BODY + 'kind = "potential"\nV = "(x + y + z + 1)**50*(x - y + z + 2)**50"\n',
+    "a Hamiltonian": SCENE.format(formula='"(q + p + 1)**999"'),
+}
+
+
+@pytest.mark.parametrize("name", TOO_MANY_TERMS)
+def test_what_has_too_many_terms_is_not_multiplied_out(name: str) -> None:
+    start = time.process_time()
+    with pytest.raises(InputError, match="multiplied out it has more than"):
+        read_scene_text(TOO_MANY_TERMS[name])
+    assert time.process_time() - start < SECONDS
+    assert read_scene_text(BODY + 'kind = "potential"\nV = "(x**2 + y**2)**50"\n').model.n == 3
+
+
+SPOOF = "q\x1b[31m\nconfirmed          everything\u202e"
+
+
+def test_nothing_in_a_file_writes_a_line_of_its_own(
+    tmp_path: Path, certificate: dict, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What quotes a file can't set a colour, move the cursor or look like another line of the report."""
+    tables = copy.deepcopy(certificate["tables"])
+    tables["claim"]["equals"] = SPOOF
+    path = tmp_path / "one\nconfirmed          two.json"
+    path.write_text(json.dumps(sealed(certificate, tables=tables)), encoding="utf-8")
+    algebra = f'{HEAD}[[claim]]\nkind = "algebra"\ntitle = {json.dumps(SPOOF)}\nequals = "so(3)"\n[claim.basis]\n'
+    (tmp_path / "a.toml").write_text(algebra + 'a = "q"\nb = "p"\nc = "1"\n', encoding="utf-8")
+    (tmp_path / "b.toml").write_text(algebra + f"a = {json.dumps(SPOOF)}\n", encoding="utf-8")
+    for command in (["certificate", "check", str(path)], ["algebra", str(tmp_path)], ["simulate", str(path)]):
+        assert main(command) != 0
+        out, err = capsys.readouterr()
+        assert not any(line.startswith("confirmed") for line in (out + err).splitlines()), command
+        assert not {"\x1b", "\u202e"} & {*out, *err}, command
+
+
+@pytest.mark.skipif(not Path("/proc/kmsg").exists(), reason="no file of the system's that waits")
+def test_files_of_the_system_are_not_waited_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """They look like files, and have nothing to say, or can't be read at their beginning."""
+    (tmp_path / "scene.toml").write_text(SCENE.format(formula='"q*p"'), encoding="utf-8")
+    claims = tmp_path / "claims.toml"
+    claims.write_text("", encoding="utf-8")
+    for command in (["simulate"], ["verify"], ["certificate", "check"], ["verify", str(claims), "--resume"]):
+        assert main([*command, "/proc/kmsg"]) == 3, command
+    capsys.readouterr()
+    assert main(["verify", str(claims), "--resume", "/proc/self/mem"]) == 3
+    assert "can't be read" in capsys.readouterr().err

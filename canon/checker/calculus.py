@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.functions import Unknown
+from canon.checker.intervals import Intervals
 from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_positive
 from canon.checker.shapes import is_smooth
 from canon.checker.statement import Statement
 
 PRECISE, DIGITS = 32, 10
+PIECES = (16, 128, 1024)
+"""Into so many pieces an interval is cut."""
 STEPS = (40, 60, 80)
 """Of a limit, so far towards it: at distances 2^-k, or at 2^k."""
 
@@ -25,14 +28,22 @@ def _end(s: Statement, text: Any) -> int | str:
 
 
 def by_antiderivative(s: Statement, inside: int, x: str, ends: list[int], total: int) -> Case | None:
-    """F' = f, and F between the ends is the total, where the claim or the certificate states an F that is smooth."""
+    """F' = f, and F between the ends is the total, where the claim or the certificate states an F that is smooth.
+
+    Against the claim speaks an F that is an antiderivative, and another total.
+    """
     f, text = s.f, s.claim.get("antiderivative", s.known.get("antiderivative"))
-    if text is None or s.verdict != "proved":
+    if text is None:
         return None
     F = f.read(text, s.names)
-    s.added.append(F)
     low, high = (f.substitute(F, {x: end}) for end in ends)
-    return Case([f.sub(f.slope(F, x), inside), f.sub(f.sub(high, low), total)]) if is_smooth(s, F, x) else None
+    slope, whole = f.sub(f.slope(F, x), inside), f.sub(f.sub(high, low), total)
+    if not is_smooth(s, F, x):
+        return None
+    if s.verdict == "refuted":
+        return Case([whole], granted=[slope])
+    s.added.append(F)
+    return Case([slope, whole])
 
 
 def integral(s: Statement) -> Case:
@@ -62,10 +73,20 @@ def integral(s: Statement) -> Case:
             raise Outside
         return [(total - found[equals]) / size if size > 10.0**-6 else total - found[equals]]
 
+    def enclosed(own: Intervals, of: Mapping[str, Any]) -> Iterator[Any]:
+        """Intervals that hold ∫ f - equals: sums of f over pieces of the interval, ever finer ones."""
+        found = own.values(f, [equals, *bounded], of)
+        a, b = (found[end] for end in bounded)
+        for n in PIECES:
+            pieces = (a + (b - a) * own.iv.mpf([k, k + 1]) / n for k in range(n))
+            total = sum((own.values(f, [inside], {**of, x: at})[inside] for at in pieces), own.iv.mpf(0))
+            yield total * (b - a) / n - found[equals]
+
     bounded = [end for end in ends if isinstance(end, int)]
     case = by_antiderivative(s, inside, x, bounded, equals) if len(bounded) == 2 else None
     if case is None:
-        return Case([], measured=measured, digits=DIGITS, mentions=[inside])
+        case = Case([], measured=measured, digits=DIGITS)
+        case.enclosed = enclosed if len(bounded) == 2 else None
     return replace(case, mentions=[inside])
 
 
@@ -103,11 +124,14 @@ def average(s: Statement) -> Case:
     if case is None:
         raise Unknown("an average without an antiderivative that is seen to be smooth")
     zeros = [*case.zeros]
+    grows = is_positive(s, pace, strict=True, real=True)
     for q, p in zip(s.q, s.p, strict=True) if s._H is not None else ():
         for x, other, sign in ((q, p, 1), (p, q, -1)):
             slope = f.mul(f.number(sign), f.substitute(f.slope(s.H, other), moved), pace)
             zeros.append(f.sub(f.slope(moved[x], u), slope))
-    return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)])  # time grows
+    if s.verdict == "refuted":
+        return replace(case, zeros=zeros, against="" if grows else "that time grows along the motion")
+    return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)])
 
 
 def _pieces(numbers: Numbers, a: Any, b: Any) -> list[Any]:

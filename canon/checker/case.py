@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -20,7 +20,8 @@ class Case:
     `measured` gives further values that must vanish at a point, to so many `digits`: they are evidence, never a proof.
     Where one of the groups `outside` is independent, the claim fails.
     Names that stand in `mentions` get values too. `against` is what a refutation by a point takes on
-    trust; it says nothing of the claim where one of `granted` isn't identically 0.
+    trust; it says nothing of the claim where one of `granted` isn't identically 0. `enclosed` gives intervals of what
+    is measured: one without 0 in it refutes the claim.
     """
 
     zeros: list[int]
@@ -37,6 +38,7 @@ class Case:
     mentions: list[int] = field(default_factory=list)
     against: str = ""
     granted: list[int] = field(default_factory=list)
+    enclosed: Callable[[Any, Mapping[str, Any]], Iterable[Any]] | None = None
 
     def shown(self, verdict: str) -> list[int]:
         """What a certificate of this verdict has to show to be 0; of a refutation without a point, its grounds."""

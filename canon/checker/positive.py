@@ -36,6 +36,5 @@ def _number(s: Statement, a: int, *, strict: bool) -> bool:
 
 
 def is_nowhere_zero(s: Statement, a: int) -> bool:
-    """Whether a formula of parameters is seen to have one sign, or to be a product of what isn't 0."""
-    signs = a, s.f.mul(s.f.number(-1), a)
-    return is_product_of_nonzeros(s, a) or any(is_positive(s, x, strict=True, real=True) for x in signs)
+    """Whether a formula is seen to be 0 nowhere: to have one sign, or to be a product of what isn't 0."""
+    return is_product_of_nonzeros(s, a) or Signs(s).is_nowhere_zero(a)

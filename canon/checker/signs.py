@@ -6,7 +6,7 @@ for all real values of such names holds for the functions. A polynomial P in the
 
 - if its terms are, by the signs of names and even powers, and with it P times a monomial of one sign;
 - with P = A + B w, if A and B are; or if A is and B nowhere positive, and A² − B² R nowhere negative (or the reverse);
-- with P = a x² + b x + c, if a is and 4 a c − b² is;
+- with P = a x² + b x + c, if a is positive, or a and c are nowhere negative, and 4 a c − b² isn't either;
 - with P = A + B c for a sine or cosine c, if A + B and A − B are;
 - with a name u, or a square, replaced by what a condition u − v > 0 says: u = v + d with a positive d.
 """
@@ -54,6 +54,11 @@ def minus(p: Polynomial) -> Polynomial:
     return {m: -c for m, c in p.items()}
 
 
+def plus(p: Polynomial) -> Polynomial:
+    """p."""
+    return p
+
+
 class Signs:
     """The signs of a claim's formulas on its domain."""
 
@@ -63,7 +68,7 @@ class Signs:
         self._roots: dict[str, tuple[int, Polynomial]] = {}
         self._circles: dict[str, str] = {}  # the name of a sine, and of its cosine
         self._known: dict[int, Pair] = {}
-        conditions = list[Polynomial]()
+        conditions = self._positive = list[Polynomial]()
         for a in (a for a, kind in s.conditions if kind == "positive"):
             op = self.f.ops[a]
             if op[0] == "s":
@@ -78,16 +83,25 @@ class Signs:
 
     def is_positive(self, a: int, *, strict: bool) -> bool:
         """Whether a formula is positive, or nowhere negative, wherever it has a value. False says nothing."""
+        return any(
+            self._is_sure(sign(q), strict=False) and self._is_sure(sign(p), strict=strict)
+            for p, q in self._forms(a)
+            for sign in (plus, minus)
+        )
+
+    def is_nowhere_zero(self, a: int) -> bool:
+        """Whether a formula is 0 nowhere that it has a value: so its numerator has a sign."""
+        return any(self._is_sure(sign(p), strict=True) for p, _ in self._forms(a) for sign in (plus, minus))
+
+    def _forms(self, a: int) -> Iterator[Pair]:
+        """Numerator and denominator as they stand, and without powers of roots and of sines, or of cosines."""
         try:
             over, under = self.fraction(a)
+            yield over, under
             for choice in (False, True):
-                p, q = (self._reduced(x, cosines=choice) for x in (over, under))
-                for sign in (p, q), (minus(p), minus(q)):
-                    if self._holds(sign[1], strict=False) and self._holds(sign[0], strict=strict):
-                        return True
+                yield self._reduced(over, cosines=choice), self._reduced(under, cosines=choice)
         except (Undetermined, Unreadable, RecursionError):
-            return False
-        return False
+            return
 
     # -- formulas as fractions ----------------------------------------------------------------------
 
@@ -126,6 +140,7 @@ class Signs:
             self.words[mark] = ["positive"]
             if under == ONE or (n == 2 and self._holds(under, strict=False)):  # √(P/Q) = √(P Q)/Q, with a positive Q
                 self._roots[mark] = n, times(over, under)
+                self._positive.append(self._roots[mark][1])
                 below = under
             pair = name_of(mark, abs(r.numerator)), times(*[below] * abs(r.numerator))
             return pair if r > 0 else (pair[1], pair[0])
@@ -159,6 +174,12 @@ class Signs:
 
     # -- signs of polynomials -----------------------------------------------------------------------
 
+    def _is_sure(self, p: Polynomial, *, strict: bool) -> bool:
+        try:
+            return self._holds(p, strict=strict)
+        except (Undetermined, Unreadable, RecursionError):
+            return False
+
     def _holds(self, p: Polynomial, *, strict: bool, depth: int = DEPTH) -> bool:
         if not p:
             return not strict
@@ -167,6 +188,8 @@ class Signs:
         sign, never = self._terms(p)
         if sign:
             return sign > 0 and (never or not strict)
+        if any(_is_multiple(p, other) for other in self._positive):
+            return True
         if depth == 0 or len(p) > MOST:
             return False
         common = dict(min(p, key=len))
@@ -205,8 +228,11 @@ class Signs:
     def _by_squares(self, p: Polynomial, strict: bool, depth: int) -> bool:
         for name in sorted(core.names(p)):
             parts = _coefficients(p, name)
-            if len(parts) == 3 and self._holds(parts[2], strict=strict, depth=depth):
-                c, b, a = parts
+            if len(parts) != 3:
+                continue
+            c, b, a = parts
+            sure = self._holds(a, strict=True, depth=depth)  # where a = 0 it is c that has to be
+            if sure or (not strict and all(self._holds(x, strict=False, depth=depth) for x in (a, c))):
                 left = combined(times({(): Fraction(4)}, a, c), times(b, b), {(): Fraction(-1)})
                 if self._holds(left, strict=strict, depth=depth):
                     return True
@@ -244,6 +270,14 @@ class Signs:
             rest = {n: c for n, c in p.items() if n != m}
             if name not in core.names(rest):
                 yield name, exponent, {n: c / k for n, c in combined(name_of(above), rest, {(): Fraction(-1)}).items()}
+
+
+def _is_multiple(p: Polynomial, other: Polynomial) -> bool:
+    """Whether p is a positive number times another polynomial."""
+    if p.keys() != other.keys():
+        return False
+    ratios = {c / other[m] for m, c in p.items()}
+    return len(ratios) == 1 and ratios.pop() > 0
 
 
 def _coefficients(p: Polynomial, name: str) -> list[Polynomial]:

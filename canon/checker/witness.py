@@ -83,8 +83,10 @@ def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int) -> b
 
     False where all is nearly 0 that has to be 0; None where intervals don't tell.
     """
-    f, rng = s.f, random.Random(1)
-    if s.surface or case.measured is not None or any(isinstance(x, Mapping) for x in witness.values()):
+    f, rng, enclosed = s.f, random.Random(1), case.enclosed if k == 0 else None
+    if s.surface or (case.measured is not None and enclosed is None):
+        return None
+    if any(isinstance(x, Mapping) for x in witness.values()):
         return None
     positive = [a for a, _ in case.positive]
     written = [*domain_of(s), *(s.pull(image) for image in s.images.values()), *(a for a, _ in s.conditions)]
@@ -108,6 +110,9 @@ def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int) -> b
                 continue
             if any(0 not in found[a] for a in case.zeros):
                 return True
+            if enclosed is not None and any(0 not in x for x in enclosed(own, of)):
+                return True
+            enclosed = None  # what it costs, it costs once
             for group, size in ((group, size) for group in case.outside for size in NEAR):
                 if _are_independent(s, case, group, own, exact, functions, size):
                     return True

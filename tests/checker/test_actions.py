@@ -111,7 +111,7 @@ MORE = {
     ("name", "status", "other"),
     [
         ("integral", "confirmed in part", {"equals": "1001/(1000*a)"}),
-        ("wrong integral", "confirmed in part", {"equals": "a**3/3"}),
+        ("wrong integral", "confirmed", {"equals": "a**3/3"}),
         ("limit", "confirmed in part", {"equals": "2*a"}),
         ("path", "confirmed", {"path": ["-a*t**2 + t"]}),
         ("energy", "confirmed", {"functions": ["a*p**2", "p"]}),

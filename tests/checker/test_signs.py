@@ -29,13 +29,14 @@ HOLD = {
     "exp(u)*sqrt(a)/c": True,
     "V(u)**2": False,
     "sqrt(a + c) - sqrt(a)": True,
+    "(sqrt(u**2) + u)*v**2 + sqrt(u**2) - u": False,
     "u**4 - 2*u**2*v**2 + v**4 + a*v**2": False,
 }
 FAIL = {
     "u**2 - 2*u*v + v**2": True,
     "u**2 - 2001/1000*u*v + v**2": False,
     "u**2 + 3*u*v + v**2": False,
-    "a*v**2 + 2*u*v*w + c*w**2*999/1000": False,
+    "a*v**2 + 2*u*v + c*999/1000": False,
     "b - 1001/1000*a": False,
     "1/sqrt(1 - be**2) - 1001/1000": False,
     "1 - 1001/1000*sqrt(1 - be**2)": False,
@@ -46,6 +47,7 @@ FAIL = {
     "u*exp(u)": False,
     "sqrt(a + c) - sqrt(a) - c/1000": False,
     "u**3": False,
+    "(sqrt(u**2) - u)*v**2 - u": False,
     "-u**2": False,
 }
 

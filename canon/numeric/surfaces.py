@@ -3,6 +3,9 @@
 With ω = Σ dp_i∧dq_i the invariant of order k is the integral of ωᵏ/k! over a surface of 2k dimensions: the sum of the
 oriented areas of its projections onto all sets of k conjugate pairs. In parameters u it is ∫ Pf(ω(∂_a x, ∂_b x)) du.
 Arnold, Mathematical Methods of Classical Mechanics (1989), section 44. Derivatives and quadrature are spectral.
+
+Conditioning: points are known to roundings, so that the integral over a surface of size l at momenta up to p is known
+to roundings of l·p, however small it is; the bound says so.
 """
 
 from __future__ import annotations

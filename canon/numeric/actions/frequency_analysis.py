@@ -3,7 +3,9 @@
 Each line is where |⟨s, e^{2πiνt}⟩| is largest, the mean being weighted by a power of Hann's window, so that far lines
 leak as t^(−2p−1): it is looked for by a Fourier transform and found by Newton's method on the derivative. All
 amplitudes are solved for together. At last every line is looked for again in the signal less all others, until nothing
-changes: what is left of the leaking is that of lines that were not asked for.
+changes: what is left of the leaking is that of lines that were not asked for. Conditioning: noise of a standard
+deviation σ in each part of the samples moves the frequency of a line of amplitude a by some 2.2 √6 σ/(π a N^(3/2)) over
+the sampling interval, twice what no method can go below; with roundings of the samples for σ that is its last digit.
 Laskar (1990), Icarus 88, 266; Laskar (2003), arXiv:math/0305364.
 """
 

@@ -1,4 +1,8 @@
-"""The numbers of one branch at one energy, computed with as many digits as it takes."""
+"""The numbers of one branch at one energy, computed with as many digits as it takes.
+
+Conditioning: none is left to pay. Energy, parameters and points are taken as exact, as written, and the digits that
+cancel are computed in more; the bounds are of what is returned.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,9 @@
-"""Actions of many orbits in a Stäckel potential that is given by its function G, with bounds."""
+"""Actions of many orbits in a Stäckel potential that is given by its function G, with bounds.
+
+Conditioning: the bounds take the state as exact. Radial and vertical actions are as the squares of the oscillations'
+sizes, so that relative errors ε of the state are some ε/e of an action, with e the size of its oscillation beside the
+orbit's.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""Stumpff's functions c_k(ψ) = Σ (−ψ)^j/(2j + k)!, which are trigonometric for ψ > 0 and hyperbolic for ψ < 0."""
+"""Stumpff's functions c_k(ψ) = Σ (−ψ)^j/(2j + k)!, which are trigonometric for ψ > 0 and hyperbolic for ψ < 0.
+
+Conditioning: a rounding of ψ is √|ψ|/2 roundings of the angle, or of the exponent. So the values are off by some
+1 + √|ψ| roundings, of themselves for ψ < 0, for ψ > 0 of the size about which they oscillate: 1, 1/√ψ, 1/ψ, 1/ψ.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +16,7 @@ _QUARTERINGS: Final = 6
 
 
 def stumpff(psi: Any) -> tuple[Any, Any, Any, Any]:
-    """(c_0, c_1, c_2, c_3) at ψ, each to a few roundings: Taylor's series where |ψ| is small, closed forms elsewhere.
+    """(c_0, c_1, c_2, c_3) at ψ: Taylor's series where |ψ| is small, closed forms elsewhere.
 
     Stumpff (1959), Himmelsmechanik I, § 37; Danby (1988), Fundamentals of Celestial Mechanics, 6.9.
     """
@@ -36,7 +40,7 @@ def stumpff(psi: Any) -> tuple[Any, Any, Any, Any]:
 
 
 def stumpff_quickly(psi: Any) -> tuple[Any, Any, Any, Any]:
-    """The same for |ψ| ≤ `QUICK_BELOW`, without functions: series at ψ/4⁶, doubled 6 times; errors of some 1e-15.
+    """The same for |ψ| ≤ `QUICK_BELOW`, without functions, to eight roundings more: series at ψ/4⁶, doubled 6 times.
 
     c_0 is taken as 1 − ψ c_2 each time: as 2 c_0² − 1 its rounding would grow fourfold.
     Mikkola (1997), Celest. Mech. Dyn. Astron. 67, 145.

@@ -3,7 +3,8 @@
 A = exp(½ (ζ − iω)·σ) with Pauli's matrices σ, and x → A x A† on x = t + r·σ is the boost and rotation of `lorentz`, the
 same for A and −A. A boost of rapidity ζ has entries of e^(ζ/2), whose rounding loses nothing of the rotation beside
 it; those of Λ = A ⊗ Ā are of e^ζ, and the phase of A, which det A = 1 fixes, is lost in theirs. So what is composed of
-large boosts and rotations is composed here. Penrose and Rindler, Spinors and Space-Time 1 (1984), 1.2.
+large boosts and rotations is composed here. Conditioning: `exp` is off by roundings of its largest entry, at any
+rapidity; of `log`, `log_error` says it. Penrose and Rindler, Spinors and Space-Time 1 (1984), 1.2.
 """
 
 from __future__ import annotations

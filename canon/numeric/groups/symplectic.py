@@ -1,4 +1,8 @@
-"""Sp(2n, R): flows of quadratic Hamiltonians, and back."""
+"""Sp(2n, R): flows of quadratic Hamiltonians, and back.
+
+Conditioning: exp(J S) is off by some 1 + |J S| roundings of its norm, at most five times as many in what was tried, up
+to |J S| = 100: entries far below the largest lose what they are smaller by, and `log` of such a matrix has nan.
+"""
 
 from __future__ import annotations
 

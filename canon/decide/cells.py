@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from flint import fmpq_poly
@@ -18,9 +18,10 @@ from canon.budget import Budget
 from canon.decide.components import pieces
 from canon.decide.connected import is_connected
 from canon.decide.defined_functions import conjugate
-from canon.decide.derivative import derivative
+from canon.decide.derivative import derivative, substitute
 from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
 from canon.decide.region import Region, Requirement
+from canon.decide.regular_on_box import is_regular
 from canon.decide.sign_on_box import definite_sign
 from canon.decide.tape import Node, Tape
 
@@ -29,11 +30,21 @@ MOST_CELLS, MOST_QUARTERS = 48, 20
 
 @dataclass(frozen=True)
 class Cell:
-    """A box of exact intervals; `connected` says that its part in the region is, as where the whole box is in it."""
+    """A box of exact intervals; `whole` says that all of it is in the region, `connected` that the part of it is that
+    is there."""
 
     intervals: dict[Node, Interval]
     connected: bool
+    whole: bool
     region: Region
+
+    def slice(self, tape: Tape, symbol: Node, value: Fraction) -> Cell:
+        """The box where one coordinate has a value inside its interval, of a cell that is whole."""
+        fixed = {symbol: tape.number(value)}
+        kept = [replace(r, nodes=tuple(substitute(tape, n, fixed) for n in r.nodes)) for r in self.region.requirements]
+        intervals = {node: interval for node, interval in self.intervals.items() if node != symbol}
+        symbols = tuple(node for node in self.region.symbols if node != symbol)
+        return Cell(intervals, True, True, Region(tuple(kept), (), symbols))
 
     def describe(self, tape: Tape) -> str:
         """The cell in words, for the certificate."""
@@ -85,10 +96,9 @@ def cells_of(
         intervals = dict(zip(names, choice, strict=True))
         state, unsure = _state(tape, region, intervals, budget)
         if state != "outside":
-            inside = state == "inside" or (
-                finer and unsure is not None and is_connected(tape, unsure, intervals, budget)
-            )
-            out.append(Cell(intervals, inside, region.also(*_walls(tape, intervals))))
+            whole = state == "inside"
+            joined = whole or (finer and unsure is not None and is_connected(tape, unsure, intervals, budget))
+            out.append(Cell(intervals, joined, whole, region.also(*_walls(tape, intervals))))
     return out
 
 
@@ -99,8 +109,9 @@ def _factors(tape: Tape, requirement: Requirement) -> Iterable[Node]:
         return
     for node in requirement.nodes:
         yield node
-        if tape.ops[node][0] == "*":
-            yield from (inner for inner, _ in tape.ops[node][1])
+        op = tape.ops[node]
+        bare = op[2][0][0] if op[0] == "+" and not op[1] and len(op[2]) == 1 else node  # without a number as a factor
+        yield from (inner for inner, _ in tape.ops[bare][1]) if tape.ops[bare][0] == "*" else (bare,)
 
 
 def parts_of_slit(tape: Tape, requirement: Requirement) -> tuple[Node, ...]:
@@ -112,13 +123,20 @@ def parts_of_slit(tape: Tape, requirement: Requirement) -> tuple[Node, ...]:
 
 
 def _quarter_turns(tape: Tape, requirement: Requirement, box: dict[Node, Interval]) -> Iterable[tuple[Node, Edge]]:
-    """Where i times a bounded angle in an exponent passes a multiple of π/2: its cosine and sine change sign there."""
-    if requirement.kind != "slit":
-        return
-    unit = tape.constant("I")
-    for i in tape.reach(requirement.nodes):
-        op = tape.ops[i]
-        form = exact_affine(tape, tape.mul(((op[2][0], 1), (unit, -1)))) if op[:2] == ("f", "exp") else None
+    """Where a bounded angle passes a multiple of π/2, so that its cosine or sine changes sign.
+
+    It is the argument of a sine or cosine that is a factor of the condition, or is i times in an exponent of a slit's.
+    """
+    unit, every, even, odd = tape.constant("I"), range(4), (0, 2), (1, 3)
+    if requirement.kind == "slit":
+        exponents = [op[2][0] for i in tape.reach(requirement.nodes) if (op := tape.ops[i])[:2] == ("f", "exp")]
+        angles = [(tape.mul(((node, 1), (unit, -1))), every) for node in exponents]
+    else:
+        factors = [tape.ops[node] for node in _factors(tape, requirement)]
+        waves = [op for op in factors if op[:2] in (("f", "sin"), ("f", "cos"))]
+        angles = [(op[2][0], even if op[1] == "sin" else odd) for op in waves]
+    for angle, quarters in angles:
+        form = exact_affine(tape, angle)
         if form is None or form[2] not in box:
             continue
         constant, slope, symbol = form
@@ -126,7 +144,7 @@ def _quarter_turns(tape: Tape, requirement: Requirement, box: dict[Node, Interva
         if image.low is None or image.high is None:
             continue
         first = Edge(image.low.rational * 2, image.low.pi * 2).floor_of_multiple_of_pi()
-        for k in range(first, first + MOST_QUARTERS):
+        for k in (k for k in range(first, first + MOST_QUARTERS) if k % 4 in quarters):
             yield symbol, Edge(Fraction(0), Fraction(k, 2)).plus(constant.scaled(Fraction(-1))).scaled(1 / slope)
 
 
@@ -230,7 +248,7 @@ def _state(tape: Tape, region: Region, intervals: dict[Node, Interval], budget: 
             x = definite_sign(tape, requirement.nodes[1], intervals, budget)
             others += [None] * (sign is None and x != "pos")
         else:
-            others.append(None)
+            others += [None] * (not is_regular(tape, node, intervals, budget))
     if not open_ones and not others:
         return "inside", []
     implied = {*open_ones, *(tape.negative(node) for node in open_ones)}

@@ -21,15 +21,18 @@ from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import OutOfDomain, excludes_zero, precision
 from canon.decide.fraction_field import Element, FractionField
 from canon.decide.generator_values import GeneratorBalls
+from canon.decide.intervals import Interval
 from canon.decide.normal_form import reduce_to_zero
-from canon.decide.region import Region
+from canon.decide.region import Region, admits
 from canon.decide.ring import TooCostly
 from canon.decide.search import Sample, ball_point, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
+from canon.errors import InputError
 
 INVERSE = ("atan", "asin", "acos", "atan2")
 DEEPEST = 3
+SIMPLE = (Fraction(0), Fraction(1), Fraction(-1))
 
 
 def vanishes_by_cells(
@@ -154,13 +157,37 @@ def _winds(tape: Tape, node: Node, cell: Cell, point: Sample, budget: Budget) ->
 def _gradient(
     tape: Tape, node: Node, cell: Cell, point: Sample, rng: random.Random, budget: Budget, depth: int
 ) -> bool:
-    """The gradient in all symbols is 0 on the cell, and the value at one point of it is exactly 0."""
+    """The gradient in all symbols is 0 on the cell, and the value at one point of it is exactly 0.
+
+    Of a cell that is a whole box, the derivative by one symbol is enough where the node is 0 on a slice of it.
+    """
+    flat = True
     for symbol in sorted(tape.support(node)):
         slope = derivative(tape, node, symbol)
         if vanishes_on_cell(tape, slope, cell, rng, budget, depth - 1) is None:
-            return False
+            flat = False
+        elif cell.whole and _on_a_slice(tape, node, symbol, cell, rng, budget, depth):
+            return True
     values = {n: tape.number(v) for n, v in point.point.items() if isinstance(v, Fraction)}
-    return number_is_zero(tape, substitute(tape, node, values), budget) is True
+    return flat and number_is_zero(tape, substitute(tape, node, values), budget) is True
+
+
+def _on_a_slice(
+    tape: Tape, node: Node, symbol: Node, cell: Cell, rng: random.Random, budget: Budget, depth: int
+) -> bool:
+    """Whether the node is 0 where the symbol is 0 or ±1, values at which functions are likely to be known."""
+    interval = cell.intervals.get(symbol, Interval())
+    for value in SIMPLE:
+        if not interval.contains(value) or not admits(tape.symbol_at(symbol), arb(rational(value))):
+            continue
+        try:
+            part = cell.slice(tape, symbol, value)
+            there = substitute(tape, node, {symbol: tape.number(value)})
+        except (InputError, ZeroDivisionError):
+            continue
+        if vanishes_on_cell(tape, there, part, rng, budget, depth - 1) is not None:
+            return True
+    return False
 
 
 def _conjugates(form: Element, field: FractionField, tower: Tower, point: Sample) -> bool:

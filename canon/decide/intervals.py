@@ -81,6 +81,12 @@ class Interval:
         """True when no number lies inside."""
         return self.low is not None and self.high is not None and self.low.compare(self.high) >= 0
 
+    def contains(self, value: Fraction) -> bool:
+        """True for a number inside."""
+        edge = Edge(value)
+        above = self.low is None or self.low.compare(edge) < 0
+        return above and (self.high is None or self.high.compare(edge) > 0)
+
     def sign(self) -> str | None:
         """ "pos" or "neg" where every number inside has that sign."""
         if self.low is not None and self.low.compare(ORIGIN) >= 0:

@@ -11,14 +11,17 @@ from canon.decide.signs import classify, sign_of
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower, combine
 
+OTHER = {"pos": "neg", "neg": "pos"}
+
 
 def definite_sign(tape: Tape, node: Node, intervals: Mapping[Node, Interval], budget: Budget) -> str | None:
     """ "pos" or "neg" where the node has that sign on the whole box, else None."""
-    form = exact_affine(tape, node)
-    if form is not None:
-        constant, slope, symbol = form
-        interval = intervals.get(symbol, declared(tape, symbol)).affine(slope, constant)
-        return interval.sign()
+    image = _image(tape, node, intervals)
+    if image is not None:
+        return image.sign()
+    seen = _of_waves(tape, node, intervals)
+    if seen is not None:
+        return seen
     found = _classified(tape, node, intervals, budget)
     if found is None:
         return None
@@ -26,6 +29,35 @@ def definite_sign(tape: Tape, node: Node, intervals: Mapping[Node, Interval], bu
     if unknown or not all(strict for strict, _ in known):
         return None
     return "pos" if sign > 0 else "neg"
+
+
+def _image(tape: Tape, node: Node, intervals: Mapping[Node, Interval]) -> Interval | None:
+    """The values of a node that is affine in one symbol."""
+    form = exact_affine(tape, node)
+    if form is None:
+        return None
+    constant, slope, symbol = form
+    return intervals.get(symbol, declared(tape, symbol)).affine(slope, constant)
+
+
+def _of_waves(tape: Tape, node: Node, intervals: Mapping[Node, Interval]) -> str | None:
+    """The sign of a product of sines, cosines and affine factors, where each has one."""
+    op = tape.ops[node]
+    if op[0] == "+" and not op[1] and len(op[2]) == 1:
+        ((inner, factor),) = op[2]
+        sign = _of_waves(tape, inner, intervals)
+        return sign if sign is None or factor > 0 else OTHER[sign]
+    if op[0] == "*":
+        signs = [_of_waves(tape, inner, intervals) for inner, _ in op[1]]
+        if None in signs:
+            return None
+        odd = sum(sign == "neg" and e % 2 for sign, (_, e) in zip(signs, op[1], strict=True))
+        return "neg" if odd % 2 else "pos"
+    if op[:2] in (("f", "sin"), ("f", "cos")):
+        image = _image(tape, op[2][0], intervals)
+        return None if image is None else image.sine_sign() if op[1] == "sin" else image.cosine_sign()
+    image = _image(tape, node, intervals)
+    return None if image is None else image.sign()
 
 
 def is_zero_free(

@@ -218,6 +218,10 @@ class Tape:
                 return self.zero
             if name == "abs":
                 return self.number(abs(value))
+        if (name in ("elliptic_f", "elliptic_ei") and value == 0) or (
+            name == "elliptic_pii" and self.value(arguments[1]) == 0
+        ):
+            return self.zero
         return self.make(("f", name, arguments))
 
     def arbitrary(self, name: str, orders: tuple[int, ...], arguments: tuple[Node, ...]) -> Node:

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 PATTERNS = "canon_claims"
 BUDGET = "canon_budget"
+LONGEST = 200
+"""Characters of the name of a test."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -62,14 +64,14 @@ class ClaimFile(pytest.File):
         from canon.claims.reader import read_file
 
         reading = read_file(self.path)
-        lines = _lines_of_claims(self.path)
+        lines = _lines_of_claims(self.path) if reading.claims else []  # else it may be no file that can be read
         for claim in reading.claims:
-            name = f"{claim.index + 1} {claim.title or claim.kind}".replace("::", ":")
+            name = _plain(f"{claim.index + 1} {claim.title or claim.kind}")
             line = lines[claim.index] if claim.index < len(lines) else None
             yield ClaimItem.from_parent(self, name=name, claim=claim, line=line)
         for problem in reading.problems:
             yield FaultItem.from_parent(
-                self, name=f"input: {problem['where'] or 'the file'}", message=problem["message"]
+                self, name=_plain(f"input: {problem['where'] or 'the file'}"), message=problem["message"]
             )
 
 
@@ -137,6 +139,12 @@ def _budget(config: pytest.Config) -> float:
     if not 0 < seconds < float("inf"):
         raise pytest.UsageError(f"{BUDGET} is a number of seconds greater than 0, not {text!r}")
     return seconds
+
+
+def _plain(name: str) -> str:
+    """A name from a file as that of a test: on one line, without what a terminal or pytest would take for its own."""
+    line = " ".join(name.split()).replace("::", ":")
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in line)[:LONGEST]
 
 
 def _lines_of_claims(path: Path) -> list[int]:

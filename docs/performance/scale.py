@@ -6,17 +6,25 @@ Seconds are those of the processor, which other programs on the machine don't ch
 from __future__ import annotations
 
 import json
+import os
 import pickle
-import resource
 import statistics
 import time
 from collections.abc import Callable
-from typing import Any
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any, Final
 
 from canon import verify, verify_many
 from canon.catalogue import files
 from canon.claim import Claim
 from canon.claims.reader import read_file
+
+TICKS: Final = os.sysconf("SC_CLK_TCK")
+CAMPAIGNS: Final = ((1, 16, True), (2, 16, True), (1, 16, False), (2, 16, False), (2, 1, True))
+"""Workers, claims to a message, and whether each worker keeps a process beside it."""
 
 
 def spent(action: Callable[[], Any]) -> tuple[float, Any]:
@@ -32,27 +40,39 @@ def claims_of(every: int) -> list[Claim]:
     return found[::every]
 
 
-def of_children() -> float:
-    """Seconds of the processor that processes which have ended have used."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
+def of_descendants() -> float:
+    """Seconds of the processor that this process's children, and theirs, have used so far."""
+    parent, used = dict[int, int](), dict[int, float]()
+    for name in filter(str.isdigit, os.listdir("/proc")):
+        with suppress(OSError):
+            fields = Path("/proc", name, "stat").read_text().rpartition(")")[2].split()
+            parent[int(name)], used[int(name)] = int(fields[1]), (int(fields[11]) + int(fields[12])) / TICKS
+    ours, before = {os.getpid()}, 0
+    while len(ours) > before:
+        before = len(ours)
+        ours |= {process for process, above in parent.items() if above in ours}
+    return sum(used[process] for process in ours - {os.getpid()} if process in used)
 
 
-def campaign(claims: list[Claim], workers: int, batch: int) -> dict[str, float]:
-    """A campaign in so many processes."""
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
-
-    before, here, start = of_children(), time.process_time(), time.monotonic()
+def campaign(claims: list[Claim], workers: int, batch: int, apart: bool) -> dict[str, Any]:
+    """A campaign in so many processes, with as many beside them where `apart`; what they need to start is left out."""
     with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as executor:
-        answers = list(verify_many(claims, executor=executor, batch=batch))
+        how: dict[str, Any] = {"executor": executor, "apart": apart}
+        list(verify_many(claims[: 4 * workers], batch=1, **how))
+        starting, here, start = of_descendants(), time.process_time(), time.monotonic()
+        answers = list(verify_many(claims, batch=batch, **how))
+        wall, sent, used = time.monotonic() - start, time.process_time() - here, of_descendants() - starting
     assert len(answers) == len(claims)
     return {
         "workers": workers,
         "batch": batch,
-        "wall_seconds": round(time.monotonic() - start, 2),
-        "cpu_seconds_of_workers": round(of_children() - before, 2),
-        "cpu_seconds_here": round(time.process_time() - here, 2),
+        "apart": apart,
+        "cpu_seconds_to_start_a_worker": round(starting / workers, 2),
+        "cpu_ms_a_claim_of_the_workers": round(1e3 * used / len(claims), 2),
+        "cpu_ms_a_claim_of_who_sends": round(1e3 * sent / len(claims), 2),
+        "wall_seconds": round(wall, 2),
+        "claims_a_second": round(len(claims) / wall, 1),
+        "processors_in_use": round((used + sent) / wall, 2),
     }
 
 
@@ -80,7 +100,7 @@ def main() -> None:
                 "share_of_the_slowest_hundredth": round(sum(seconds[-max(1, len(seconds) // 100) :]) / sum(seconds), 3),
                 "packing_ms_a_claim": round(1e3 * packing / len(claims), 2),
                 "bytes_a_claim_median_max": [int(statistics.median(sizes)), max(sizes)],
-                "campaigns": [campaign(claims, workers, batch) for workers, batch in ((1, 16), (2, 16), (2, 1))],
+                "campaigns": [campaign(claims, *how) for how in CAMPAIGNS],
             },
             indent=1,
         )

@@ -97,3 +97,15 @@ def test_off_until_a_project_opts_in(project: Path) -> None:
     assert "canon.testing.pytest_plugin" in loaded
     assert not loaded & {"sympy", "numpy", "jax", "flint", "hypothesis", "canon.claims"}
     assert "1 passed" in done.stdout
+
+
+def test_a_title_is_no_line_of_the_report(project: Path) -> None:
+    """Nor does it colour the terminal; and what is no file, or waits, is not read."""
+    title = 'title = "a\\u001b[31m\\nfake.toml::1 PASSED\\u0000::' + "x" * 300 + '"'
+    odd = KICK.format(mistake="").replace("[[claim]]", f"[[claim]]\n{title}", 1)
+    (project / "claims" / "odd.toml").write_text(odd)
+    (project / "claims" / "waits.toml").symlink_to("/proc/kmsg")  # where there is none, a link to nothing
+    shown = run(project, "-v", "claims/odd.toml", *["claims/waits.toml"] * Path("/proc/kmsg").exists()).stdout
+    assert "claims/odd.toml::1 a\N{REPLACEMENT CHARACTER}[31m fake.toml:1 PASSED\N{REPLACEMENT CHARACTER}:xxx" in shown
+    assert not any(line.startswith("fake") for line in shown.splitlines())
+    assert not {"\x1b", "\0"} & {*shown}

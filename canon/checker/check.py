@@ -115,6 +115,8 @@ class _Check:
             return trusted
         if self.verdict == "proved" and witness is not None:
             raise Rejected("a proof with a witness against it")
+        if not self.data["cases"] and self.cases:
+            raise Unknown("nothing is shown of it")
         if len(self.data["cases"]) != len(self.cases):
             raise Rejected(f"{len(self.data['cases'])} cases are shown, but the claim has {len(self.cases)}")
         return [

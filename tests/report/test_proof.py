@@ -14,11 +14,14 @@ from canon.claims.verify import verify
 from canon.claims.worker import Entry
 from canon.cli.main import main
 from canon.report.certificate_file import certified
+from canon.report.proof.blocks import Items, Section
 from canon.report.proof.in_latex import LATEX
 from canon.report.proof.in_mathml import MATHML
 from canon.report.proof.in_text import PLAIN
 from canon.report.proof.letters import split_name
 from canon.report.proof.notation import written
+from canon.report.proof.plain import section
+from canon.report.proof.statement import statement
 from canon.report.proof.structure import LONG, polynomial, structured
 from canon.report.proof.trees import tree_of
 from canon.report.proof_file import NOTATIONS, document, rendered
@@ -194,9 +197,31 @@ def test_formulas_are_set(text: str, latex: str | None, plain: str) -> None:
 
 
 def test_names_have_their_indices() -> None:
-    assert [split_name(n) for n in ("omega_0", "q1", "px", "ptheta", "alpha", "energy")] == [
-        ("omega", "0"), ("q", "1"), ("p", "x"), ("p", "theta"), ("alpha", ""), ("energy", ""),
+    assert [split_name(n) for n in ("omega_0", "q1", "px", "ptheta", "alpha", "energy", "pi")] == [
+        ("omega", "0"), ("q", "1"), ("p", "x"), ("p", "theta"), ("alpha", ""), ("energy", ""), ("pi", ""),
     ]  # fmt: skip
+
+
+STATED = [
+    ({"kind": "inequality", "lhs": "x**2", "relation": ">=", "rhs": "2*x - 1"}, ["x^2 ≥ 2 x − 1", "throughout"]),
+    ({"kind": "limit", "f": "1/x", "variable": "x", "to": "0", "side": "+", "equals": "infinity"},
+     ["As x tends to 0 from above, this tends to infinity:", "f = 1/x"]),
+    ({"kind": "integral", "f": "sin(u)", "variable": "u", "from": "0", "to": "pi", "equals": "2"},
+     ["The integral over u from 0 to pi of", "f = sin(u)", "is", "2"]),
+    ({"kind": "average", "f": "x**2", "equals": "1/2", "parameter": "u", "motion": {"x": "cos(u)"}, "from": "0",
+      "to": "2*pi"}, ["The average over time of", "along the motion, u from 0 to 2 pi,", "x = cos(u)"]),
+    ({"kind": "euler_lagrange", "L": "v**2/2 - x", "velocities": ["v"], "qddot": "-1"},
+     ["L = v^2/2 − x", "Lagrange's equations are solved by the accelerations"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("claim", "said"), STATED)
+def test_a_claim_says_what_is_claimed(claim: dict[str, Any], said: list[str]) -> None:
+    """In its own words, not by its keys: an inequality has two sides, an integral its ends."""
+    blocks = statement({"phase_space": {"q": ["x"], "p": ["p"]}, "claim": claim})
+    assert not any(isinstance(block, Items) for block in blocks)
+    text = section(Section("", "", "proved", "", (), tuple(blocks), (), ()))[2]
+    assert all(" ".join(line.split()) in " ".join(text.split()) for line in said), text
 
 
 def test_long_formulas_are_shown_by_structure() -> None:

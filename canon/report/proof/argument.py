@@ -188,7 +188,11 @@ def _rest(entries: Sequence[tuple[int, Data]], trivial: int) -> Blocks:
         said = "; ".join(f"{n} {why}" for n, why in ways if n)
         found.append(paragraph(f"In the same way the other {len(entries)} vanish: {said}."))
     if trivial:
-        found.append(paragraph("1 is 0 as it stands." if trivial == 1 else f"{trivial} are 0 as they stand."))
+        found.append(
+            paragraph(
+                "One quantity is 0 as it stands." if trivial == 1 else f"{trivial} quantities are 0 as they stand."
+            )
+        )
     return found
 
 

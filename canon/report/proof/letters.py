@@ -23,7 +23,7 @@ GREEK: Final = {name: _letter(word) for word in (*_SMALL, *_CAPITAL) for name in
 
 
 def split_name(name: str) -> tuple[str, str]:
-    """A name as its letter and its index: ("omega", "0") for omega_0 and omega0; ("px", "") for px."""
+    """A name as its letter and its index: ("omega", "0") for omega_0 and omega0; ("p", "x") for px, but π for pi."""
     head, _, index = name.partition("_")
     if not head:
         return name, ""
@@ -33,6 +33,6 @@ def split_name(name: str) -> tuple[str, str]:
         for word in ("theta", "phi", "psi", "rho", "alpha", "beta"):
             if head[: -len(word)] in ("p", "q", "d") and head.endswith(word):
                 return head[: -len(word)], word
-        if len(head) == 2 and head[0] == "p" and head[1].isalpha():
+        if len(head) == 2 and head[0] == "p" and head[1].isalpha() and head != "pi":
             return "p", head[1]
     return head, index.strip("_")

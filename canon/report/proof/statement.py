@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
+from canon.report.proof import calculus
 from canon.report.proof.blocks import Block, Display, Items, Paragraph, display, listed, paragraph, words
+from canon.report.proof.lines import by_structure, formulas, names_of
 from canon.report.proof.structure import LONG, structured
 from canon.report.proof.trees import Tree, tree_of
 
@@ -77,34 +79,6 @@ def _generating_function(tables: Tables) -> Blocks:
         for side, sign in ((a, "" if a == "q" else "-"), (b, "-" if b == "Q" else "")):
             lines.append(f"{sides[other[side]][i]} = {sign}D(F, {sides[side][i]})")
     return [*found, paragraph("It defines a map by"), display(*lines)]
-
-
-def formulas(pairs: Sequence[tuple[str, str]], tables: Tables) -> Display:
-    """name = formula, long ones by their structure."""
-    taken = names_of(tables)
-    lines: list[Tree] = []
-    for name, text in pairs:
-        lines += by_structure(tree_of(name), tree_of(str(text)), taken)
-    return Display(tuple(lines))
-
-
-def by_structure(left: Tree, right: Tree, taken: set[str]) -> list[Tree]:
-    """left = right on a line; where that is long, with names for parts, each on a further line."""
-    if right.size <= LONG:
-        return [Tree("relation", parts=(left, right), signs=("=",))]
-    short, parts = structured(right, taken)
-    rows = [(left, short), *((Tree("name", name), part) for name, part in reversed(parts))]
-    return [Tree("relation", parts=row, signs=("=",)) for row in rows]
-
-
-def names_of(tables: Tables) -> set[str]:
-    """The names that have a meaning in the file."""
-    space = tables["phase_space"]
-    return {
-        *(name for side in "qpQP" for name in space.get(side, [])),
-        *tables.get("symbols", {}),
-        *tables.get("definitions", {}),
-    }
 
 
 def statement(tables: Tables) -> Blocks:
@@ -257,12 +231,6 @@ def _algebra(claim: Tables, tables: Tables) -> Blocks:
     ]
 
 
-def _inequality(claim: Tables, tables: Tables) -> Paragraph:
-    return paragraph(
-        f"`{claim['relation']}` throughout the domain." if "relation" in claim else "The inequality holds."
-    )
-
-
 KINDS: Final[Mapping[str, Callable[[Tables, Tables], Blocks | Paragraph]]] = {
     "canonical": _canonical,
     "fundamental_brackets": _brackets,
@@ -290,7 +258,7 @@ KINDS: Final[Mapping[str, Callable[[Tables, Tables], Blocks | Paragraph]]] = {
     ),
     "algebra": _algebra,
     "matrix_algebra": _algebra,
-    "inequality": _inequality,
+    **calculus.KINDS,
     "action": _of_one("The action `J`, the integral of `p*dq` over one period, is", "equals", "J"),
     "frequency": _of_one("The frequency `nu = D(E, J)` is", "equals", "nu"),
     "action_angle": _said("The new variables are actions and angles of `H`."),

@@ -211,7 +211,7 @@ STATED = [
     ({"kind": "average", "f": "x**2", "equals": "1/2", "parameter": "u", "motion": {"x": "cos(u)"}, "from": "0",
       "to": "2*pi"}, ["The average over time of", "along the motion, u from 0 to 2 pi,", "x = cos(u)"]),
     ({"kind": "euler_lagrange", "L": "v**2/2 - x", "velocities": ["v"], "qddot": "-1"},
-     ["L = v^2/2 − x", "Lagrange's equations are solved by the accelerations"]),
+     ["With the Lagrangian", "Lagrange's equations are solved by the accelerations"]),
 ]  # fmt: skip
 
 

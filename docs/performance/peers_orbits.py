@@ -14,7 +14,8 @@ COUNT, TIME = 1000, 100.0
 FEW, LONG = 5, 10_000.0
 TARGETS = (1e-6, 1e-9, 1e-12)
 METHODS = ("nystrom6", "nystrom6a", "nystrom8", "sofroniou_spaletta10")
-FORCES = np.geomspace(12, 180, 25)
+MULTISTEP = ("stormer8", "stormer10", "stormer12")
+FORCES = np.geomspace(8, 180, 28)
 """Forces in a unit of time that are tried."""
 x, y, px, py = sp.symbols("x y p_x p_y", real=True)
 H = (px**2 + py**2) / 2 + (x**2 + y**2) / 2 + x**2 * y - y**3 / 3
@@ -65,10 +66,8 @@ def by_canon(time: float, count: int) -> Iterator[Setting]:
     few = [(z[:2, k].copy(), z[2:, k].copy()) for k in range(FEW)]
     for split in split_hamiltonian(H, (x, y), (px, py)):
         problem = split.splitting()
-        for name in METHODS:
+        for name in (*METHODS, *(MULTISTEP if split.kind == "T(p) + V(q)" else ())):
             chosen = method(name)
-            if chosen.needs == "nystrom" and not split.nystrom:
-                continue
             for forces in FORCES:
                 steps = max(round(forces * time / chosen.stages), 1)
 

@@ -12,6 +12,7 @@ from canon.numeric.integrators import (
     compositions,
     corrected,
     gauss,
+    multistep,
     near_integrable,
     nystrom,
     nystrom_8,
@@ -54,7 +55,10 @@ CONSTRAINED: Final = tuple(WithStrings(each) for each in _with_compositions(ratt
 CHARGES: Final = tuple(method for base in boris.METHODS for method in _with_compositions(base))
 """For charges in any fields."""
 
-METHODS: Final[tuple[Method, ...]] = (*SPLITTING, *WHOLE, *CONSTRAINED, *CHARGES)
+MULTISTEP: Final = multistep.METHODS
+"""For T(p) + V(q) and smooth motions, with one force a step."""
+
+METHODS: Final[tuple[Method, ...]] = (*SPLITTING, *MULTISTEP, *WHOLE, *CONSTRAINED, *CHARGES)
 
 
 def method(name: str) -> Method:

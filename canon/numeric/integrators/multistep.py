@@ -1,0 +1,266 @@
+"""Störmer's explicit multistep methods for H = T(p) + V(q, t) with T quadratic: one force a step, at a high order.
+
+    q_{n+1} − 2 q_n + q_{n−1} = h² Σ_j β_j a_{n−j},   β from the polynomial through the last k accelerations.
+
+Summed once, it looks like a leapfrog whose kick knows the past: π += h Σ β_j F_{n−j}, q += h T'(π), where π stays by a
+fixed combination of the past forces beside the momentum, which is made of both where it is asked for. Per step these
+are the cheapest methods there are for smooth motions; they keep no structure, and where h is too long they blow up.
+
+The weights β alternate and grow as 2^k: their rounding would act as a force along the past, a damping, and rounded
+sums of them drift. So they are rounded as differences, δ_m of Σ δ_m ∇^m, on a grid on which their sums are exact; and
+with compensated sums, the second differences of the forces are what is remembered and summed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from math import comb
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from canon.errors import InputError
+from canon.numeric.compensated import add_product
+from canon.numeric.integrators.compositions import SOFRONIOU_SPALETTA_10
+from canon.numeric.integrators.nystrom_8 import NYSTROM_8
+from canon.numeric.integrators.problem import Shear, Splitting, State
+from canon.numeric.integrators.splitting import SplittingMethod
+from canon.numeric.integrators.stepper import Stepper, Time
+from canon.numeric.integrators.traits import Traits
+
+GRID: Final = 2**44
+"""The differences' coefficients are multiples of 1/GRID: so all β of up to thirteen terms are exact numbers."""
+WRITTEN_OUT: Final = 12
+"""Coordinates up to which one orbit is computed number by number: XLA makes one native loop of that."""
+
+
+@dataclass(frozen=True)
+class Stormer:
+    """The method of `terms` forces, each run begun by steps of `starter` into the past."""
+
+    name: str
+    traits: Traits
+    terms: int
+    starter: SplittingMethod
+    source: str
+
+    @property
+    def stages(self) -> int:
+        """Forces in a step."""
+        return 1
+
+    def stepper(self, problem: Any, *, compensated: bool = False) -> Stepper:
+        """The method set up for two shears T(p) and V(q, t) on slots (q, p).
+
+        **Raises:** `InputError` for anything else: the forces of the past must tell the acceleration.
+        """
+        parts = problem.parts if isinstance(problem, Splitting) and problem.nystrom else ()
+        if [part.slots for part in parts if isinstance(part, Shear)] != [(0,), (1,)]:
+            raise InputError(
+                f"{self.name} is for H = T(p) + V(q, t) with T quadratic, split as that: choose a splitting method"
+            )
+        return _stepper(self, problem, compensated)
+
+
+class _Carry(NamedTuple):
+    """After step n: the state that is shown, q_n and π_n, and the remembered values, the newest at `place`.
+
+    With compensated sums there are the last `force` and its difference `slope`, and what rounding `lost` of q and π.
+    """
+
+    shown: State
+    started: Any
+    place: Any
+    q: Any
+    pi: Any
+    ring: Any
+    force: Any
+    slope: Any
+    lost: Any
+
+
+def _differences(terms: int) -> tuple[list[Fraction], list[Fraction]]:
+    """δ_m of Σ δ_m ∇^m a = (q_{n+1} − 2q_n + q_{n−1})/h², and φ_m of Σ φ_m ∇^m a = (q_n − q_{n−1})/h² − v_n/h.
+
+    ∇ = 1 − e^{−hD} in e^{hD} − 2 + e^{−hD} over (hD)², and in 1 − e^{−hD} − hD over (hD)²: with L = −ln(1 − ∇) = hD,
+    ∇²/(1 − ∇)/L² and (∇ − L)/L². Henrici (1962), Discrete Variable Methods, 6.1.
+    """
+    log = [Fraction(1, m + 1) for m in range(terms + 2)]  # L/∇
+    square = [sum((log[i] * log[m - i] for i in range(m + 1)), Fraction(0)) for m in range(terms + 1)]
+    inverse = [Fraction(1)]
+    for m in range(1, terms + 1):
+        inverse.append(-sum((square[i] * inverse[m - i] for i in range(1, m + 1)), Fraction(0)))
+    delta = [sum(inverse[: m + 1], Fraction(0)) for m in range(terms)]
+    phi = [-sum((log[i + 1] * inverse[m - i] for i in range(m + 1)), Fraction(0)) for m in range(terms)]
+    return delta, phi
+
+
+def _weights(differences: Sequence[Fraction]) -> np.ndarray:
+    """The coefficients of a_{n−j} in Σ δ_m ∇^m a_n."""
+    count = len(differences)
+    rows = [sum(differences[m] * comb(m, j) for m in range(j, count)) for j in range(count)]
+    return np.array([float((-1) ** j * row) for j, row in enumerate(rows)])
+
+
+class _Sums(NamedTuple):
+    """w_j and e_j: the kick is Σ w_j H_{n−j}, and π_n − p_n = h Σ e_j H_{n−j} of the forces H = F; with compensated
+    sums, of their second differences, beside F_n and −F_n/2 + `slope` ∇F_n. `turned` has the w for each place of H_n.
+    """
+
+    kick: np.ndarray
+    shown: np.ndarray
+    slope: float
+    turned: np.ndarray
+
+
+@lru_cache(maxsize=16)
+def _sums(terms: int, compensated: bool) -> _Sums:
+    delta, phi = ([Fraction(round(x * GRID), GRID) for x in each] for each in _differences(terms))
+    skipped = 2 if compensated else 0
+    kick, shown = _weights(delta[skipped:]), _weights(phi[skipped:])
+    count = len(kick)
+    turned = np.array([[kick[(place - j) % count] for j in range(count)] for place in range(count)])
+    return _Sums(kick, shown, float(phi[1]), turned)
+
+
+def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
+    import jax
+    import jax.numpy as jnp
+    from jax import lax
+
+    kinetic, potential = (part for part in problem.parts if isinstance(part, Shear))
+    clocked = problem.clock is not None
+    sums = _sums(method.terms, compensated)
+    kept = len(sums.kick)
+    starter = lru_cache(1)(lambda: method.starter.stepper(problem))
+    each = jax.tree.map
+
+    def force(q: Any, shown: State, time: Time, fraction: float) -> Any:
+        whole = _whole(q, shown[0])
+        return _components(potential.rate((whole, whole), time.at(fraction) if clocked else None)[0])
+
+    def velocity(pi: Any, shown: State) -> Any:
+        whole = _whole(pi, shown[1])
+        return _components(kinetic.rate((whole, whole), None)[0])
+
+    def initial(state: State) -> _Carry:
+        q, p = map(_components, state)
+        zero = each(lambda x: np.zeros(jnp.shape(x)), q)
+        ring = each(lambda x: np.zeros((kept, *jnp.shape(x))), q)
+        more = (zero, zero, (zero, zero)) if compensated else (None, None, None)
+        return _Carry(state, np.asarray(False), np.asarray(0), q, p, ring, *more)
+
+    def past(state: State, tables: Any, time: Time) -> Any:
+        """The forces F_0, F_{−1}, … before a state."""
+        first, begun, back = starter(), time.at(0.0), -time.h
+
+        def at(forces: Any, j: Any, state: State) -> Any:
+            new = force(_components(state[0]), state, Time(begun, back, j * 1.0), 0.0)
+            return each(lambda rows, x: rows.at[j].set(x), forces, new)
+
+        def earlier(j: Any, loop: Any) -> Any:
+            carry, forces = loop
+            before, after = Time(begun, back, j * 1.0), Time(begun, back, j + 1.0)
+            carry = first.end(first.step(first.begin(carry, tables, before), tables, before), tables, after)
+            return carry, at(forces, j + 1, first.read(carry))
+
+        empty = each(lambda x: jnp.zeros((method.terms, *jnp.shape(x))), _components(state[0]))
+        loop = (first.initial(state), at(empty, 0, state))
+        return lax.fori_loop(0, method.terms - 1, earlier, loop)[1]
+
+    def started(carry: _Carry, tables: Any, time: Time) -> _Carry:
+        forces = past(carry.shown, tables, time)
+        slopes = each(lambda rows: rows[:-1] - rows[1:], forces)
+        values = each(lambda rows: rows[:-1] - rows[1:], slopes) if compensated else forces
+        made = carry._replace(
+            started=jnp.asarray(True),
+            force=each(lambda rows: rows[0], forces) if compensated else None,
+            ring=each(lambda rows: jnp.roll(rows[::-1], 1, axis=0), values),
+            slope=each(lambda rows: rows[0], slopes) if compensated else None,
+        )
+        return made._replace(pi=each(lambda p, b: p + time.h * b, _components(carry.shown[1]), beside(made)))
+
+    def beside(carry: _Carry) -> Any:
+        """(π − p)/h."""
+
+        def remembered(ring: Any) -> Any:
+            ordered = jnp.roll(ring[::-1], carry.place + 1, axis=0)
+            return sum(sums.shown[j] * ordered[j] for j in range(kept))
+
+        found = each(remembered, carry.ring)
+        if not compensated:
+            return found
+        return each(lambda r, f, s: r - f / 2 + sums.slope * s, found, carry.force, carry.slope)
+
+    def kick(carry: _Carry) -> Any:
+        """Σ w_j H_{n−j} by two chains of additions, so that one need not wait for the other."""
+        weights = lax.dynamic_index_in_dim(jnp.asarray(sums.turned), carry.place, keepdims=False)
+
+        def total(ring: Any) -> Any:
+            terms = [weights[j] * ring[j] for j in range(kept)]
+            return sum(terms[2::2], terms[0]) + sum(terms[3::2], terms[1])
+
+        found = each(total, carry.ring)
+        return each(jnp.add, carry.force, found) if compensated else found
+
+    def begin(carry: _Carry, tables: Any, time: Time) -> _Carry:
+        return lax.cond(carry.started, lambda c: c, lambda c: started(c, tables, time), carry)
+
+    def step(carry: _Carry, tables: Any, time: Time) -> _Carry:
+        def moved(values: Any, lost: Any, rates: Any) -> tuple[Any, Any]:
+            if lost is None:
+                return each(lambda x, r: x + time.h * r, values, rates), None
+            pairs = each(lambda x, e, r: add_product(x, e, time.h, r), values, lost, rates)
+            return jax.tree.transpose(jax.tree.structure(values), None, pairs)
+
+        lost_q, lost_pi = carry.lost or (None, None)
+        pi, lost_pi = moved(carry.pi, lost_pi, kick(carry))
+        q, lost_q = moved(carry.q, lost_q, velocity(pi, carry.shown))
+        new = force(q, carry.shown, time, 1.0)
+        slope = each(jnp.subtract, new, carry.force) if compensated else None
+        value = each(jnp.subtract, slope, carry.slope) if compensated else new
+        place = jnp.where(carry.place == kept - 1, 0, carry.place + 1)
+        ring = each(lambda rows, x: lax.dynamic_update_index_in_dim(rows, x, place, 0), carry.ring, value)
+        lost = None if carry.lost is None else (lost_q, lost_pi)
+        kept_force = new if compensated else None
+        return carry._replace(place=place, q=q, pi=pi, ring=ring, force=kept_force, slope=slope, lost=lost)
+
+    def end(carry: _Carry, tables: Any, time: Time) -> _Carry:
+        p = each(lambda x, b: x - time.h * b, carry.pi, beside(carry))
+        return carry._replace(shown=tuple(_whole(new, old) for old, new in zip(carry.shown, (carry.q, p), strict=True)))
+
+    return Stepper(lambda h: starter().prepare(-h), initial, begin, step, end, lambda carry: carry.shown)
+
+
+def _components(slot: Any) -> Any:
+    """A slot as it is computed with: numbers one by one for one orbit of a small system, else one array."""
+    import jax.numpy as jnp
+
+    if len(slot) <= WRITTEN_OUT and all(jnp.ndim(x) == 0 for x in slot):
+        return tuple(slot[k] for k in range(len(slot)))
+    return jnp.stack(slot) if isinstance(slot, tuple) else slot
+
+
+def _whole(found: Any, slot: Any) -> Any:
+    """What `_components` made of a slot, in its own form."""
+    import jax.numpy as jnp
+
+    if isinstance(slot, tuple):
+        return found if isinstance(found, tuple) else tuple(found)
+    return jnp.stack(found) if isinstance(found, tuple) else found
+
+
+def _method(terms: int, starter: SplittingMethod) -> Stormer:
+    traits = Traits(terms, symplectic=False, symmetric=False, volume_preserving=False)
+    source = "Störmer (1907), Arch. Sci. Phys. Nat. 24, 5; Hairer, Nørsett and Wanner (1993), III.10"
+    return Stormer(f"stormer{terms}", traits, terms, starter, source)
+
+
+METHODS: Final = (
+    _method(8, NYSTROM_8),
+    _method(10, NYSTROM_8),
+    _method(12, SOFRONIOU_SPALETTA_10),
+)

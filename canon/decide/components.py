@@ -104,7 +104,7 @@ def _factors(tape: Tape, p: Polynomial, below: Polynomial, symbols: Sequence[Nod
     """The irreducible factors of p that don't divide the denominator, made monic, each once."""
     found: dict[Node, Piece] = {}
     for f, _ in p.factor()[1]:
-        if f.is_constant() or not divmod(below, f)[1]:
+        if not divmod(below, f)[1]:
             continue
         f = f / f.leading_coefficient()
         node = _node(tape, f, symbols)

@@ -74,6 +74,7 @@ def test_pieces_vanish_where_the_equation_does(equation: sp.Expr):
         (x * w - 2, [1]),
         (x + I * w, [1]),  # w isn't real: no real and imaginary parts
         (sp.sqrt(x) * (y - 1) / (1 + sp.exp(z)), [2]),  # what is below isn't among them
+        ((x**2 - y**2) / (x - y) ** 2, [1]),  # x = y is taken out
         (3 * sp.sqrt(x) * (y - 1), [2]),
         (1 + sp.sqrt(x) * (y - 1), [1]),
         (3 * (x - y) ** -2, [0]),

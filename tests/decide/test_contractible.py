@@ -95,6 +95,7 @@ def test_every_loop_is_shown_to_contract(conditions: tuple):
         (("slit", x + sp.I * y),),
         (("nonzero", y - x**2), ("nonzero", y + x**2)),
         (("positive", y**2 - x**2 - z**2),),
+        (("positive", z + x**2 + y**2 - 1), ("positive", z), ("positive", sp.Rational(1, 2) - z)),  # z isn't free
     ],
     ids=str,
 )
@@ -107,6 +108,9 @@ def test_what_is_not_looked_at():
     assert not shown(coordinates=(x, n))
     assert not shown(coordinates=(x, sp.Symbol("z")))
     assert shown(WHOLE, coordinates=(x, z))  # at fixed y
+    below = ("positive", x**2 + y**2 - 1 - u)
+    assert not shown(below, coordinates=(x, y, u))
+    assert shown(("positive", x**2 + y**2 - 1 - z), coordinates=(x, y, z))
 
 
 @pytest.mark.parametrize(

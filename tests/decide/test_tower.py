@@ -91,6 +91,7 @@ CASES: list[tuple[sp.Expr, ...]] = [  # a formula, and conditions that are known
     (sp.Abs(sqrt(1 + x**2) - x) + sp.Abs(x - sqrt(x**2 + 1)) + sp.Abs(a - sqrt(a**2 + b)),),
     (sp.Abs(x + 2 * sqrt(x**2 + 2)) + sp.Abs(a * x - sqrt(a**2 * x**2 + b)),),
     (sp.Abs(2 + cos(x)) + sp.Abs(sin(x) - a - 1) + sp.Abs(1 + a**2 - 2 * a * cos(x)) + sp.Abs(x**2 + x + 1),),
+    (sp.Abs(a + b * cos(x)) + sp.Abs(a * sin(x) - b) + sp.Abs(a * b - 3 * sin(y)) + sp.Abs(cos(y) - 1 + a),),
     (sp.Abs(x**2 - 4 * x + 5) + sp.Abs(-(x**2) + x - 1) + sp.Abs(x**2 + 2 * x + 1) + sp.Abs(x**4 + y**2 + a),),
     (sp.Abs(x**3 - 4 * x + 7) + sp.Abs(x - pi) + sp.Abs(x**2 - 2) + sp.Abs(x * y - 1), x - 2, 2 - y, y - 1),
     (sp.Abs(sqrt(2) - sp.Rational(7, 5)) + sp.Abs(sqrt(3) - 7 * pi / 4) + sp.Abs(pi - sp.Rational(22, 7)),),

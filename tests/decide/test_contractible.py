@@ -30,6 +30,7 @@ def shown(*conditions: tuple, coordinates: tuple = COORDINATES, surface: tuple =
         (("positive", x),),
         (("nonzero", x),),
         (("nonzero", x), ("nonzero", y), ("positive", 1 - x), ("positive", x + y - z)),
+        (("positive", x + y - z), ("positive", 1 - x - y + z), ("nonzero", 3 * x + 3 * y - 3 * z - 1)),
         (("positive", 1 + x**2 + y**2),),
         (("nonzero", x - y + a * z),),
         (("positive", y - x**2),),  # y alone is straightened

@@ -42,6 +42,8 @@ def _region(tape, conditions, kinds=()):
         ([x, x + 1 / (1 + y**2)], [x]),
         ([x, x - 1 / (-1 - y**2)], [x]),
         ([x - y, y - x], [x - y, y - x]),
+        ([x, y**2], [x, y**2]),  # y may be 0
+        ([x, x * y**2 + (x * y) ** 2], [x, x * y**2 + (x * y) ** 2]),
         ([x * (1 + sp.I)], [x * (1 + sp.I)]),
     ],
 )

@@ -90,8 +90,6 @@ def _root_bound(field: FractionField, p: Polynomial, budget: Budget) -> arb | No
     """A lower bound of the modulus of the number p, if it isn't 0; None where p isn't algebraic by its relations."""
     ring = field.ring
     degrees = {g: d for g, d, _, _ in field.relations}
-    if any(e > 0 and k not in degrees for k, e in enumerate(ring.degrees(p))):
-        return None
     used: set[int] = set()
     pending = [k for k, e in enumerate(ring.degrees(p)) if e > 0]
     lowers = {g: lower for g, _, lower, _ in field.relations}

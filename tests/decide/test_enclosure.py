@@ -8,7 +8,7 @@ import sympy as sp
 from flint import arb
 
 from canon.decide.enclosure import OutOfDomain, _integer_power, evaluate, precision
-from canon.decide.tape import Tape
+from canon.decide.tape import Tape, Unsupported
 
 x, y, n = sp.Symbol("x", real=True), sp.Symbol("y", real=True), sp.Symbol("n", integer=True)
 
@@ -59,6 +59,10 @@ def test_powers_that_are_not_known_to_be_whole():
         (sp.atan2(y, x), {y: arb(1), x: arb(-1)}, {y: arb(0, 1), x: arb(-1)}),
         (sp.acosh(x), {x: arb(2)}, {x: arb(1, 0.5)}),
         (1 / x, {x: arb(2)}, {x: arb(0, 1)}),
+        (x ** sp.Rational(-2, 3), {x: arb(3)}, {x: arb(-1)}),
+        (sp.atan2(y, x), {y: arb("-0.5"), x: arb(-1)}, {y: arb(0, 0.001), x: arb(-1)}),
+        (sp.elliptic_f(y, x), {y: arb("0.5"), x: arb("1.5")}, {y: arb("0.99"), x: arb("1.5")}),  # x sin² y = 1.05
+        (sp.elliptic_e(y, x), {y: arb("0.5"), x: arb("1.5")}, {y: arb("0.99"), x: arb("1.5")}),
     ],
 )
 def test_functions_inside_and_outside_of_their_domain(f: sp.Expr, inside: dict, outside: dict):
@@ -70,3 +74,11 @@ def test_functions_inside_and_outside_of_their_domain(f: sp.Expr, inside: dict, 
     assert float(ball(f, inside).rad()) < 1e-25
     with pytest.raises((OutOfDomain, ZeroDivisionError)):
         ball(f, outside)
+
+
+def test_an_arbitrary_function_that_was_not_chosen():
+    tape = Tape()
+    node = tape.load(sp.Function("V", real=True)(x))
+    for functions in (None, {}):
+        with pytest.raises(Unsupported, match="arbitrary function V"):
+            evaluate(tape, tape.reach([node]), {tape.symbol(x): arb(1)}, functions)

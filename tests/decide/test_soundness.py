@@ -101,6 +101,24 @@ def test_exact_constants(number: sp.Expr, zero: bool):
     assert number_is_zero(tape, tape.load(number), Budget(20)) is zero
 
 
+NEAR = sp.pi * sp.log(2)
+
+
+@pytest.mark.parametrize(
+    ("number", "zero"),
+    [
+        (sp.Integer(0), True),
+        (sp.Integer(1), False),
+        (NEAR - sp.Rational(sp.N(NEAR, 60)), False),  # seen in 1024 bits, and by nothing else
+        (sp.log(sp.Symbol("x")), None),
+    ],
+)
+def test_what_is_known_of_a_number(number: sp.Expr, zero: bool | None):
+    tape = Tape()
+    assert number_is_zero(tape, tape.load(number), Budget(20)) is zero
+    assert number_is_zero(tape, tape.call("log", tape.number(-2)), Budget(20)) is None  # on the cut
+
+
 def test_cells_cut_where_a_condition_vanishes():
     tape = Tape()
     f = tape.load(sp.Abs(x - 1) + sp.atan2(y, x))

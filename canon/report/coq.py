@@ -21,6 +21,7 @@ from canon.decide.ring import TooCostly
 from canon.errors import InputError
 from canon.report.coq_field import Fractions, scaled
 from canon.report.coq_kernels import Kernel, kernel_of
+from canon.report.coq_powers import powers
 from canon.report.coq_text import identifiers, number, polynomial, term
 
 HEAD: Final = """\
@@ -43,6 +44,17 @@ Ltac nonzero :=
   repeat split;
   first [ nonzero_factor
         | repeat apply Rmult_integral_contrapositive_currified; try apply pow_nonzero; nonzero_factor ].
+"""
+PRODUCTS: Final = """\
+(* The same, what is a product first: `lra` and other forms take long where the hypotheses are long. *)
+Ltac sure :=
+  first [ assumption | apply Rgt_not_eq; assumption
+        | apply Rgt_not_eq; clear; lra | apply Rlt_not_eq; clear; lra ].
+Ltac nonzero_product :=
+  repeat split;
+  first [ sure
+        | solve [ repeat apply Rmult_integral_contrapositive_currified; try apply pow_nonzero; sure ]
+        | nonzero ].
 """
 RATIONAL: Final = re.compile(r"-?\d+(/\d+)?")
 SIGNS: Final = {"positive": "0 < {}", "negative": "{} < 0", "nonzero": "{} <> 0"}
@@ -72,7 +84,8 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
     except (Unknown, Unreadable, TooCostly, KeyError, TypeError, ValueError) as reason:
         raise InputError(f"this certificate can't be put in Coq: {reason}") from None
     numbered = [text.replace("RESIDUAL", f"residual_{k}") for k, text in enumerate(body, 1)]
-    return "\n".join([_comment(certificate), HEAD, *numbered])
+    products = [PRODUCTS] if any("nonzero_product" in text for text in numbered) else []
+    return "\n".join([_comment(certificate), HEAD, *products, *numbered])
 
 
 def _comment(certificate: Mapping[str, Any]) -> str:
@@ -120,7 +133,9 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
     signs = [(name, sign) for name in free for sign in SIGNS if sign in s.words.get(name, ())]
     assumed = [SIGNS[sign].format(words[name]) for name, sign in signs]
     known = {name for name, _ in signs} | {kernel.name for kernel in made if kernel.positive}
-    facts, hypotheses = _denominators(fractions, words, known, made)
+    equal = powers(kernels, made, words, entry["cofactors"]) if value[0] and not on else None
+    nonzero = "nonzero_product" if equal else "nonzero"
+    facts, hypotheses = _denominators(fractions, words, known, made, nonzero)
     hypotheses = [*assumed, *(h for kernel in made for h in kernel.hypotheses), *hypotheses]
     hypotheses += [h for equation in equations for h in equation.hypotheses]
     residual = term(f, target, {a: _fraction(pair, words) for a, pair in atoms.items()})
@@ -133,25 +148,38 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
     steps = ["intros.", *(step for kernel in made for step in kernel.steps), *facts]
     steps += [step for equation in equations for step in equation.steps]
     shown = {a: _fraction(pair, words) for a, pair in atoms.items()}
-    steps += _factored(fractions, shown, words)
+    steps += _factored(fractions, shown, words, nonzero)
     if not value[0]:
         steps.append("field; nonzero.")
+    elif equal is not None and not equal.replaced:
+        steps += [*equal.steps, f"field [{' '.join(equal.names)}]; nonzero_product."]
     else:
         over, under = polynomial(fractions.table(value[0]), words), _product(fractions, Fraction(1), value[1], words)
-        relations = {kernel.name: kernel for kernel in [*made, *equations]}
-        terms = [
-            f"({polynomial(scaled(c, factor), words)}) * ({relations[k].relation})"
-            for k, c in entry["cofactors"].items()
-        ]
-        rewrites = "".join(f" rewrite {relations[k].lemma}." for k in entry["cofactors"])
+        if equal is not None:
+            replaced = "".join(f"rewrite {name}. " for name in equal.replaced)
+            steps += [*equal.steps, f"assert (numerator' : {over} = 0)."]
+            steps.append(f"{{ {replaced}field [{' '.join(equal.names)}]. }}")
+        else:
+            steps += _combination(entry["cofactors"], factor, {k.name: k for k in [*made, *equations]}, over, words)
         steps += [
-            f"assert (numerator' : {over} = 0).",
-            f"{{ replace ({over})\n      with ({' + '.join(terms)}) by field.\n   {rewrites} ring. }}",
             "match goal with |- ?residual = 0 =>",
-            f"  replace residual with (({over}) / ({under})) by (field; nonzero) end.",
+            f"  replace residual with (({over}) / ({under})) by (field; {nonzero}) end.",
             "rewrite numerator'. unfold Rdiv. apply Rmult_0_l.",
         ]
     return "\n".join(["Theorem RESIDUAL :", *statement, "Proof.", *(f"  {step}" for step in steps), "Qed.", ""])
+
+
+def _combination(
+    cofactors: Mapping[str, Any], factor: Fraction, relations: Mapping[str, Kernel], over: str, words: Mapping[str, str]
+) -> list[str]:
+    """The numerator as Σ cofactor · relation, and so 0."""
+    terms = [f"({polynomial(scaled(c, factor), words)}) * ({relations[k].relation})" for k, c in cofactors.items()]
+    return [
+        f"assert (numerator' : {over} = 0).",
+        f"{{ replace ({over})\n      with ({' + '.join(terms)}) by field.",
+        f"   rewrite {', '.join(relations[k].lemma for k in cofactors)}.",
+        "   rewrite ?Rmult_0_r, ?Rplus_0_r. reflexivity. }",
+    ]
 
 
 def _surface(
@@ -209,7 +237,7 @@ def _value(fractions: Fractions, target: int, entry: Mapping[str, Any]) -> tuple
 
 
 def _denominators(
-    fractions: Fractions, words: Mapping[str, str], known: set[str], kernels: Sequence[Kernel]
+    fractions: Fractions, words: Mapping[str, str], known: set[str], kernels: Sequence[Kernel], nonzero: str
 ) -> tuple[list[str], list[str]]:
     """Why the factors of what is divided by aren't 0: steps of the proof, or hypotheses where nothing says so."""
     steps: list[str] = []
@@ -229,11 +257,11 @@ def _denominators(
         if len(fractions.ring.terms(base[0])) > 1 and sum(product.values()) > 1:
             shown = polynomial(fractions.table(base[0]), words)
             factored = _product(fractions, content, product, words)
-            steps.append(f"try assert ({shown} <> 0) by (replace ({shown}) with ({factored}) by field; nonzero).")
+            steps.append(f"try assert ({shown} <> 0) by (replace ({shown}) with ({factored}) by field; {nonzero}).")
     return list(dict.fromkeys(steps)), hypotheses
 
 
-def _factored(fractions: Fractions, leaves: dict[int, str], words: Mapping[str, str]) -> list[str]:
+def _factored(fractions: Fractions, leaves: dict[int, str], words: Mapping[str, str], nonzero: str) -> list[str]:
     """Steps that write what is divided by as a fraction of products, inner ones first; `leaves` gets these texts."""
     steps: list[str] = []
     for a in sorted(set(fractions.divisors) - leaves.keys()):
@@ -245,7 +273,7 @@ def _factored(fractions: Fractions, leaves: dict[int, str], words: Mapping[str, 
         name, value = f"factored'{len(steps)}", f"{_product(fractions, content, product, words)}"
         value = f"{value} / ({_product(fractions, Fraction(1), under, words)})"
         shown = term(fractions.f, a, leaves)
-        steps.append(f"assert ({name} : {shown} = {value}) by (field; nonzero). try rewrite {name}.")
+        steps.append(f"assert ({name} : {shown} = {value}) by (field; {nonzero}). try rewrite {name}.")
         leaves[a] = value
     return steps
 

@@ -38,6 +38,12 @@ CLAIMS = [
     ("transformations", "momenta-on-a-constraint", 0),
 ]
 
+ROOT = "sqrt(sqrt(x**2 + 1) + p**2/3)"
+FRACTIONS = f"""kind = "identity"
+lhs = "({ROOT} + sqrt({ROOT} + x**2/5))*({ROOT} - sqrt({ROOT} + x**2/5))/p"
+rhs = "(sqrt(x**2 + 1) + p**2/3 - {ROOT} - x**2/5)/p"
+"""
+
 
 @cache
 def data(room: str, name: str, index: int) -> Any:
@@ -65,7 +71,8 @@ def coqc(folder: Path, text: str) -> str:
 def test_coqc_accepts_the_catalogue(tmp_path: Path) -> None:
     """The oscillator, polar coordinates, families, SO(3), Kepler's SO(4), Jacobi's identity, refutations, in a file."""
     nested = of_text('kind = "bracket"\nf = "1/(x + 1/(p**2 + 1))"\ng = "p"\nequals = "-1/(x + 1/(p**2 + 1))**2"')
-    texts = [coq_of(found).replace(HEAD, "") for found in (nested, *(data(*claim) for claim in CLAIMS))]
+    halves = of_text(FRACTIONS)
+    texts = [coq_of(found).replace(HEAD, "") for found in (nested, halves, *(data(*claim) for claim in CLAIMS))]
     modules = [f"Module claim_{k}.\n{text}\nEnd claim_{k}.\n" for k, text in enumerate(texts)]
     assert coqc(tmp_path, "\n".join([HEAD, *modules])) == ""
 
@@ -85,6 +92,29 @@ def test_coqc_refuses_what_is_false(tmp_path: Path) -> None:
     false = text.replace("+ (- 1) = 0.\nProof", "+ (- 2) = 0.\nProof")
     assert false != text
     assert "Error" in coqc(tmp_path, false)
+
+
+def test_relations_are_equations_for_field() -> None:
+    """With integers as they are, with fractions for multiples of the kernels: no cofactors are written out."""
+    whole = of_text('kind = "identity"\nlhs = "(sqrt(x**2 + 1) + p)*(sqrt(x**2 + 1) - p)"\nrhs = "x**2 + 1 - p**2"')
+    text = coq_of(whole)
+    assert "x ^ 2 + 1) by" in text
+    assert "field [power'" in text
+    assert "numerator'" not in text
+    text = coq_of(of_text(FRACTIONS))
+    assert text.count("pose (multiple'") == 2
+    assert "15 ^ 2 *" in text  # 15 times the outer root, squared, is 75 times 3 times the inner root, and so on
+    assert "75 * multiple'" in text
+    assert "rewrite relation'" not in text[text.index("numerator'") :]
+
+
+@needs_coqc
+@pytest.mark.slow
+def test_a_wrong_coefficient_beside_fractions_is_not_accepted(tmp_path: Path) -> None:
+    text = coq_of(of_text(FRACTIONS))
+    statement = text[text.index("Theorem") : text.index("Proof.")]
+    assert "(1 / 3)" in statement
+    assert "Error" in coqc(tmp_path, text.replace(statement, statement.replace("(1 / 3)", "(1 / 4)")))
 
 
 def test_a_claim_on_a_surface_has_its_equation_as_a_hypothesis() -> None:

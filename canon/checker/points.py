@@ -63,7 +63,7 @@ class Numbers:
                 if op[0] == "f" and op[1] in f.functions:
                     body = f.body(of[op[1]], op[2])
                     out[a] = self.values(f, [body], {f"#{k}": x for k, x in enumerate(parts, 1)})[body]
-                    if not any(op[2]) and not _allowed(self.signs.get(op[1], ()), out[a], self):
+                    if not any(op[2]) and not allowed(self.signs.get(op[1], ()), out[a], self):
                         raise Outside
                 else:
                     out[a] = self._value(op, parts, of)
@@ -200,7 +200,7 @@ def inside(s: Statement, case: Case, numbers: Numbers, of: dict[str, Any]) -> bo
     signs = ((numbers.mp.re(found[a]), kind) for a, kind in s.conditions)
     everything = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}
     return all(sign > 0 or (kind == "nonzero" and sign != 0) for sign, kind in signs) and all(
-        _allowed(s.words.get(name, ()), value, numbers) for name, value in everything.items() if name not in f.functions
+        allowed(s.words.get(name, ()), value, numbers) for name, value in everything.items() if name not in f.functions
     )
 
 
@@ -256,7 +256,7 @@ def domain_of(s: Statement) -> list[int]:
     return [s.pull(a) for a in (*s.written, *s.images.values())]
 
 
-def _allowed(words: Sequence[str], value: Any, numbers: Numbers) -> bool:
+def allowed(words: Sequence[str], value: Any, numbers: Numbers) -> bool:
     """Whether a value is as its name's assumptions say."""
     real = numbers.mp.re(value)
     return not (

@@ -5,7 +5,10 @@ from typing import Any
 
 import pytest
 
+from canon.checker.actions import action
 from canon.checker.check import check
+from canon.checker.points import Numbers, Outside
+from canon.checker.statement import Statement
 from tests.checker.certified import certified, resealed
 
 OSCILLATOR = """
@@ -91,6 +94,57 @@ def test_a_refutation_of_something_true_is_rejected() -> None:
     for wrong, right in (("wrong action", "action"), ("wrong angle", "angle")):
         answer = check(resealed({**made(wrong), "tables": made(right)["tables"]}))
         assert answer.status in ("rejected", "not confirmed")
+
+
+LINE = '[phase_space]\nq = ["q"]\np = ["p"]\n'
+CUBIC = LINE + '[hamiltonian]\nH = "p**2/2 + q**2/2 - q**3/3"\n'
+ORBITS = {
+    "a negative mass": (LINE + '[hamiltonian]\nH = "-(p**2 + q**2)/2"\n', f'kind = "action"\n{KEYS}equals = "2*pi*E"'),
+    "a separatrix": (CUBIC, f'kind = "action"\n{KEYS}fixed = {{E = "1/6"}}\nequals = "6/5"'),
+    "another loop of it": (
+        LINE + '[hamiltonian]\nH = "p**2/2 - q**2*(q + 1)*(2 - q)/2"\n',
+        f'kind = "action"\n{KEYS}fixed = {{E = "0"}}\nwell = "1"\nequals = "(76*sqrt(2) + 54*asin(1/3) + 27*pi)/48"',
+    ),
+    "a quartic kinetic energy": (
+        LINE + '[hamiltonian]\nH = "p**4/4 + q**2/2"\n',
+        f'kind = "action"\n{KEYS}equals = "4*(4*E)**(1/4)*sqrt(2*E)*gamma(3/2)*gamma(5/4)/gamma(7/4)"',
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ORBITS)
+def test_orbits_that_are_measured(name: str) -> None:
+    data = certified(*ORBITS[name])
+    assert (data["verdict"], check(data).status) == ("proved", "confirmed in part")
+    wrong = copy.deepcopy(data)
+    wrong["tables"]["claim"]["equals"] = f"1000001/1000000*({wrong['tables']['claim']['equals']})"
+    assert check(resealed(wrong)).status == "rejected"
+
+
+def _measured(H: str, domain: dict[str, Any], equals: str, **keys: str) -> Any:
+    """What is measured of an action claimed at E = 5."""
+    tables = {
+        "phase_space": {"q": ["q"], "p": ["p"]},
+        "hamiltonian": {"H": H},
+        **domain,
+        "claim": {
+            "kind": "action", "coordinate": "q", "energy": "E", "fixed": {"E": "5"}, "equals": equals, **keys
+        },
+    }  # fmt: skip
+    case = action(Statement(tables, {}, "proved"))
+    assert case.measured is not None
+    return float(abs(case.measured(Numbers(), {})[0]))
+
+
+def test_of_two_wells_the_one_in_the_domain_is_measured() -> None:
+    """Of q²/2 + 1/q² + q at E = 5, by mpmath's quadrature between the roots in 20 digits."""
+    H, right, left = "p**2/2 + q**2/2 + 1/q**2 + q", "6.1867378690937350", "19.485015444077258"
+    assert _measured(H, {"symbols": {"q": "positive"}}, right) < 1e-12
+    assert _measured(H, {"domain": {"where": ["q < 0"]}}, left) < 1e-12
+    assert _measured(H, {"symbols": {"q": "positive"}}, left) > 1
+    assert _measured(H, {}, left, well="-2") < 1e-12
+    with pytest.raises(Outside):  # which one isn't said
+        _measured(H, {}, right)
 
 
 PLAIN = '[phase_space]\nq = ["q"]\np = ["p"]\n[symbols]\na = "positive"\nx = "real"\n'

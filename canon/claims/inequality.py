@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from canon.budget import BudgetExceeded
 from canon.claims.outcome import Outcome, Residual
 from canon.decide.answer import Witness
+from canon.decide.positive_by_slopes import positive_by_slopes
 from canon.decide.positivity import first_points, is_below, point_below, positive_by_boxes, positive_by_signs
 from canon.decide.search import Sample
 from canon.decide.tape import Node, Unsupported
@@ -73,6 +74,15 @@ def _proved(question: Question, gap: Node, region: Region, *, strict: bool) -> O
     if positive_by_signs(tape, gap, region, budget, strict=strict):
         step = {"positive": question.show(gap), "argument": "the signs of the factors of its normal form"}
         return Outcome("proved", "signs of factors", arguments=(step,))
+    along = None
+    with contextlib.suppress(BudgetExceeded, Unsupported):
+        along = positive_by_slopes(tape, gap, region, budget.share(0.3), strict=strict)
+    if along is not None:
+        step = {
+            "positive": question.show(gap),
+            "argument": f"its slope along {tape.symbol_at(along)}, from a place where it isn't negative",
+        }
+        return Outcome("proved", "signs of slopes", arguments=(step,))
     boxes = None
     with contextlib.suppress(BudgetExceeded):
         boxes = positive_by_boxes(tape, gap, region, budget.share(0.4), strict=strict)

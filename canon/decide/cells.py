@@ -94,7 +94,7 @@ def cells_of(
     for choice in itertools.product(*(pieces[n] for n in names)):
         budget.check()
         intervals = dict(zip(names, choice, strict=True))
-        state, unsure = _state(tape, region, intervals, budget)
+        state, unsure = state_on(tape, region, intervals, budget)
         if state != "outside":
             whole = state == "inside"
             joined = whole or (finer and unsure is not None and is_connected(tape, unsure, intervals, budget))
@@ -224,7 +224,7 @@ def _turning_points(tape: Tape, requirement: Requirement, finer: bool) -> Iterab
 State = tuple[str, list[Node] | None]
 
 
-def _state(tape: Tape, region: Region, intervals: dict[Node, Interval], budget: Budget) -> State:
+def state_on(tape: Tape, region: Region, intervals: dict[Node, Interval], budget: Budget) -> State:
     """ "inside", "outside" or "unsure": whether each condition has a definite sign on the box.
 
     With it those that must be positive and aren't known to be; None where there are others of which nothing is known.

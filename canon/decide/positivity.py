@@ -51,7 +51,7 @@ def positive_by_signs(
         return False
     if not strict:
         return True
-    weak = [x for x in sorted(tape.support(node)) if _may_be_zero(tape, x)]
+    weak = [x for x in sorted(tape.support(node)) if may_be_zero(tape, x)]
     try:
         return all(
             positive_by_signs(
@@ -63,7 +63,7 @@ def positive_by_signs(
         return False
 
 
-def _may_be_zero(tape: Tape, x: Node) -> bool:
+def may_be_zero(tape: Tape, x: Node) -> bool:
     facts = assumptions(tape.symbol_at(x))
     return bool(facts.get("nonnegative") or facts.get("nonpositive")) and facts.get("zero") is not False
 

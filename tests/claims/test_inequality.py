@@ -40,11 +40,39 @@ def test_on_the_plane(status, lhs, relation, rhs, expected):
 
 
 @pytest.mark.parametrize(
+    ("lhs", "relation", "rhs", "where", "expected"),
+    [
+        ("exp(x)", ">=", "1 + x", "", "proved"),
+        ("exp(x)", ">=", "1 + x + 1e-12", "", "refuted"),
+        ("exp(a*x)", ">=", "1 + a*x", "", "proved"),
+        ("log(x)", "<=", "x - 1", "", "proved"),
+        ("sin(x)", "<", "x", "x > 0", "proved"),
+        ("sin(x)", "<", "x", "x > -1/1000", "refuted"),
+        ("sin(x)", ">", "x - x**3/6", "x > 0", "proved"),
+        ("sin(a*x)", "<=", "a*x", "x > 0", "proved"),
+        ("sin(k*x)", "<=", "k*x", "x > 0", "refuted"),
+        ("sin(n)", "<", "n", "", "refuted"),  # n may be 0
+        ("sin(n)", "<=", "n", "", "proved"),
+        ("tan(x)", ">", "x", "0 < x < pi/2", "proved"),
+        ("tan(x)", ">", "1001/1000*x", "0 < x < pi/2", "refuted"),
+        ("-sign(x)", ">=", "0", "x > 0", "refuted"),  # its slope is 0, but it jumps at 0
+        ("sign(x - 1e-9)", ">=", "0", "x > 0", "supported"),
+        ("-abs(x)/x", ">=", "0", "x > 0", "refuted"),
+    ],
+)
+def test_by_slopes(status, lhs, relation, rhs, where, expected):
+    domain = f'where = ["{where}"]' if where else ""
+    assert status(_claim(lhs, relation, rhs), space=PLANE, symbols=SYMBOLS, domain=domain) == expected
+
+
+@pytest.mark.parametrize(
     ("lhs", "relation", "rhs", "expected", "method"),
     [
-        ("sin(x)", "<", "x + 1/100", "proved", "cover"),
+        ("sin(x)", "<", "x + 1/100", "proved", "slopes"),
+        ("exp(-x)*sin(5*x)", "<", "4/5", "proved", "cover"),
         ("sin(x) + cos(y)", "<", "2", "proved", "signs"),
-        ("sin(x) + cos(y)", "<", "19/10", "proved", "cover by 1 "),
+        ("sin(x) + cos(y)", "<", "19/10", "proved", "slopes"),
+        ("cos(5*x)*cos(5*y)", "<", "3/2", "proved", "cover by "),
         ("sin(x) + cos(y)", "<", "184/100", "refuted", "ball"),
         ("x*(1 - x)", "<=", "1/4", "proved", "signs"),
         ("x*(1 - x)", "<=", "249999/1000000", "refuted", "ball"),

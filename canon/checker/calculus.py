@@ -129,9 +129,11 @@ def average(s: Statement) -> Case:
         for x, other, sign in ((q, p, 1), (p, q, -1)):
             slope = f.mul(f.number(sign), f.substitute(f.slope(s.H, other), moved), pace)
             zeros.append(f.sub(f.slope(moved[x], u), slope))
+    smooth = all(is_smooth(s, a, u) for a in moved.values())
     if s.verdict == "refuted":
         return replace(case, zeros=zeros, against="" if grows else "that time grows along the motion")
-    return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)])
+    trusted = "" if smooth else "that the motion has no pole"
+    return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)], trusted=trusted)
 
 
 def _pieces(numbers: Numbers, a: Any, b: Any) -> list[Any]:
@@ -206,7 +208,9 @@ def stationary(s: Statement) -> Case:
     for q, w in zip(s.q, v, strict=True):
         momentum = f.substitute(f.slope(L, w), along)
         zeros.append(f.sub(f.slope(momentum, t), f.substitute(f.slope(L, q), along)))
-    return Case(zeros, trusted="what is said of the second variation" if second else "")
+    smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along)))
+    trusted = "" if smooth else "that the path, and L along it, are smooth between its ends"
+    return Case(zeros, trusted="what is said of the second variation" if second else trusted)
 
 
 KINDS: dict[str, Callable[[Statement], Case]] = {

@@ -8,7 +8,7 @@ from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.formulas import Formulas
-from canon.checker.functions import Unknown
+from canon.checker.functions import Unknown, Unreadable
 from canon.checker.statement import Statement
 
 Dimension = dict[str, Fraction]
@@ -29,6 +29,8 @@ def dimension(s: Statement) -> Case:
     functions = {
         name: (_read(rows[0]), [_read(x) for x in rows[1:]]) for name, rows in table.items() if isinstance(rows, list)
     }
+    if unknown := {*table} - s.declared - {s.time}:
+        raise Unreadable(f"{min(unknown)[:40]!r} is not declared")
     wanted, values = _read(claim["equals"]), s.keys("functions")
     claim.get("base")  # what quantities are called says nothing of what they are made of
     if s.verdict == "refuted":

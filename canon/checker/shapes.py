@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from canon.checker.signs import Signs
 from canon.checker.statement import Statement
 
 SMOOTH = ("sin", "cos", "exp", "sinh", "cosh", "tanh", "atan", "asinh")
@@ -24,19 +25,28 @@ def is_algebraic(s: Statement, a: int) -> bool:
 
 
 def is_smooth(s: Statement, a: int, x: str) -> bool:
-    """Whether a formula is seen to be smooth for all real values of a name: sums and products of entire functions.
+    """Whether a formula is seen to be smooth for all real values of a name: its operations have no pole or edge.
 
-    Declared functions are smooth, where they are called, by what they are declared to be.
+    Declared functions are smooth, where they are called, by what they are declared to be. What is divided by must have
+    a sign, and so must what stands under a root: for every value of the name, of which nothing may be assumed.
     """
     f, moving = s.f, set[int]()
+    assumed = s.words.get(x, ["real"]) not in (["real"], []) or any(
+        f.ops[b] == ("s", x) for c, _ in s.conditions for b in f.reach(c)
+    )
     for b in f.reach(a):
         op = f.ops[b]
-        if op == ("s", x) or moving & {*f.parts(b)}:
-            moving.add(b)
-            if not (
-                op[0] in "s+*" or (op[0] == "^" and op[2] > 0) or (op[0] == "f" and op[1] in (*SMOOTH, *f.functions))
-            ):
-                return False
+        if op != ("s", x) and not moving & {*f.parts(b)}:
+            continue
+        moving.add(b)
+        if op[0] in "s+*" or (op[0] == "^" and op[2] > 0) or (op[0] == "f" and op[1] in (*SMOOTH, *f.functions)):
+            continue
+        if assumed or "complex" in {word for words in s.words.values() for word in words}:
+            return False
+        below = op[0] == "^" and Signs(s).is_nowhere_zero(op[1])
+        root = op[0] == "f" and op[1] in ("power", "log") and Signs(s).is_positive(op[3][0], strict=True)
+        if not (below or root):
+            return False
     return True
 
 

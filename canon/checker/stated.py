@@ -31,6 +31,8 @@ NAMING = (
 )  # fmt: skip
 """The keys of claims that declare names."""
 _NAME = re.compile(r"[^\W\d]\w*")
+FRESH = ("velocities", "accelerations", "first", "second")
+"""Those of which the names are no variables."""
 HOLD_NO_FORMULA = {
     "kind", "title", "source", "expect", "budget", "coordinate", "branch", "relation", "side", "type", "extremum",
     "fields", *NAMING,
@@ -70,6 +72,9 @@ def check_names(tables: Mapping[str, Any]) -> None:
     for name in tables.get("definitions", {}):
         if name in taken and not (name == "t" and "time" not in space):
             raise Unreadable(f"{name[:40]!r} is declared, and defined as something else")
+    for names_of in (claim[key] for key in FRESH if isinstance(claim.get(key), list)):
+        if len({*names_of}) < len(names_of) or {*names_of} & {*given}:
+            raise Unreadable("a name of the claim's own stands twice, or is a variable")
     for name, words in symbols.items():
         if unknown := {words} - WORDS if isinstance(words, str) else {*words} - WORDS:
             raise Unreadable(f"{min(unknown)[:40]!r} is no assumption on {name[:40]!r}")
@@ -101,6 +106,8 @@ def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
         rest = _of_the_rest(s, claim.get("type")) if side == "mixed" else set[str]()
         refused = {"old": new, "new": old, "mixed": rest, "parameters": old | new | {s.time}}[side]
         places.append((value, old | new, refused - own))
+    if kind in BOTH and any("bracket" in _called(s, x) and new & _names(s, x) for x in _texts(dict(claim))):
+        raise Unreadable("a bracket in the old variables beside new ones")
     for value, variables, refused in places:
         for text in _texts(value):
             if wrong := _names(s, text) & refused:

@@ -85,6 +85,11 @@ MEANT = {
         "equals": "x + s**2/2"}, 2, symbols={"s": "real"}),
     "an average over no time": of({"kind": "average", "f": "0", "equals": "7", "parameter": "u", "from": "0", "to": "0",
         "motion": {"t": "u", "x": "u", "p": "1"}, "antiderivative": "0"}, 4, hamiltonian={"H": "p**2/2"}),
+    "a velocity that is a momentum": of({"kind": "euler_lagrange", "L": "p**2/2", "velocities": ["p"],
+        "accelerations": ["a"], "equations": ["a"]}),
+    "a bracket of new variables in an identity": of({"kind": "identity", "lhs": "bracket(X, Y)", "rhs": "0"},
+        transformation=IDENTITY),
+    "a dimension of pi": of({"kind": "dimension", "functions": ["pi"], "dimensions": {"pi": "L"}, "equals": "L"}, 0),
     "a derivative beyond the twentieth": forged("D(x**20, x, 21)", "2432902008176640000"),
     "a derivative by a number": forged("D(x**3, 2)"),
     "a derivative by a product": forged("D(x**3*p, x*p)"),
@@ -117,6 +122,14 @@ TRUE = {
 }  # fmt: skip
 
 
+THROUGH_POLES = {
+    "a path": of({"kind": "stationary", "L": "v**2/2 + x**4/2", "velocities": ["v"], "path": ["1/t"], "from": "-1",
+        "to": "1"}),
+    "a motion": of({"kind": "average", "f": "1", "equals": "1", "parameter": "u", "from": "-1", "to": "1",
+        "motion": {"x": "1/u", "p": "0", "t": "u"}, "antiderivative": "u"}, 2),
+}  # fmt: skip
+
+
 def status(data: Any) -> str:
     try:
         return check(data).status
@@ -134,6 +147,11 @@ def test_a_kernel_says_nothing_of_where_it_isnt_real(name: str) -> None:
     answer = check(UNREAL[name])
     assert answer.status == "confirmed in part"
     assert "is real throughout the domain" in str(answer)
+
+
+@pytest.mark.parametrize("name", sorted(THROUGH_POLES))
+def test_what_has_a_pole_on_its_way_is_not_confirmed(name: str) -> None:
+    assert status(THROUGH_POLES[name]) == "confirmed in part", name
 
 
 @pytest.mark.parametrize("name", sorted(MEANT))

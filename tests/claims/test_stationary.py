@@ -38,6 +38,8 @@ def _claim(L: str, path: str, *keys: str, extremum: str = "", to: str = "T") -> 
         ("n(t)*sqrt(1 + v**2)", "B", "minimum", "proved"),  # straight through any layers
         ("m*v**2/2 + m*w**2*q**2/2", "A*exp(w*t) + B*exp(-w*t)", "minimum", "proved"),
         ("v**3", "k*t", "minimum", "refuted"),  # P = 6 k has either sign
+        ("v**2/2 + q**4/2", "1/(t + A)", "", "proved"),
+        ("v**2/2 + q**4/2", "1/(t - T/2)", "", "undecided"),  # through infinity
     ],
 )
 def test_one_coordinate(status, L, path, extremum, expected):

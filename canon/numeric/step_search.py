@@ -25,7 +25,7 @@ from canon.numeric.run_difference import agreement, distance
 FIRST_STEPS: Final = 32
 MOST_STEPS: Final = 2_000_000_000
 FINER: Final = 2
-"""Times as many steps a run has as the one before. A longer jump, which the order would allow, spares a third of the
+"""Times as many steps a run has as the one before. A longer jump, which the order would allow, spares
 steps; but the difference of two runs then shows the error of the coarse one alone, and of the fine one's rounding
 nothing."""
 PATIENCE: Final = 300.0
@@ -222,7 +222,7 @@ class Search:
 
     def stuck(self) -> bool:
         """Whether the differences have come down to rounding."""
-        if len(self.trials) < 4 or self.runs[-1].ended:
+        if len(self.trials) < 4 or any(run.ended for run in self.runs):
             return False
         before, last = self.trials[-2].difference, self.trials[-1].difference
         return before < PLATEAU and last > 0.5 * before

@@ -76,3 +76,14 @@ def test_a_search_makes_the_runs_that_were_foreseen() -> None:
     made = run_for_accuracy(PENDULUM, method, STATE, duration=LONG, samples=5, accuracy=1e-9).trials
     assert foreseen.runs == len(made)
     assert foreseen.steps == made[-1].steps > 2 * 16_384  # more than a short run may have
+
+
+def test_runs_that_blow_up_are_no_plateau_of_rounding() -> None:
+    """With few steps a quartic oscillator is lost at once, in every run at the same sample: they agree, in nothing."""
+    quartic = separable(lambda p: p, lambda q: -(q**3))
+    found = run_for_accuracy(
+        quartic, catalogue.method("nystrom6a"), STATE, duration=1000.0, samples=5, accuracy=1e-8
+    )  # fmt: skip
+    assert [trial.difference for trial in found.trials[:4]] == [math.inf, 0.0, 0.0, 0.0]
+    assert found.reached
+    assert not found.run.compensated

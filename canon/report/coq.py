@@ -268,7 +268,8 @@ def _factored(fractions: Fractions, leaves: dict[int, str], words: Mapping[str, 
         over, under = fractions.values[a]
         content, product = fractions.field.split_denominator(over)
         plain = len(fractions.ring.terms(over)) == 1 and fractions.f.ops[a][0] != "+"
-        if not under and (plain or (sum(product.values()) == 1 and abs(content) == 1)):
+        inverse = any(op[0] == "^" and op[2] < 0 for op in map(fractions.f.ops.__getitem__, fractions.f.reach(a)))
+        if not under and not inverse and (plain or (sum(product.values()) == 1 and abs(content) == 1)):
             continue  # `field` sees by itself what a product is made of
         name, value = f"factored'{len(steps)}", f"{_product(fractions, content, product, words)}"
         value = f"{value} / ({_product(fractions, Fraction(1), under, words)})"

@@ -78,12 +78,12 @@ class LieAlgebra:
 
     def _repr_latex_(self) -> str:
         rows = [
-            rf"[{_tex(a)}, {_tex(b)}] &= {sp.latex(as_sympy(row, self.names))}"
+            rf"{{}}[{_tex(a)}, {_tex(b)}] &= {sp.latex(as_sympy(row, self.names))}"  # after a break, [ begins an option
             for (i, j), row in self.constants.items()
             for a, b in [(self.names[i], self.names[j])]
             if row
         ]
-        body = " \\\\ ".join(rows) or rf"[\cdot, \cdot] &= 0 \quad \text{{in dimension {self.dimension}}}"
+        body = " \\\\ ".join(rows) or rf"{{}}[\cdot, \cdot] &= 0 \quad \text{{in dimension {self.dimension}}}"
         return rf"$\begin{{aligned}} {body} \end{{aligned}}$"
 
     def __reduce__(self) -> tuple[Any, ...]:

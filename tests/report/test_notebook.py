@@ -86,7 +86,8 @@ def test_every_value_displays_itself(shown: dict[str, Any]) -> None:
             text = latex()
             assert re.fullmatch(r"\$[^$]+\$", text, re.DOTALL), name
             assert text.count("{") == text.count("}"), name
-            assert not re.search(r"(\\\\|\\begin\{\w+\}) *\[", text), name  # a bracket there is an option, and isn't shown
+            # in LaTeX a bracket there would be an option, and not shown
+            assert not re.search(r"(\\\\|\\begin\{\w+\}) *\[", text), name
     assert "[X, Y] &= Z" in SO3._repr_latex_()
     assert "so(3)" in shown["identification"]._repr_html_()
     assert "within it" in shown["audit"]._repr_html_()

@@ -87,3 +87,15 @@ def test_what_flint_cant_do_in_time_is_not_begun() -> None:
     with pytest.raises(TooCostly, match="in the time that is left"):
         ring.power(sums, 200)
     assert len(ring.power(sums, 3)) == 35
+
+
+@pytest.mark.slow
+def test_a_hamiltonian_beyond_all_floats_is_no_energy() -> None:
+    """At some of the points that are tried it is infinite as a floating-point number."""
+    H = "p**2/(2*m) + D*(1 - exp(-alpha*((q + 1/3)**7)))**2"
+    symbols = "".join(f'{name} = "positive"\n' for name in ("m", "D", "alpha"))
+    head = f'[phase_space]\nq = ["q"]\np = ["p"]\n[symbols]\n{symbols}[hamiltonian]\nH = "{H}"\n'
+    equals = "2*pi*sqrt(2*m)*(sqrt(D) - sqrt(D - 1001*E/1000))/alpha"
+    text = f'[[claim]]\nkind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "{equals}"\n'
+    (claim,) = read_text(head + text).claims
+    assert verify(claim, budget=3.0).status in ("undecided", "supported", "refuted")

@@ -90,7 +90,7 @@ def on_separatrix(question: Question, setting: Setting, branch: str, here: Examp
         inside = None if well is None else here.number(well.expr)
         found = here.motion.orbit(energy=here.number(setting.energy), well=inside, branch=branch)
         claimed = Fraction(float(sp.Float(here.number(setting.equals), 40)))
-    except (InputError, TypeError, ValueError):
+    except (InputError, OverflowError, TypeError, ValueError):
         return None
     if found.period is not None:
         return None

@@ -6,6 +6,7 @@ energies between the bottom of a well and its barrier, or above all barriers for
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -59,7 +60,10 @@ def places(question: Question, setting: Setting) -> Iterator[Place]:
             values = {n: v for n, v in sample.point.items() if isinstance(v, Fraction)}
             if sample.functions or builder.q not in values:
                 continue
-            energy = Fraction(float(sample.balls[H].mid())).limit_denominator(10**6) if free else None
+            height = float(sample.balls[H].mid())
+            if not math.isfinite(height):
+                continue
+            energy = Fraction(height).limit_denominator(10**6) if free else None
             place = builder.place(values, values[builder.q], energy)
             if place is None:
                 continue

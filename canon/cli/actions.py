@@ -111,6 +111,7 @@ def _check_named(named: dict[str, Any]) -> None:
 def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
     from canon.claims.numbers import one_degree_with
     from canon.errors import InputError
+    from canon.numeric.actions.motion import motion
     from canon.scenes.actions import actions_of
     from canon.scenes.values import number
 
@@ -120,7 +121,10 @@ def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
     if named and point != [None, None]:
         raise InputError("either a point is given, or an energy", "--q")
     if not named and None in point:
-        raise InputError("no orbit is named: give --energy, a distance from a minimum or separatrix, or --q and --p")
+        raise InputError(
+            "no orbit is named: give --energy, a distance from a minimum or separatrix, or --q and --p; "
+            + motion(H, q, p).ranges()
+        )
     _check_named(named)
     at = () if named else tuple(float(number(text, f"--{word}")) for word, text in zip("qp", point, strict=True))
     return actions_of(title, H, (q,), (p,), at[:1], at[1:], named)

@@ -102,7 +102,7 @@ def test_a_claim_file(well: str, capsys: pytest.CaptureFixture[str]) -> None:
         (["WELL", "--energy", "1"], "no value is given for k: give one, as --parameter k=1"),
         (["WELL", "--parameter", "j=1"], "H has no parameter 'j'"),
         (["WELL", "--parameter", "k"], "sets nothing"),
-        (["WELL", "--parameter", "k=1"], "no orbit is named"),
+        (["WELL", "--parameter", "k=1"], "--q and --p; the energies are: librations about x = 0 from 0 up"),
         (["WELL", "--parameter", "k=1", "--energy", "-1"], "there is no motion at E = -1; the energies are"),
         (["pendulum", "--well", "0"], "goes with --energy"),
         (["pendulum", "--parameter", "g=1"], "a scene has its initial state and its parameters itself"),

@@ -78,8 +78,12 @@ class Motion:
             "above_separatrix": above_separatrix,
             "below_separatrix": below_separatrix,
         }
-        with precision(PRECISIONS[0]):
-            level = level_at({name: _exact(v, name) for name, v in given.items() if v is not None}, self.nodes, well)
+        exact = {name: _exact(v, name) for name, v in given.items() if v is not None}
+        try:
+            with precision(PRECISIONS[0]):
+                level = level_at(exact, self.nodes, well)
+        except InputError as error:
+            raise InputError(f"{error.message}; {self.ranges()}", error.where) from error
         found = self._branches(level)
         return self._measured(level, self._chosen(found, level, well, branch))
 

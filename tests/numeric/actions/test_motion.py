@@ -185,12 +185,12 @@ def test_angles(pendulum: Motion) -> None:
         ("p**2/2 - cos(q)", {}, {"energy": 0, "branch": "rotation"}, "no rotation at E = 0.*rotations above 1"),
         ("p**2/2 - cos(q)", {}, {"energy": 2, "branch": "libration"}, "no libration at E = 2.*from -1 to 1"),
         ("p**2/2 - cos(q)", {}, {}, "one of energy, above_minimum, above_separatrix or below_separatrix"),
-        ("p**2/2 - cos(q)", {}, {"above_minimum": -1}, "a distance is 0 or more"),
+        ("p**2/2 - cos(q)", {}, {"above_minimum": -1}, "is 0 or more, unlike -1; the energies are: librations"),
         ("p**2/2 - cos(q)", {}, {"energy": "1/0"}, "undefined|divi"),
         ("p**2/2 - 1/q + 1/q**2", {"domain": (0, INF)}, {"energy": 1}, r"is not bounded.*from -0.25 to 0"),
         ("p**2/2 + q**3/3 - q", {}, {"energy": 1}, "is not bounded: the energies are: librations about q = 1"),
         ("p**2/2 - q", {}, {"energy": 1}, "the potential has no minimum, so that nothing is bound at any energy"),
-        ("p**2/2 + q**2", {}, {"below_separatrix": 1}, "has no barrier: it has no separatrix"),
+        ("p**2/2 + q**2", {}, {"below_separatrix": 1}, "no separatrix; the energies are: librations about q = 0"),
     ],
 )  # fmt: skip
 def test_what_is_refused(H: str, where: dict[str, Any], orbit: dict[str, Any], message: str) -> None:

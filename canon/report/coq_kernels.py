@@ -50,7 +50,7 @@ def kernel_of(f: Formulas, kernel: Mapping[str, Any], words: Mapping[str, str]) 
         if op[1] == "exp":
             steps.append(f"assert (positive'{word} : 0 < {word}) by (subst; apply exp_pos).")
         if op[1] == "abs" and relation is not None:
-            steps.append(f"assert ({lemma} : {shown} = 0) by (subst {word}; rewrite pow2_abs; field).")
+            steps.append(f"assert ({lemma} : {shown} = 0) by (subst {word}; rewrite pow2_abs; first [field | lra]).")
             return Kernel(name, word, (equation,), tuple(steps), shown, lemma, False)
         if op[1] == "sin" and relation is not None:
             proof = f"pose proof (sin2_cos2 ({argument})) as circle'; unfold Rsqr in circle'; subst; lra"

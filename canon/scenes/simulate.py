@@ -223,6 +223,9 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
         reason = f": {planned.reason}" if planned.reason else ""
         messages.append(f"the accuracy {scene.settings.accuracy:.1e} was not reached, but {reached}{reason}")
         ok = False
+    elif scene.settings.budget is not None and len(planned.trials) == 1:
+        messages.append("the budget left time for a single run: nothing is known of its error")
+        ok = False
     left = scene.settings.monitors[len(monitors) :]
     if left:
         messages.append(f"interrupted before these monitors were read: {', '.join(left)}")

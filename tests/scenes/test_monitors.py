@@ -213,3 +213,14 @@ def test_a_loop_that_is_torn_is_said_to_be() -> None:
     assert "no longer resolve" in loop.extra["note"]
     assert 5 < loop.extra["resolved_until"] < 40
     assert loop.max_drift <= loop.bound < abs(loop.initial)
+
+
+def test_a_run_of_whose_error_nothing_is_known_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All of the budget is to be left for the monitors: there is no second run to compare the first one with."""
+    monkeypatch.setattr("canon.scenes.simulate.price", lambda *_: lambda seconds: 1e6)
+    scene = read_scene_text(scene_text(load_system("harmonic_oscillator")))
+    found = simulate(replace(scene, settings=replace(scene.settings, accuracy=None, budget=20.0, monitors=())))
+    assert len(found.planned.trials) == 1
+    assert found.planned.error is None
+    assert not found.ok
+    assert found.messages == ("the budget left time for a single run: nothing is known of its error",)

@@ -12,10 +12,11 @@ import sympy as sp
 
 from canon.claims.velocities import region_in_velocities
 from canon.decide import ladder
-from canon.decide.asymptotic import Expander, Ramified, Sign, SignOf, expand
+from canon.decide.asymptotic import Expander, Known, Ramified, Sign, SignOf, expand
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import certainly_positive
 from canon.decide.growth import Tamed, growth, tamed
+from canon.decide.nowhere_zero import has_no_zero
 from canon.decide.positivity import positive_by_signs
 from canon.decide.power_series import Series, Unexpanded
 from canon.decide.region import Region, Requirement
@@ -74,16 +75,16 @@ def approaching(
     )
 
 
-def signs_on(question: Question, region: Region) -> Callable[[Node], Sign | None]:
+def signs_on(question: Question, region: Region) -> SignOf:
     """The signs that nodes have on all of a region."""
-    tape, known = question.tape, dict[Node, Sign | None]()
+    tape, known = question.tape, dict[Node, Known | None]()
 
-    def sign_of(node: Node) -> Sign | None:
+    def sign_of(node: Node) -> Known | None:
         if node not in known:
             known[node] = found(node)
         return known[node]
 
-    def found(node: Node) -> Sign | None:
+    def found(node: Node) -> Known | None:
         value = tape.value(node)
         if value is not None:
             return "zero" if value == 0 else "pos" if value > 0 else "neg"
@@ -102,7 +103,13 @@ def signs_on(question: Question, region: Region) -> Callable[[Node], Sign | None
             return "pos"
         if positive_by_signs(tape, tape.negative(node), region, question.budget, strict=True):
             return "neg"
-        return None
+        if tape.is_complex(node) or not has_no_zero(tape, node, region, question.budget):
+            return None
+        if positive_by_signs(tape, node, region, question.budget, strict=False):
+            return "pos"
+        if positive_by_signs(tape, tape.negative(node), region, question.budget, strict=False):
+            return "neg"
+        return "nonzero"
 
     return sign_of
 
@@ -161,7 +168,7 @@ def _expanded(
             return None
     nodes = [main.rest, *(n for r in near for n in r.nodes)]
     series, _, expander = expand(tape, nodes[1:], approach.s, sign_of, terms)
-    inside = _hold(approach, near, series, expander.leading) and not scaled
+    inside = _hold(approach, near, series, expander.leading, expander.from_nonzero) and not scaled
     series, root, expander = expand(tape, nodes, approach.s, sign_of, terms)
     if not inside and not expander.arbitrary <= written:
         raise Unexpanded("an arbitrary function at the edge of the domain, where it may not be smooth")
@@ -206,6 +213,7 @@ def _hold(
     near: Sequence[Requirement],
     series: Sequence[Series],
     leading: Callable[[Series], tuple[Series, Sign]],
+    nonzero: Callable[[Series], Series],
 ) -> bool:
     """Whether what must hold for small s does so at s = 0 too. **Raises:** `InputError` where it fails."""
     index, inside = 0, True
@@ -220,7 +228,7 @@ def _hold(
                     "key 'to'",
                 )
         elif requirement.kind == "nonzero":
-            found, _ = leading(parts[0])
+            found = nonzero(parts[0])
         elif requirement.kind == "uncut":
             found, sign = leading(parts[1])
             if sign == "neg":
@@ -253,7 +261,7 @@ def _read_off(f: Series, root: int, expander: Expander) -> Limit:
             return Limit(c)
         sign = expander.sign_of(c)
         if sign != "zero":
-            return Limit(None, {"pos": 1, "neg": -1, None: 0}[sign], c, Fraction(power, root))
+            return Limit(None, {"pos": 1, "neg": -1}.get(sign or "", 0), c, Fraction(power, root))
     if f.end > 0:
         return Limit(tape.zero)
     raise Unexpanded("too few terms")

@@ -86,6 +86,10 @@ def _from_one_side(question: Question, approach: Approach, node: Node, equals: F
         )
     theorem = f"the asymptotic expansion in powers of s for {approach.words}, coefficient by coefficient"
     if found.value is None:
+        if isinstance(equals, str) and not found.infinite:  # its sign depends on the other names
+            refuted = _at_points(question, approach, node, equals)
+            if refuted is not None:
+                return refuted
         return _infinite(question, approach, found, equals, theorem)
     value = question.show(found.value)
     if isinstance(equals, str):
@@ -114,6 +118,8 @@ def _at_points(question: Question, approach: Approach, node: Node, equals: Formu
             found = limit_of(question, moved, substitute(tape, node, fixed))
         except (Unexpanded, Unsupported, BudgetExceeded, InputError):
             continue
+        if found.value is None and not found.infinite and isinstance(equals, str):
+            continue  # infinite, of a sign that isn't known
         claimed = equals if isinstance(equals, str) else substitute(tape, other, fixed)
         wrong = (
             found.infinite != (1 if equals == "infinity" else -1) if isinstance(equals, str) else found.value is None

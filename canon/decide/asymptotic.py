@@ -21,8 +21,10 @@ from canon.decide.power_series import Series, SeriesArithmetic, Unexpanded, shor
 from canon.decide.tape import Node, Tape
 
 Sign = Literal["zero", "pos", "neg"]
-SignOf = Callable[[Node], Sign | None]
-"""The sign that a node without s has for all values of its names; None where it isn't known, or changes."""
+Known = Sign | Literal["nonzero"]
+SignOf = Callable[[Node], Known | None]
+"""The sign that a node without s has for all values of its names; None where it isn't known, or changes, but "nonzero"
+where it is known to vanish nowhere."""
 
 
 class Ramified(Exception):
@@ -57,7 +59,18 @@ class Expander:
 
     def sign(self, node: Node) -> Sign | None:
         """The sign of a coefficient, where it is known."""
-        return None if self.wild(node) else self.sign_of(node)
+        sign = None if self.wild(node) else self.sign_of(node)
+        return None if sign == "nonzero" else sign
+
+    def from_nonzero(self, f: Series) -> Series:
+        """The series from its first nonzero coefficient on, whose sign need not be known."""
+        for k, c in enumerate(f.coefficients):
+            sign = None if self.wild(c) else self.sign_of(c)
+            if sign is None:
+                raise Unexpanded(f"a leading coefficient that may be 0: {shortly(self.tape, c)}")
+            if sign != "zero":
+                return Series(f.start + k, f.coefficients[k:])
+        raise Unexpanded("all coefficients vanish that were computed")
 
     def leading(self, f: Series) -> tuple[Series, Sign]:
         """The series from its first nonzero coefficient on, with that one's sign."""
@@ -131,9 +144,12 @@ class Expander:
     def power(self, f: Series, exponent: Fraction) -> Series:
         """f ** exponent by the binomial series; a root needs a positive leading coefficient."""
         tape = self.tape
-        f, sign = self.leading(f)
-        if exponent.denominator > 1 and sign != "pos":
-            raise Unexpanded("a radicand that isn't positive")
+        if exponent.denominator == 1:
+            f = self.from_nonzero(f)
+        else:
+            f, sign = self.leading(f)
+            if sign != "pos":
+                raise Unexpanded("a radicand that isn't positive")
         start = f.start * exponent
         if start.denominator > 1:
             raise Ramified(start.denominator)

@@ -136,6 +136,23 @@ def test_values_of_arbitrary_functions_have_no_sign(status, f, to, equals, side)
     assert status(_claim(f, "q", to, equals, side), symbols=SYMBOLS) in ("undecided", "supported")
 
 
+@pytest.mark.parametrize(
+    ("f", "to", "equals", "where", "expected"),
+    [
+        ("sqrt(k**2 + q) - abs(k)", "0", "0", "k != 0", "proved"),
+        ("sqrt(k**2 + q) - k", "0", "0", "k != 0", "refuted"),  # where k < 0
+        ("p/(p + q)", "0", "1", "p != 0", "proved"),
+        ("p/(p + q)", "0", "1001/1000", "p != 0", "refuted"),
+        ("(k*q**2 + q)/(k*q**2 + 2*q)", "infinity", "1", "k != 0", "proved"),
+        ("(k*q**2 + q)/(k*q**2 + 2*q)", "infinity", "1", "p > 0", "supported"),  # 1/2 where k = 0
+        ("k*q", "infinity", "infinity", "k != 0", "refuted"),
+    ],
+)
+def test_what_is_not_zero_may_have_no_sign(status, f, to, equals, where, expected):
+    claim = _claim(f, "q", to, equals)
+    assert status(claim, symbols=SYMBOLS, domain=f'where = ["{where}"]') == expected
+
+
 def test_values_of_positive_functions_have_a_sign(status):
     claim = _claim("V(0)*q", "q", "infinity", "infinity")
     assert status(claim, symbols='V = ["function", "positive"]') == "proved"

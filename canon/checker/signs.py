@@ -69,6 +69,7 @@ class Signs:
         self._circles: dict[str, str] = {}  # the name of a sine, and of its cosine
         self._known: dict[int, Pair] = {}
         conditions = self._positive = list[Polynomial]()
+        self._shifts: list[tuple[str, int, Polynomial]] = []
         for a in (a for a, kind in s.conditions if kind == "positive"):
             op = self.f.ops[a]
             if op[0] == "s":
@@ -77,7 +78,7 @@ class Signs:
                 over, under = self.fraction(a)
             except (Undetermined, Unreadable):
                 continue
-            if under == ONE and op[0] != "s":
+            if op[0] != "s" and (under == ONE or self._is_sure(under, strict=False)):
                 conditions.append(over)
         self._shifts = [shift for k, p in enumerate(conditions) for shift in self._shifts_of(p, f"#above{k}")]
 

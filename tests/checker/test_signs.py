@@ -70,6 +70,14 @@ def test_what_has_none(text: str) -> None:
     assert not is_positive(s, s.f.read(text, {}), strict=FAIL[text], real=True)
 
 
+def test_a_condition_with_a_root_of_a_fraction() -> None:
+    claim = {"kind": "identity", "lhs": "0", "rhs": "0"}
+    tables = {"phase_space": {"q": [], "p": []}, "symbols": SYMBOLS, "claim": claim}
+    s = Statement({**tables, "domain": {"where": ["u > sqrt(a/b)"]}}, {}, "proved")
+    assert is_positive(s, s.f.read("u - sqrt(a/b)", {}), strict=True, real=True)
+    assert not is_positive(s, s.f.read("u - 1001/1000*sqrt(a/b)", {}), strict=False, real=True)
+
+
 def test_no_number_contradicts_a_sign() -> None:
     """Random sums of products: what is called nowhere negative is so at random points."""
     rng, symbols, called = random.Random(7), {"a": "positive", "u": "real", "v": "real"}, 0

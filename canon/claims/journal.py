@@ -25,6 +25,8 @@ Record = dict[str, Any]
 LARGEST: Final = 1_000_000_000
 """The most bytes of a journal that are read."""
 STATUSES: Final = ("proved", "refuted", "supported", "undecided")
+DEEPEST: Final = 40
+"""The most levels of tables in tables that a record has."""
 LONGEST: Final = 4_000_000
 """The most bytes of a line."""
 
@@ -114,9 +116,28 @@ def fits(kind: str, record: Record, entry: Entry) -> bool:
         and isinstance(record.get("method"), str)
         and isinstance(record.get("detail"), dict)
         and isinstance(record.get("seconds"), (int, float))
+        and 0 <= record["seconds"] < 1e9  # nan is not
         and all(record.get(word, 0) is None or isinstance(record.get(word), dict) for word in ("numeric", "witness"))
+        and (record["numeric"] is None or _is_evidence(record["numeric"]))
+        and _levels(record) <= DEEPEST
         and (record.get("certificate", 0) is None or isinstance(record.get("certificate"), str))
     )
+
+
+def _is_evidence(numeric: Record) -> bool:
+    return isinstance(numeric.get("points"), int) and all(
+        isinstance(numeric.get(word), (int, float, str)) for word in ("max_residual", "bound")
+    )
+
+
+def _levels(data: Any) -> int:
+    """How deep data are nested; no more than is asked for is found out."""
+    level, here = 0, [data]
+    while here and level <= DEEPEST:
+        level += 1
+        inner = (d.values() if isinstance(d, dict) else d for d in here if isinstance(d, (dict, list)))
+        here = [item for items in inner for item in items]
+    return level
 
 
 def write(kept: Journal, entry: Entry, answer: Record) -> None:

@@ -197,7 +197,16 @@ def test_a_memory_with_anything_in_it_is_none(tmp_path: Path) -> None:
     ]
     remember(kept, file, claims, told)
     assert recall(kept, file, "name") is not None
-    for key, value in (("verdict", "certain"), ("detail", None), ("expected", 1), ("kind", "volume"), ("witness", [])):
+    evidence = {"points": 3, "max_residual": 1e-9, "bound": 1e-8, "bits": 53}
+    remember(kept, file, claims, [{**told[0], "numeric": evidence}, told[1]])
+    assert recall(kept, file, "name") is not None
+    deep: dict = {}
+    for _ in range(400):
+        deep = {"a": deep}
+    strange = [("verdict", "certain"), ("detail", None), ("expected", 1), ("kind", "volume"), ("witness", [])]
+    strange += [("numeric", {}), ("numeric", {**evidence, "points": {}}), ("numeric", {**evidence, "bound": []})]
+    strange += [("detail", {"value": deep}), ("seconds", 10**400)]
+    for key, value in strange:
         remember(kept, file, claims, [{**told[0], key: value}, told[1]])
         assert recall(kept, file, "name") is None
 

@@ -47,6 +47,8 @@ REGIONS = [
     ((("nonzero", a - 1), ("positive", d + 5)), True),
     ((("slit", x + I * y),), True),
     ((("slit", x + I * (1 + y**2)),), True),
+    ((("slit", x * y + I * (x - y)),), False),
+    ((("uncut", x - y, x + y),), False),
     ((("slit", sp.exp(I * x)), ("positive", 4 - x), ("positive", x + 5)), True),
     ((("slit", sp.exp(2 * I * x)), ("positive", 2 - x), ("positive", x + 3)), True),
     ((("slit", sp.exp(2 * I * x + I)), ("positive", 2 - x), ("positive", x + 3)), False),
@@ -93,6 +95,8 @@ def test_cells_cover_the_region(conditions: tuple, boxes: bool, finer: bool):
             assert inside(tape, over[0].region, place)
         elif boxes and not finer:
             assert not over
+        elif over and not finer:
+            assert not over[0].connected
     assert met
     assert all("<" in cell.describe(tape) or cell.describe(tape) == "everywhere" for cell in cells)
 

@@ -93,6 +93,10 @@ def test_conditions_on_two_expressions_stay():
         (c * b - a * b, True),
         (5 * c - 5 * a + x**2, True),
         (c - a - b, False),
+        (x**2 + a * (y - 1) ** 2, False),  # it is 0 at a point
+        (x**2 + a * (y - 1) ** 2 + b, True),
+        (x**2 + 2 * x * y + 2 * y**2, False),
+        (x**2 + 2 * x * y + 2 * y**2 + c, True),
     ],
 )
 def test_signs_where_a_is_less_than_c(node, expected):

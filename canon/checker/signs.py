@@ -22,8 +22,8 @@ from canon.checker.functions import Unreadable
 from canon.checker.statement import Statement
 from canon.checker.terms import sign_of
 
-DEPTH, MOST = 5, 250
-"""Steps one inside the other, and terms of a polynomial."""
+DEPTH, MOST, LONGEST = 5, 120, 400_000
+"""Steps one inside the other, terms of a polynomial, and products of terms for one formula."""
 Pair = tuple[Polynomial, Polynomial]
 ONE = core.ONE
 
@@ -38,7 +38,7 @@ def name_of(name: str, exponent: int = 1) -> Polynomial:
 
 
 def times(*factors: Polynomial) -> Polynomial:
-    """Their product."""
+    """Their product. Raises Undetermined for one that is too large."""
     total = ONE
     for factor in factors:
         if len(total) * len(factor) > MOST**2:
@@ -70,6 +70,7 @@ class Signs:
         self._known: dict[int, Pair] = {}
         conditions = self._positive = list[Polynomial]()
         self._shifts: list[tuple[str, int, Polynomial]] = []
+        self._spent = 0
         for a in (a for a, kind in s.conditions if kind == "positive"):
             op = self.f.ops[a]
             if op[0] == "s":
@@ -182,6 +183,9 @@ class Signs:
             return False
 
     def _holds(self, p: Polynomial, *, strict: bool, depth: int = DEPTH) -> bool:
+        self._spent += 20 + len(p) ** 2  # nearly: what comes of a polynomial are its products with itself
+        if self._spent > LONGEST:
+            raise Undetermined
         if not p:
             return not strict
         if p.get((), 0) < 0 and len(p) == 1:

@@ -14,6 +14,8 @@ ROUGH = 15
 """Digits in which an orbit is looked for."""
 NARROWEST, STEP, STEPS = 1e-6, 1.08, 330
 """Where an orbit is looked for: finely about 0, and out to 100,000."""
+NEAREST = 8
+"""So many of the places where an orbit may be are looked at, those next to 0 first: farther out the grid is coarse."""
 BRANCHES = 48
 """The momentum of a Hamiltonian that isn't quadratic is looked for at so many places, each twice as far as the last."""
 
@@ -172,7 +174,7 @@ class Ends:
         self.rough = Numbers(ROUGH)
         out = [NARROWEST * STEP ** (k / fine) for k in range(STEPS * fine)]
         self.grid = [*(-x for x in reversed(out)), *out]
-        x = momenta.form.x
+        self.last, x = len(self.grid) - 1, momenta.form.x
         names = {a: {s.f.ops[b][1] for b in s.f.reach(a) if s.f.ops[b][0] == "s"} for a, _ in s.conditions}
         self.conditions = [(a, kind) for a, kind in s.conditions if x in names[a] and names[a] <= {x, *momenta.of}]
         self.conditions = [(a, kind) for a, kind in self.conditions if momenta.form.p not in names[a]]
@@ -180,9 +182,15 @@ class Ends:
     def measure(self, well: Any) -> Any:
         """The orbit about the well, or without one the one that there is. Raises Outside where there are several that
         differ, none, or none that can be measured."""
-        runs = self._runs()
-        loops = [loop for run in runs for loop in self._loops(*run)]
-        loops = [(low, high) for low, high in loops if self._in_domain(low, high)]
+        runs = sorted(self._runs(), key=lambda run: abs(self.grid[run[0]] + self.grid[run[1]]))
+        loops = list[tuple[Any, Any]]()
+        for run in runs[:NEAREST]:
+            if well is not None and not self.grid[max(run[0] - 1, 0)] <= well <= self.grid[min(run[1] + 1, self.last)]:
+                continue
+            found = self._loops(*run)
+            loops += [(low, high) for low, high in found if self._in_domain(low, high)]
+            if len(loops) > 1:
+                break
         if well is not None:
             loops = [(low, high) for low, high in loops if low < well < high]
         loops = sorted(loops, key=lambda loop: (abs(loop[0] + loop[1]), -loop[0]))[:2]

@@ -76,8 +76,8 @@ def interruptible(work: Callable[[], T], until: float | None = None) -> T:
     **Raises:** `KeyboardInterrupt` as soon as somebody presses Ctrl-C, `Late` at the time `until` (of the monotonic
     clock); the work is left then. Where no signal arrives, the work is simply done.
     """
-    listener = signal.getsignal(signal.SIGINT)
-    if not isinstance(listener, Listener):
+    listener = _listener()
+    if listener is None:
         if threading.current_thread() is not threading.main_thread():
             return work()
         return _in_a_thread(work, lambda: until is not None and time.monotonic() >= until, Late)
@@ -90,6 +90,29 @@ def interruptible(work: Callable[[], T], until: float | None = None) -> T:
         return until is not None and time.monotonic() >= until
 
     return _in_a_thread(work, over, Late)
+
+
+def _listener() -> Listener | None:
+    """Who hears Ctrl-C, or SIGTERM where Ctrl-C is ignored, as in a shell's background."""
+    handlers = (signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM))
+    return next((each for each in handlers if isinstance(each, Listener)), None)
+
+
+def underway() -> Callable[[], bool]:
+    """Whether Ctrl-C has been pressed, for work that has something to report and looks for it between its own steps.
+
+    The answer yes is given once: what comes after it may be interrupted anew. Without a listener it is always no.
+    """
+    listener = _listener()
+    if listener is None:
+        return lambda: False
+    listener.underway = True
+
+    def heard() -> bool:
+        pressed, listener.pressed = listener.pressed, False
+        return pressed
+
+    return heard
 
 
 def _in_a_thread(work: Callable[[], T], over: Callable[[], bool], error: type[Exception]) -> T:

@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from canon.errors import InputError
+from canon.interruption import underway
 from canon.numeric.gradient import gradient
 from canon.numeric.pair_sum import PairSum
 
@@ -43,7 +44,7 @@ def external_orbit(
 class Grid:
     """The states q and p (k, n) at the first k of the times that were asked for: all of them, or those before the
     orbit's end. `steps` of a Taylor polynomial of this `order` led there; `outcome` is what heyoka says of it, and
-    `compile_seconds` of CPU time its program took to make.
+    `compile_seconds` of CPU time its program took to make. `interrupted`: somebody pressed Ctrl-C.
     """
 
     q: np.ndarray
@@ -52,6 +53,7 @@ class Grid:
     order: int
     outcome: str
     compile_seconds: float
+    interrupted: bool = False
 
 
 def external_grid(
@@ -91,11 +93,17 @@ def external_grid(
     solver = heyoka.taylor_adaptive(list(zip(variables, right, strict=True)), start, **options)
     compiling = time.process_time() - begun
     solver.time = float(times[0])
-    outcome, _, _, steps, _, grid = solver.propagate_grid([float(x) for x in times])
+    pressed, heard = underway(), list[bool]()
+
+    def go_on(_: Any) -> bool:
+        heard[:] = [pressed()]
+        return not heard[0]
+
+    outcome, _, _, steps, _, grid = solver.propagate_grid([float(x) for x in times], callback=go_on)
     finite = np.isfinite(grid).all(axis=1)
     good = len(grid) if finite.all() else int(np.argmin(finite))
     said = str(outcome).rpartition(".")[2]
-    return Grid(grid[:good, :n], grid[:good, n:], int(steps), int(solver.order), said, compiling)
+    return Grid(grid[:good, :n], grid[:good, n:], int(steps), int(solver.order), said, compiling, heard == [True])
 
 
 def _in_doubles(formula: Any) -> Any:

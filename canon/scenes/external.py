@@ -61,20 +61,27 @@ def run_externally(scene: Scene) -> tuple[Problem, Choice, Planned]:
     times = settings.start + settings.duration * (np.arange(settings.samples) / max(settings.samples - 1, 1))
     force = tuple(sp.Add(*column) for column in zip(*(f.force for f in model.frictions), strict=True))
     try:
-        grids = [
-            external_grid(model.H, (model.q, model.p, model.t), scene.q, scene.p, times.tolist(), force, tolerance)
-            for tolerance in (None, LOOSER)
-        ]
+        grids = list[Grid]()
+        for tolerance in (None, LOOSER):
+            grids.append(
+                external_grid(model.H, (model.q, model.p, model.t), scene.q, scene.p, times.tolist(), force, tolerance)
+            )
+            if grids[-1].interrupted:
+                break
     except InputError as error:
         raise error.at("integrator") from None
-    run, other = (_run(grid, times) for grid in grids)
-    good = max(agreement(run, other), 1) if run.completed < settings.samples else run.completed
-    error = distance(run, other, good) if other.completed >= good else None
-    reached = settings.accuracy is None or (error is not None and error <= settings.accuracy)
+    interrupted = grids[-1].interrupted
+    run, other = _run(grids[0], times), _run(grids[-1], times)
+    if len(grids) == 1:
+        good, error = run.completed, None
+    else:
+        good = max(agreement(run, other), 1) if run.completed < settings.samples else run.completed
+        error = distance(run, other, good) if other.completed >= good else None
+    reached = not interrupted and (settings.accuracy is None or (error is not None and error <= settings.accuracy))
     traits = Traits(grids[0].order, symplectic=False, symmetric=False, volume_preserving=False)
-    reason = "" if reached else "rounding keeps it from going further"
+    reason = "" if reached or interrupted else "rounding keeps it from going further"
     compiling = sum(grid.compile_seconds for grid in grids)
-    planned = Planned(run, good, error, (), reached, reason, compile_seconds=compiling)
+    planned = Planned(run, good, error, (), reached, reason, interrupted=interrupted, compile_seconds=compiling)
     equations = hamilton_equations(model.H, model.q, model.p, model.t, force)
     return Problem(equations, "not split", (("H", text_of(model.H)),)), Choice(External(traits), WHY), planned
 

@@ -98,3 +98,13 @@ def test_as_an_integrator() -> None:
     assert "singularity" in ended.messages[0]
     # a fall from rest at 1 takes π/√8
     assert ended.times[-1] == pytest.approx(1.1, abs=0.11)
+
+
+def test_interrupted_it_keeps_what_there_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("heyoka")
+    looks = iter([False] * 5 + [True] * 1000)
+    monkeypatch.setattr("canon.numeric.external.underway", lambda: lambda: next(looks))
+    found = simulate(read_scene_text(HENON))
+    assert not found.ok
+    assert 1 <= len(found.q) < found.scene.settings.samples
+    assert "interrupted at t" in found.messages[0]

@@ -15,10 +15,12 @@ from canon.claims.approach import approaching, limit_of, signs_on
 from canon.claims.velocities import region_in_velocities
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import evaluate, precision
+from canon.decide.intervals import intervals_of
 from canon.decide.nowhere_zero import has_no_zero
 from canon.decide.positivity import positive_by_boxes, positive_by_signs
 from canon.decide.power_series import Unexpanded
 from canon.decide.region import Region, Requirement
+from canon.decide.regular_on_box import is_regular
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError
 from canon.expression import Formula
@@ -166,7 +168,7 @@ def holds(question: Question, requirement: Requirement, region: Region, span: Ra
     if requirement.kind in ("nonzero", "uncut"):
         free = has_no_zero(tape, first, region, question.budget)
         return free or positive(first) or positive(tape.negative(first))
-    return False
+    return requirement.kind == "regular" and is_regular(tape, first, intervals_of(tape, region), question.budget)
 
 
 def _at_ends(question: Question, node: Node, span: Range) -> list[Node | None]:

@@ -82,7 +82,7 @@ def _taylor(e: Expander, call: Node, place: Node, u: Series, name: str) -> Serie
         margin = tape.minus(tape.one, tape.power(centre, 2))
         if e.sign_of(margin) == "zero":
             return _arc(e, name, u)
-    _inside(e, name, centre)
+    _inside(e, name, centre, call, place)
     coefficients, slope, factorial = [], call, 1
     for k in range(e.terms):
         factorial *= max(k, 1)
@@ -132,8 +132,8 @@ def _elliptic(e: Expander, name: str) -> list[Node]:
     return [e.tape.scaled(e.tape.constant("pi"), _HALF * f) for f in factors]
 
 
-def _inside(e: Expander, name: str, centre: Node) -> None:
-    """Whether the function is analytic at the point."""
+def _inside(e: Expander, name: str, centre: Node, call: Node, place: Node) -> None:
+    """Whether the function, a call in which an argument is at that place, is analytic at the point."""
     tape = e.tape
     if name in ("exp", "sin", "cos", "atan"):
         return
@@ -141,6 +141,8 @@ def _inside(e: Expander, name: str, centre: Node) -> None:
         margin = tape.minus(tape.one, tape.power(centre, 2))
     elif name in ("elliptic_k", "elliptic_e") and e.sign_of(centre) in ("pos", "neg"):
         margin = tape.minus(tape.one, centre)
+    elif name in ("elliptic_f", "elliptic_ei") and tape.ops[call][2][0] == place:
+        margin = tape.minus(tape.one, tape.ops[call][2][1])  # analytic in φ for m < 1
     elif name in ("gamma", "log"):
         margin = centre
     else:

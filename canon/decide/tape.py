@@ -25,6 +25,10 @@ from canon.errors import InputError
 
 ZERO = Fraction(0)
 ONE = Fraction(1)
+ANGLES = {"elliptic_f": 0, "elliptic_ei": 0, "elliptic_pii": 1}
+"""Which argument of an incomplete elliptic integral is its angle."""
+COMPLETE = {"elliptic_f": "elliptic_k", "elliptic_ei": "elliptic_e"}
+"""What an incomplete elliptic integral is at π/2."""
 LONG = 64
 """Terms of a sum, beyond which a difference of two such is merged."""
 
@@ -218,10 +222,10 @@ class Tape:
                 return self.zero
             if name == "abs":
                 return self.number(abs(value))
-        if (name in ("elliptic_f", "elliptic_ei") and value == 0) or (
-            name == "elliptic_pii" and self.value(arguments[1]) == 0
-        ):
+        if name in ANGLES and self.value(arguments[ANGLES[name]]) == 0:
             return self.zero
+        if name in COMPLETE and arguments[0] == self.scaled(self.constant("pi"), Fraction(1, 2)):
+            return self.make(("f", COMPLETE[name], arguments[1:]))
         return self.make(("f", name, arguments))
 
     def arbitrary(self, name: str, orders: tuple[int, ...], arguments: tuple[Node, ...]) -> Node:

@@ -36,6 +36,10 @@ def _claim(f: str, x: str, low: str, high: str, equals: str, F: str = "") -> str
         ("1/(2 + cos(q))", "q", "0", "2*pi", "2*pi/sqrt(3)", "supported"),
         ("1/(2 + cos(q))", "q", "0", "2*pi", "2*pi/sqrt(3) + 1e-9", "refuted"),
         ("1/sqrt(1 - r**2)", "r", "0", "1", "pi/2", "proved"),
+        ("1/sqrt(1 - sin(q)**2/3)", "q", "0", "pi/2", "elliptic_k(1/3)", "proved"),
+        ("1/sqrt(1 - sin(q)**2/3)", "q", "0", "pi/2", "elliptic_k(1/3) + 1e-12", "refuted"),
+        ("sqrt(1 + a*sin(q)**2)", "q", "0", "pi/2", "elliptic_e(-a)", "proved"),
+        ("1/sqrt(1 - k**2*sin(q)**2)", "q", "0", "pi/2", "elliptic_k(k**2)", "supported"),  # it has k**2 < 1
     ],
 )
 def test_integrals(status, f, x, low, high, equals, expected):

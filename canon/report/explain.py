@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-from canon.report.words import Record, duration, name, value, visible
+from canon.report.words import PRICE, Record, duration, name, value, visible
 from canon.verdict import GLANCES, NUMBERS
 
 FEW: Final = 12
@@ -31,7 +31,7 @@ def explanation(claim: Record) -> Iterator[str]:
     if claim["verdict"] == "refuted":
         yield f"  {_failure(claim)}"
     for key, datum in claim["detail"].items():
-        if key in {"fails", "residual"} or datum is None or datum in ("", [], {}):
+        if key in {"fails", "residual", PRICE} or datum is None or datum in ("", [], {}):
             continue
         text = value(datum)
         yield f"  {text}" if key == "note" else f"  {visible(key.replace('_', ' '))}: {text}"

@@ -9,6 +9,7 @@ from typing import Any, Final
 
 from canon.claim import Claim
 from canon.claims.worker import Entry
+from canon.report.words import PRICE
 from canon.verdict import STATUSES, Evidence, Verdict
 
 FORMAT: Final = 1
@@ -29,8 +30,13 @@ def claim_record(entry: Entry, claim: Claim, verdict: Verdict) -> Record:
         "numeric": None if verdict.numeric is None else _evidence(verdict.numeric),
         "witness": None if verdict.witness is None else {str(k): number(v) for k, v in verdict.witness.items()},
         "certificate": None,
-        "detail": {str(key): plain(value) for key, value in verdict.detail.items()},
+        "detail": {str(key): plain(value) for key, value in verdict.detail.items()} | _price(verdict),
     }
+
+
+def _price(verdict: Verdict) -> Record:
+    """What one digit more would cost, where that is known; a contract names the keys beside `detail`."""
+    return {} if verdict.one_digit_more is None else {PRICE: verdict.one_digit_more}
 
 
 def error_record(file: str, where: str, message: str) -> Record:

@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 Record = Mapping[str, Any]
+PRICE: Final = "one_digit_more"
+"""The key of a verdict\'s detail that reports in words leave out."""
 
 SYMBOLS: Final[Mapping[str, str]] = {"proved": "✓", "refuted": "✗", "supported": "≈", "undecided": "?"}
 LONGEST: Final = 400

@@ -8,7 +8,7 @@ from typing import Any, Final
 from canon.report.proof.blocks import Block, Items, Piece, display, paragraph
 from canon.report.proof.structure import structured
 from canon.report.proof.trees import Tree, tree_of
-from canon.report.words import value
+from canon.report.words import PRICE, value
 
 Data = Mapping[str, Any]
 Blocks = list[Block]
@@ -92,7 +92,7 @@ def open_question(record: Data) -> Blocks:
     return [*found, *details(record)]
 
 
-SILENT: Final = ("fails", "residual", "certificate_error")
+SILENT: Final = ("fails", "residual", "certificate_error", PRICE)
 
 
 def details(record: Data) -> Blocks:

@@ -38,7 +38,7 @@ def test_a_refuted_claim_as_data() -> None:
         "numeric": None,
         "witness": {"q": "3/2", "z": {"re": "1/2", "im": "1"}, "V": "x**2"},
         "certificate": None,
-        "detail": {"brackets": {"{Q,P}": "2"}, "scale": None},
+        "detail": {"brackets": {"{Q,P}": "2"}, "scale": None, "one_digit_more": "exact"},
     }
     assert json.loads(json.dumps(record, allow_nan=False)) == record
 

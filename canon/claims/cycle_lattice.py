@@ -9,14 +9,13 @@ section 50; Goldstein, Poole and Safko (2002), section 10.7.
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import gcd
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import sympy as sp
 
 from canon.claims.action_region import Setting, along, assumed, existing, not_implied
@@ -157,6 +156,8 @@ def _proposed(
     question: Question, actions: list[Node], P: tuple[Node, ...], region: Region, length: Any
 ) -> list[list[Any]] | None:
     """∂I/∂P in numbers at one point, taken for rational multiples of the period or of 2π: a guess."""
+    import numpy as np
+
     tape, coordinates, n = question.tape, question.chart.coordinates, question.space.n
     slopes = [[derivative(tape, f, x) for x in coordinates] for f in (*actions, *P)]
     targets = [node for row in slopes for node in row]
@@ -175,7 +176,7 @@ def _proposed(
 
 
 def _multiple(value: float, length: Any, size: float) -> Any:
-    for unit, number in ((length, size), (2 * sp.pi, 2 * np.pi)):
+    for unit, number in ((length, size), (2 * sp.pi, 2 * math.pi)):
         ratio = Fraction(value / number).limit_denominator(LARGEST)
         if abs(value / number - float(ratio)) < CLOSE:
             return sp.Rational(ratio.numerator, ratio.denominator) * unit
@@ -234,7 +235,7 @@ def _closed(question: Question, advance: Any, length: Any, region: Region, prove
     for j, angle in enumerate(question.space.Q):
         combination = [sp.nsimplify(sp.simplify(x)) for x in back.row(j)]
         whole = all(x.is_Integer for x in combination)
-        times = gcd(*(int(x) for x in combination)) if whole else 0
+        times = math.gcd(*(int(x) for x in combination)) if whole else 0
         if times == 1:
             continue
         if any(not x.is_number for x in combination):

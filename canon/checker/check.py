@@ -115,6 +115,8 @@ class _Check:
             return trusted
         if self.verdict == "proved" and witness is not None:
             raise Rejected("a proof with a witness against it")
+        if not isinstance(self.data["cases"], list):
+            raise Rejected("its cases are no list")
         if not self.data["cases"] and self.cases:
             raise Unknown("nothing is shown of it")
         if len(self.data["cases"]) != len(self.cases):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import ast
 import re
 import unicodedata
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from canon.checker.functions import Unknown, Unreadable
@@ -106,7 +106,7 @@ def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
         rest = _of_the_rest(s, claim.get("type")) if side == "mixed" else set[str]()
         refused = {"old": new, "new": old, "mixed": rest, "parameters": old | new | {s.time}}[side]
         places.append((value, old | new, refused - own))
-    if kind in BOTH and any("bracket" in _called(s, x) and new & _names(s, x) for x in _texts(dict(claim))):
+    if kind in BOTH and any(new & _in_brackets(s, text) for text in _texts(dict(claim))):
         raise Unreadable("a bracket in the old variables beside new ones")
     for value, variables, refused in places:
         for text in _texts(value):
@@ -148,6 +148,17 @@ def _called(s: Statement, text: str) -> set[str]:
 
 def _names(s: Statement, text: str) -> set[str]:
     """The names that a formula is made of, those of its abbreviations too."""
-    written = {node.id[1:] for node in _nodes(s, text) if isinstance(node, ast.Name)}
+    return _meant(s, _nodes(s, text))
+
+
+def _in_brackets(s: Statement, text: str) -> set[str]:
+    """The names within its brackets."""
+    calls = (node for node in _nodes(s, text) if isinstance(node, ast.Call) and isinstance(node.func, ast.Name))
+    inside = (part for call in calls if ast.unparse(call.func)[1:] == "bracket" for part in ast.walk(call))
+    return _meant(s, inside)
+
+
+def _meant(s: Statement, nodes: Iterable[ast.AST]) -> set[str]:
+    written = {node.id[1:] for node in nodes if isinstance(node, ast.Name)}
     inner = [s.names[name] for name in written if name in s.names]
     return (written - {*s.names}) | {s.f.ops[a][1] for a in s.f.reach(*inner) if s.f.ops[a][0] == "s"}

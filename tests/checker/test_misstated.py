@@ -89,6 +89,8 @@ MEANT = {
         "accelerations": ["a"], "equations": ["a"]}),
     "a bracket of new variables in an identity": of({"kind": "identity", "lhs": "bracket(X, Y)", "rhs": "0"},
         transformation=IDENTITY),
+    "a bracket of old and new variables": of({"kind": "identity", "lhs": "bracket(x, x*X)", "rhs": "0"},
+        transformation=IDENTITY),
     "a dimension of pi": of({"kind": "dimension", "functions": ["pi"], "dimensions": {"pi": "L"}, "equals": "L"}, 0),
     "a derivative beyond the twentieth": forged("D(x**20, x, 21)", "2432902008176640000"),
     "a derivative by a number": forged("D(x**3, 2)"),

@@ -8,7 +8,7 @@ angle's period does. Goldstein, Poole and Safko (2002), section 10.6.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -49,7 +49,7 @@ def by_action(question: Question, length: Any) -> Outcome | None:
     setting = Setting(q, p, H.expr, energy, sp.S.Zero, everywhere, motion)
     region = question.region()
     for closed, cycle in _closed_forms(motion):
-        grounds = _grounds(question, setting, closed, region)
+        grounds = grounds_of(question, setting, closed, region, closed.exists, {setting.energy: setting.H})
         if grounds is None:
             continue
         advance = _advance(question, closed, energy, length, region)
@@ -77,12 +77,21 @@ def _closed_forms(motion: OneDegree) -> Iterator[tuple[ClosedAction, str]]:
             yield from ((closed, "a rotation") for closed in rotation(motion, 2 * sp.pi))
 
 
-def _grounds(question: Question, setting: Setting, closed: ClosedAction, region: Region) -> list[Outcome] | None:
-    """That the closed form is the action of the orbit through each point of the region; None where it isn't shown."""
-    tape, chart, energy = question.tape, question.chart, setting.energy
-    level: Any = {energy: setting.H}
-    for wanted in closed.exists:
-        here: Any = wanted.xreplace(level)
+def grounds_of(
+    question: Question,
+    setting: Setting,
+    closed: ClosedAction,
+    region: Region,
+    positive: Sequence[sp.Expr],
+    values: dict[Any, Any],
+) -> list[Outcome] | None:
+    """That the closed form is the action of the orbit through each point of the region; None where it isn't shown.
+
+    What is to be `positive` for that is looked at with the `values` of the energies there.
+    """
+    tape, chart = question.tape, question.chart
+    for wanted in positive:
+        here: Any = wanted.xreplace(values)
         node = chart.pull(tape.load(here))
         if not follows(tape, Requirement("positive", (node,), wanted), region, question.budget):
             return None

@@ -18,7 +18,8 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from canon.claims.action_region import Setting, along, assumed, existing, not_implied
+from canon.claims.action_region import Setting, assumed
+from canon.claims.cycle_action import grounds_of
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.decide.derivative import derivative
 from canon.decide.implied import follows
@@ -26,7 +27,6 @@ from canon.decide.region import Region, Requirement
 from canon.decide.search import samples
 from canon.decide.tape import Node, Unsupported
 from canon.domain import Condition
-from canon.errors import EmptyDomain
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, linear_edge, one_degree
 from canon.mechanics.closed_actions import librations
 from canon.mechanics.nested_degrees import Degree, nested_degrees
@@ -113,7 +113,8 @@ def _decided(
         nodes = [chart.pull(tape.load(cycle.action.xreplace(values))) for cycle in cycles]
     for cycle in cycles:
         if cycle.setting is not None and cycle.closed is not None:
-            found = _grounds(question, cycle.setting, cycle.closed, region, values)
+            positive = cycle.closed.exists if cycle.closed.through is None else cycle.closed.through
+            found = grounds_of(question, cycle.setting, cycle.closed, region, positive, values)
             if found is None:
                 return None
             grounds += found
@@ -206,25 +207,12 @@ def _level(
     return None
 
 
-def _grounds(
-    question: Question, setting: Setting, closed: ClosedAction, region: Region, values: dict[Any, Any]
-) -> list[Outcome] | None:
-    """That the closed form is the action of the orbit through each point of the region; None where it isn't shown."""
-    tape, chart = question.tape, question.chart
-    for wanted in closed.exists if closed.through is None else closed.through:
-        here: Any = wanted.xreplace(values)
-        node = chart.pull(tape.load(here))
-        if not follows(tape, Requirement("positive", (node,), wanted), region, question.budget):
-            return None
-    try:
-        constants = existing(question, setting, closed)
-        if not_implied(question, setting, constants, closed):
-            return None
-        checks = [Residual(name, question.load(expression)) for name, expression in closed.vanishes]
-        grounds = [question.decide(checks, along(question, setting, constants))] if checks else []
-    except EmptyDomain:
-        return None
-    return grounds if all(ground.status == "proved" for ground in grounds) else None
+def _is_no_integer(x: Any) -> bool:
+    """Whether an exact number is seen to lie between two integers."""
+    if not x.is_number or not x.is_real:
+        return False
+    value = sp.N(x, 30)
+    return value.is_Float and bool(abs(value - round(value)) > CLOSE)
 
 
 def _closed(question: Question, advance: Any, length: Any, region: Region, proved: Outcome) -> Outcome | None:
@@ -233,12 +221,12 @@ def _closed(question: Question, advance: Any, length: Any, region: Region, prove
         return None
     back: Any = advance.inv() * length
     for j, angle in enumerate(question.space.Q):
-        combination = [sp.nsimplify(sp.simplify(x)) for x in back.row(j)]
+        combination = [sp.simplify(x) for x in back.row(j)]
         whole = all(x.is_Integer for x in combination)
         times = math.gcd(*(int(x) for x in combination)) if whole else 0
         if times == 1:
             continue
-        if any(not x.is_number for x in combination):
+        if not whole and not any(_is_no_integer(x) for x in combination):
             return None
         why = (
             f"the cycle of {angle} is closed after 1/{times} of the period already"

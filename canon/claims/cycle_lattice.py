@@ -217,11 +217,11 @@ def _is_no_integer(x: Any) -> bool:
 
 def _closed(question: Question, advance: Any, length: Any, region: Region, proved: Outcome) -> Outcome | None:
     """Whether the lattice that the rows of `advance` span has period · e_j in it, and no part of it."""
-    if sp.simplify(advance.det()) == 0:
+    if sp.cancel(advance.det()) == 0:
         return None
-    back: Any = advance.inv() * length
+    back: Any = advance.inv(method="ADJ") * length
     for j, angle in enumerate(question.space.Q):
-        combination = [sp.simplify(x) for x in back.row(j)]
+        combination = [sp.cancel(x) for x in back.row(j)]  # exact: rational functions of π and of the period
         whole = all(x.is_Integer for x in combination)
         times = math.gcd(*(int(x) for x in combination)) if whole else 0
         if times == 1:

@@ -3,6 +3,8 @@
 import pytest
 import sympy as sp
 
+from canon.catalogue import files
+from canon.claims.cycle_lattice import _is_no_integer
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.mechanics.phase_space import PhaseSpace
@@ -293,3 +295,27 @@ def test_the_angles_of_the_isochrone_by_their_generating_function(status, radial
     }
     space = 'q = ["r", "theta"]\np = ["p_r", "L"]\nQ = ["u", "v"]\nP = ["J", "K"]\n'
     assert status(_claim(period), space=space, **sections) == expected
+
+
+@pytest.mark.parametrize(
+    ("number", "between"),
+    [
+        (sp.Rational(1, 2), True),
+        (1 / (2 * sp.pi), True),
+        (sp.Integer(3), False),
+        (sp.sqrt(3 + 2 * sp.sqrt(2)) - sp.sqrt(2), False),  # 1, though it doesn't look like it
+        (sp.Symbol("k", integer=True) / 2, False),
+        (sp.Integer(1) + sp.Rational(1, 10**20), False),  # too near to be told apart by digits
+    ],
+)
+def test_an_advance_refutes_only_where_it_is_seen_to_lie_between_integers(number: sp.Expr, between: bool) -> None:
+    assert _is_no_integer(number) is between
+
+
+@pytest.mark.slow
+def test_a_period_that_is_off_by_ever_so_little_is_not_proved() -> None:
+    text = next(file for file in files() if file.name == "kepler-angles-plane.toml").read_text(encoding="utf-8")
+    assert '"2*pi"' in text
+    claim = read_text(text.replace('"2*pi"', '"2*pi*(1 + 10**-20)"')).claims[0]
+    assert claim.kind == "action_angle"
+    assert verify(claim).status != "proved"

@@ -86,7 +86,10 @@ def places_by_wells(question: Question, setting: Setting, branch: str, here: Exa
     with precision(BITS):
         tops = [float(node.value()) for node in nodes if node.kind < 0]
         wells = [(float(node), float(node.value())) for node in nodes if node.kind > 0]
+    tops = [top for top in tops if math.isfinite(top)]
     for bottom, depth in wells:
+        if not (math.isfinite(bottom) and math.isfinite(depth)):
+            continue
         inside = Fraction(bottom).limit_denominator(10**9)
         if not free:
             levels: list[Fraction | None] = [None]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -71,13 +71,8 @@ def _by_ends(
     if low.value is None or high.value is None:
         if low.value is None and high.value is None:
             raise Unproved("both limits of the antiderivative are infinite")
-        end = span.high if high.value is None else span.low
-        return question.refuted_exactly(
-            span.others,
-            "the antiderivative grows beyond all bounds at one end",
-            diverges=f"at {end}",
-            antiderivative=str(F),
-        )
+        end, beyond = (span.high, high) if high.value is None else (span.low, low)
+        return _divergent(question, span, beyond, {"diverges": f"at {end}", "antiderivative": str(F)})
     value = tape.minus(high.value, low.value)
     residual = Residual("value of the integral", tape.minus(value, claimed), value)
     outcome = question.decide([residual], span.others)
@@ -88,6 +83,22 @@ def _by_ends(
     elif outcome.status == "refuted":
         outcome = replace(outcome, method=f"antiderivative, {outcome.method}")
     return with_value(question, outcome).with_detail(**detail)
+
+
+def _divergent(question: Question, span: Range, beyond: Limit, detail: dict[str, Any]) -> Outcome:
+    """The antiderivative is finite at one end and grows beyond all bounds at the other.
+
+    It does for all values of the other names, or where the leading coefficient isn't 0, if its sign is not known.
+    """
+    said = "the antiderivative grows beyond all bounds at one end"
+    if beyond.infinite:
+        return question.refuted_exactly(span.others, said, **detail)
+    assert beyond.leading is not None
+    answer = question.not_identically_zero(beyond.leading, span.others)
+    if answer.status != "proved" or answer.witness is None:
+        raise Unproved(f"the antiderivative's leading term {question.show(beyond.leading)} has no sign")
+    table = answer.witness.as_table()
+    return Outcome("refuted", "leading term", witness=table, numeric=answer.numeric, detail={**detail, "fails": said})
 
 
 KINDS = {"integral": integral}

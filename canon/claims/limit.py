@@ -118,8 +118,8 @@ def _at_points(question: Question, approach: Approach, node: Node, equals: Formu
             found = limit_of(question, moved, substitute(tape, node, fixed))
         except (Unexpanded, Unsupported, BudgetExceeded, InputError):
             continue
-        if found.value is None and not found.infinite and isinstance(equals, str):
-            continue  # infinite, of a sign that isn't known
+        if found.value is None and not found.infinite:
+            continue  # a number that may be 0 is the leading coefficient
         claimed = equals if isinstance(equals, str) else substitute(tape, other, fixed)
         wrong = (
             found.infinite != (1 if equals == "infinity" else -1) if isinstance(equals, str) else found.value is None

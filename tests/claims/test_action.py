@@ -423,3 +423,10 @@ def test_a_rotation_has_a_positive_momentum(status):
     sections = {"symbols": 'p = "positive"', "hamiltonian": 'H = "p**2/2 - cos(q)"'}
     turn = _claim("4*sqrt(2*(E+1))*elliptic_e(2/(E+1))", branch='"rotation"')
     assert status(turn, space=LINE, **sections) == "proved"
+
+
+def test_a_pole_whose_coefficient_may_be_0_is_no_crash(status):
+    nought = "(2*atan(sqrt((1 - cos(1))/(1 + cos(1)))) - 1)"  # 0, which is hard to show
+    claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"'
+    hamiltonian = f'H = "p**2/2 + q**2/2 + {nought}/q**2"'
+    assert status(claim, symbols='E = "positive"', hamiltonian=hamiltonian) in ("undecided", "supported", "proved")

@@ -109,6 +109,22 @@ def test_complex_integrands(status, f, low, high, equals, expected):
     assert status(_claim(f, "q", low, high, equals), symbols=SYMBOLS) == expected
 
 
+NOUGHT = "(2*atan(sqrt((1 - cos(r))/(1 + cos(r)))) - r)"
+"""0 for 0 < r < π, which is hard to show."""
+
+
+@pytest.mark.parametrize(
+    ("f", "F", "expected"),
+    [
+        (f"1 + {NOUGHT}/q**2", f"q - {NOUGHT}/q", {"proved", "supported", "undecided"}),
+        (f"1 + {NOUGHT}*k/q**2", f"q - {NOUGHT}*k/q", {"proved", "supported", "undecided"}),
+        ("1 + k/q**2", "q - k/q", {"refuted"}),  # of unknown sign, but not 0 for every k
+    ],
+)
+def test_a_coefficient_that_may_be_0_diverges_nowhere(status, f, F, expected):
+    assert status(_claim(f, "q", "0", "1", "1", F), symbols=SYMBOLS, domain='where = ["r < 3"]') in expected
+
+
 def test_the_sign_of_an_arbitrary_function_s_value_decides_nothing(status):
     claim = _claim("exp(-V(0)*q)", "q", "0", "infinity", "1/V(0)")
     assert status(claim, symbols=SYMBOLS) == "undecided"  # it diverges where V(0) < 0

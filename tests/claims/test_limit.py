@@ -153,6 +153,14 @@ def test_what_is_not_zero_may_have_no_sign(status, f, to, equals, where, expecte
     assert status(claim, symbols=SYMBOLS, domain=f'where = ["{where}"]') == expected
 
 
+def test_a_number_that_may_be_0_is_no_infinite_limit(status):
+    nought = "(2*atan(sqrt((1 - cos(1))/(1 + cos(1)))) - 1)"  # 0, which is hard to show
+    claim = _claim(f"{nought}/q + q**2/(k + q)", "q", "0", "0", "+")
+    assert status(claim, symbols=SYMBOLS) in ("supported", "proved")
+    wrong = _claim("(1 - 2*atan(1/3))/q + q**2/(k + q)", "q", "0", "0", "+")
+    assert status(wrong, symbols=SYMBOLS) == "refuted"
+
+
 def test_values_of_positive_functions_have_a_sign(status):
     claim = _claim("V(0)*q", "q", "infinity", "infinity")
     assert status(claim, symbols='V = ["function", "positive"]') == "proved"

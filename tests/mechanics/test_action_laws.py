@@ -1,0 +1,178 @@
+"""Laws that orbits and their actions obey: branches lie on the orbit, motions exist where turning points do, areas."""
+
+from fractions import Fraction
+from itertools import product
+from typing import Any
+
+import mpmath
+import pytest
+import sympy as sp
+
+from canon.domain import Condition
+from canon.mechanics.action_angle import ClosedAction, OneDegree, one_degree
+from canon.mechanics.elliptic_actions import elliptic
+from canon.mechanics.quartic_wells import quartic_wells
+from canon.mechanics.residues import by_residues
+from canon.mechanics.standard_actions import pendulum_like, power_well
+from canon.mechanics.substitutions import integrands
+
+q, p, E = sp.symbols("q p E", real=True)
+r = sp.Symbol("r", positive=True)
+c = sp.Symbol("c", positive=True)
+HALF = sp.Rational(1, 2)
+
+
+def orbit(square: Any, x: sp.Symbol = q, low: Any = -sp.oo, high: Any = sp.oo) -> OneDegree:
+    return OneDegree(x, sp.sympify(square), sp.S.Zero, HALF, sp.sympify(low), sp.sympify(high))
+
+
+def sure(expression: Any) -> bool:
+    return bool(sp.sympify(expression).is_number and expression > 0)
+
+
+def area(square: Any, x: sp.Symbol, low: Any, high: Any) -> Any:
+    """2 ∫ √square dx between turning points."""
+    root = sp.lambdify(x, square, "mpmath")
+    with mpmath.workdps(25):
+        middle, half = (mpmath.mpf(sp.N(s, 30)) / 2 for s in (sp.sympify(high) + low, sp.sympify(high) - low))
+        f = lambda t: mpmath.sqrt(abs(root(middle + half * mpmath.sin(t)))) * half * mpmath.cos(t)  # noqa: E731
+        return 2 * mpmath.quad(f, [-mpmath.pi / 2, 0, mpmath.pi / 2])
+
+
+FUNCTIONS = {"EllipticPi": mpmath.ellippi, "elliptic_k": mpmath.ellipk, "elliptic_e": mpmath.ellipe}
+
+
+def number(closed: Any) -> Any:
+    with mpmath.workdps(25):
+        return sp.lambdify((), closed, [FUNCTIONS, "mpmath"])()
+
+
+def same(closed: Any, value: Any) -> bool:
+    return abs(number(closed) - value) < 1e-15 * abs(value)
+
+
+def test_both_branches_lie_on_the_orbit() -> None:
+    a, m = sp.symbols("a m", positive=True)
+    H = (p - a * q) ** 2 / (2 * m * (1 + q**2)) + m * q + q**4
+    motion = one_degree(H, q, p, E)
+    for sign in (1, -1):
+        on_it = H.xreplace({p: motion.mean + sign * sp.sqrt(motion.square)}) - E
+        assert sp.simplify(on_it) == 0
+
+
+@pytest.mark.parametrize(
+    ("square", "low", "high"),
+    [
+        ((3 - r) * (r - 1) * r**4, 1, 3),
+        ((3 - r) * (r - 1) * (7 - r) ** 2 * (r + 1) ** 2, 1, 3),
+        ((3 - r) * (r - 1) / r**2, 1, 3),
+        ((3 - r) * (r - 1) / r**4, 1, 3),
+        ((3 - r) * (r - 1) * (r + 2) ** 2 / r**6, 1, 3),
+        ((3 - r) * (r - 1) / ((r + 1) ** 4 * (r + 2) ** 2), 1, 3),
+        ((3 - r) * (r - 1) / (5 - r) ** 2, 1, 3),
+    ],
+)
+def test_residues_give_the_area(square: Any, low: Any, high: Any) -> None:
+    """Moments up to the second, poles up to the third order, on either side of the range."""
+    (x,) = square.free_symbols
+    motion = orbit(square, x, 0, 5)
+    assert same(next(by_residues(motion)).value, area(square, x, low, high))
+
+
+def test_a_motion_exists_where_both_turning_points_lie_in_the_range() -> None:
+    """A circle of radius √E round c, between −1 and 3/2: `exists` is positive just where it fits in."""
+    size, centre = sp.symbols("E c", real=True)
+    low, high = sp.Integer(-1), sp.Rational(3, 2)
+    closed = next(by_residues(orbit(size - (q - centre) ** 2, q, low, high)))
+    for radius, place in product((Fraction(1, 3), 1, 2), (Fraction(k, 3) for k in range(-8, 12))):
+        at = {size: sp.Rational(radius) ** 2, centre: sp.Rational(place)}
+        fits = low < place - radius and place + radius < high
+        if low in (place - radius,) or high in (place + radius,):
+            continue
+        assert all(e.xreplace(at) > 0 for e in closed.exists) == fits, (radius, place)
+
+
+WELLS: list[tuple[Any, Any, Any, Any, Any]] = [
+    (3 + 2 * q**2 - q**4, -sp.oo, sp.oo, -sp.sqrt(3), sp.sqrt(3)),
+    (3 - 2 * q**2 - 5 * q**4, -sp.oo, sp.oo, -sp.sqrt(sp.Rational(3, 5)), sp.sqrt(sp.Rational(3, 5))),
+    (5 * r**2 - 4 - r**4, 0, sp.oo, 1, 2),
+    (7 * r**2 - 3 * r**4, 0, sp.oo, 0, sp.sqrt(sp.Rational(7, 3))),
+    (4 - 5 * q**2 + q**4, -sp.oo, sp.oo, -1, 1),
+    (2 - 8 * q**2 + 8 * q**4, -sp.oo, sp.oo, -sp.sqrt(HALF), sp.sqrt(HALF)),
+]
+
+
+@pytest.mark.parametrize(("square", "low", "high", "left", "right"), WELLS)
+def test_even_quartics_give_the_area(square: Any, low: Any, high: Any, left: Any, right: Any) -> None:
+    """One well, two of which the right one is asked for, a well between hills, and both separatrices."""
+    (x,) = square.free_symbols
+    closed = next(quartic_wells(orbit(square, x, low, high)))
+    assert same(closed.value, area(square, x, left, right))
+    assert all(e > 0 for e in closed.exists)
+
+
+def test_an_even_quartic_beside_a_barrier_is_taken_on_one_side_of_it() -> None:
+    square = 5 * q**2 - 4 - q**4
+    assert not list(quartic_wells(orbit(square)))  # two wells, and none is named
+    closed = next(quartic_wells(orbit(square), sure, sp.Rational(3, 2)))
+    assert same(closed.value, area(square, q, 1, 2))
+
+
+def test_the_range_of_a_pendulum_holds_its_well() -> None:
+    """One period of the angle from barrier to barrier, and not from well to well, nor where the sign isn't known."""
+    b = sp.Symbol("b", real=True)
+
+    def found(strength: Any, low: Any, high: Any) -> list[ClosedAction]:
+        return list(pendulum_like(orbit(E + strength * sp.cos(q), q, low, high)))
+
+    assert found(c, -sp.pi, sp.pi)
+    assert found(-c, 0, 2 * sp.pi)
+    assert not found(c, 0, 2 * sp.pi)
+    assert not found(-c, -sp.pi, sp.pi)
+    assert not found(b, -sp.pi, sp.pi)
+    assert not found(c, -sp.pi / 2, sp.pi / 2)
+
+
+def test_a_power_passes_the_kink_of_its_absolute_value() -> None:
+    (closed,) = power_well(orbit(E - c * sp.Abs(q)))
+    assert closed.passes_zero
+
+
+CUBIC, QUARTIC = (q - 1) * (q - 2) * (q - 4), (q - 1) * (q - 2) * (q - 4) * (q - 7)
+PERIODS: list[tuple[Any, Any, Any, Any]] = [
+    (sp.Integer(2), CUBIC, 1, 2),
+    (sp.Integer(2), QUARTIC, 2, 4),
+    (2 / (q + 3), QUARTIC, 2, 4),
+    (2 * (q + 3), -CUBIC, 2, 4),
+]
+
+
+@pytest.mark.parametrize(("rate", "square", "low", "high"), PERIODS)
+def test_elliptic_periods_are_the_integrals(rate: Any, square: Any, low: Any, high: Any) -> None:
+    """The period is ∂J/∂E = ∫ rate/√square dq."""
+    motion = orbit(square)
+    closed = next(elliptic(motion, integrands(motion), sure, None, rate))
+    rest = sp.cancel(square / ((q - low) * (high - q)))
+    slow = sp.lambdify(q, rate / sp.sqrt(rest), "mpmath")  # with q = middle + half sin t the ends are regular
+    with mpmath.workdps(25):
+        middle, half = mpmath.mpf(low + high) / 2, mpmath.mpf(high - low) / 2
+        value = mpmath.quad(lambda t: slow(middle + half * mpmath.sin(t)), [-mpmath.pi / 2, 0, mpmath.pi / 2])
+    assert abs(number(closed.period) - value) < 1e-12 * value
+    for _, zero in closed.vanishes:
+        assert abs(sp.N(zero.xreplace(dict.fromkeys(zero.free_symbols, sp.Rational(3, 11))), 30)) < 1e-20
+
+
+def test_elliptic_roots_count_by_their_order_beside_a_well() -> None:
+    """Of two allowed intervals the one that holds the point, from either side."""
+    square = -(q - 1) * (q - 2) * (q - 4) * (q - 7)
+    motion = orbit(square)
+    for well, low, high in ((sp.Rational(3, 2), 1, 2), (sp.Integer(5), 4, 7)):
+        closed = next(elliptic(motion, integrands(motion), sure, well))
+        assert same(closed.value, area(square, q, low, high))
+    assert not list(elliptic(motion, integrands(motion), sure, sp.Integer(3)))
+
+
+def test_linear_conditions_bound_the_range() -> None:
+    conditions = [Condition("positive", (e,)) for e in (2 * q + c, 3 - q)]
+    motion = one_degree(p**2 + q**2, q, p, E, conditions)
+    assert (motion.low, motion.high) == (-c / 2, 3)

@@ -5,7 +5,10 @@ import sympy as sp
 
 from canon.errors import InputError
 from canon.mechanics.birkhoff import NoNormalForm, birkhoff_gustavson, resonances
+from canon.mechanics.graded_algebra import algebra_over
+from canon.mechanics.homological import semisimple, split
 from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.taylor_polynomial import homogeneous_parts
 
 PLANE = PhaseSpace("x y", "px py")
 X, Y, PX, PY = PLANE.symbols("x y px py")
@@ -37,6 +40,36 @@ def test_the_transformation_is_symplectic_order_by_order_and_leads_to_the_normal
     images = dict(zip(PLANE.old, found.transformation(), strict=True))
     difference = sp.Poly(HENON_HEILES.subs(images, simultaneous=True) - found.hamiltonian(), *PLANE.old)
     assert min(map(sum, difference.monoms())) == 5  # by substitution, without a Lie series
+
+
+def test_the_homological_equation_is_solved_inside_the_image_of_ad():
+    """R = N + {χ, H₂}, {N, H₂} = 0, and χ has no part that commutes with H₂; to order 4 the map has degree 3."""
+    found = birkhoff_gustavson(PLANE, HENON_HEILES, 4)
+    algebra, H2 = found.algebra, found.parts[2]
+    x, y, u, v = algebra.generators
+    for R in ((x**2 + u * y) * (v + x) ** 2, x**4 + y**4, x * y * u):
+        N, chi = split(algebra, H2, R)
+        assert algebra.bracket(N, H2) == 0
+        assert N + algebra.bracket(chi, H2) == R
+        assert split(algebra, H2, chi)[0] == 0
+    assert max(max(map(sum, sp.Poly(image, *PLANE.old).monoms())) for image in found.transformation()) == 3
+
+
+def test_the_linear_flow_is_semisimple_where_no_root_is_double():
+    for H2, expected in (
+        (P**2 + Q**2, True), (P**2 - Q**2, True), (P**2, False), (Q * P, True), ((P - 2 * Q) ** 2, False),
+    ):  # fmt: skip
+        algebra, (parts,) = homogeneous_parts(H2, (Q, P), 2)
+        assert semisimple(algebra, parts[2]) is expected
+
+
+def test_coefficients_are_in_a_field_in_which_nothing_is_zero_unseen():
+    """Square roots of numbers are, and parameters beside π; of functions of numbers it isn't known."""
+    for numbers in ([sp.sqrt(2), sp.sqrt(3)], [sp.pi, OMEGA], [sp.Rational(1, 3)]):
+        assert algebra_over((Q, P), numbers).one
+    for numbers in ([sp.cos(1), sp.sin(1)], [sp.sqrt(2), sp.pi], [sp.log(2)]):
+        with pytest.raises(ValueError, match="coefficients in"):
+            algebra_over((Q, P), numbers)
 
 
 def test_a_wrong_generator_is_seen():

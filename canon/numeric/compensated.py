@@ -8,7 +8,8 @@ from typing import Any, Final
 Constant = tuple[float, float]
 """The sum of two doubles."""
 
-_SPLITTER: Final = 134217729.0  # 2**27 + 1
+SPLITTER: Final = 134217729.0
+"""2**27 + 1."""
 
 
 def two_sum(a: Any, b: Any) -> tuple[Any, Any]:
@@ -27,7 +28,7 @@ def two_product(a: Any, b: Any) -> tuple[Any, Any]:
 
 
 def _halves(a: Any) -> tuple[Any, Any]:
-    c = _SPLITTER * a
+    c = SPLITTER * a
     high = c - (c - a)
     return high, a - high
 

@@ -1,7 +1,8 @@
 """Runs an integrator over many steps in one compiled program, storing only the states that are asked for.
 
 The program is a loop over chunks of steps, whose bounds are arguments. So a run can be made in pieces, interrupted
-and resumed: the program is the same, and so is every bit of the result.
+and resumed: the program is the same, and so is every bit of the result. It is machine code of our own where the engine
+`native` can have it (`canon.numeric.native`), and XLA's elsewhere: the two agree but for rounding.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 from canon.errors import InputError
 from canon.numeric.compiled import compiled
 from canon.numeric.devices import spread
+from canon.numeric.engines import Engine, settled
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method, Time
 from canon.numeric.precision import double
@@ -35,6 +37,7 @@ class Run:
     `step` is the step's length, and `compensated` says whether the rounding of additions is kept. `per_sample` chunks
     of `per_chunk` steps lie between two stored states; `carry` is what the next chunk starts from, and `stored` has one
     array (samples, …) for each of the state's. `taken`: the steps of a method that chooses each of them by itself.
+    `engine` is the one that is asked for before the first step, and the one that computes from then on.
     """
 
     t0: float
@@ -49,6 +52,7 @@ class Run:
     stored: State
     ended: bool = False
     taken: int | None = None
+    engine: Engine = "xla"
 
     @property
     def chunks(self) -> int:
@@ -101,20 +105,27 @@ def integrate(
     t0: float = 0.0,
     compensated: bool | None = None,
     batched: bool = False,
+    engine: Engine = "xla",
 ) -> Run:
     """The orbit from `state` at t0, at `samples` equidistant times, both ends included.
 
     **Arguments:** `problem`, a `Splitting` or what else the method takes; `state`, a tuple of slots (see
     `canon.numeric.integrators`); `steps` of the whole run at least: it is rounded up to a multiple of samples − 1.
     `compensated`: whether the rounding of the additions is kept; left out, in runs of a million steps and more.
-    `batched`: the last axis of every array counts orbits; they are divided among the devices of jax.
+    `batched`: the last axis of every array counts orbits; they are divided among the devices of jax. `engine`: "native"
+    computes with machine code of this package's own where a step is a straight line of elementary operations, "xla"
+    never does, "auto" does where the optional extra `native` is installed and jax computes on one processor.
 
     **Returns:** a finished `Run`. It ended early where the state (with orbits: of every orbit) stopped being finite:
     then `completed` < `samples`, and what was stored until then is there.
 
-    **Raises:** `InputError` where the method cannot solve the problem, or a number makes no sense.
+    **Raises:** `InputError` where the method cannot solve the problem, a number makes no sense, or the engine "native"
+    is asked for and not installed.
     """
-    run = start(problem, method, state, duration=duration, steps=steps, samples=samples, t0=t0, compensated=compensated)
+    run = start(
+        problem, method, state, duration=duration, steps=steps, samples=samples, t0=t0, compensated=compensated,
+        engine=engine,
+    )  # fmt: skip
     return advance(problem, method, run, batched=batched)
 
 
@@ -128,6 +139,7 @@ def start(
     samples: int = 2,
     t0: float = 0.0,
     compensated: bool | None = None,
+    engine: Engine = "xla",
 ) -> Run:
     """The run that `integrate` makes, before its first step."""
     import jax
@@ -147,7 +159,7 @@ def start(
         carry = method.stepper(problem, compensated=keeps).initial(state)
     stored = jax.tree.map(rows, state)
     step = duration / (per_chunk * per_sample * (samples - 1))
-    return Run(t0, duration, step, samples, per_sample, per_chunk, 0, keeps, carry, stored)
+    return Run(t0, duration, step, samples, per_sample, per_chunk, 0, keeps, carry, stored, engine=engine)
 
 
 def divided(steps: int, samples: int) -> tuple[int, int]:
@@ -162,13 +174,27 @@ def advance(problem: Any, method: Method, run: Run, *, chunks: int | None = None
     if run.ended:
         return run
     last = run.chunks if chunks is None else min(run.done + chunks, run.chunks)
+    engine = settled(run.engine, batched)
+    if engine == "native":
+        from canon.numeric.native.engine import native
+
+        made = native(problem, method, run.compensated, batched, run.carry)
+        if made is not None:
+            done, carry, stored = made.run(run.carry, run.stored, _chunks(run, last), batched)
+            return replace(run, done=done, carry=carry, stored=stored, ended=done < last, engine="native")
     wide = batched or max((np.size(x) for x in _leaves(run)), default=0) // run.samples >= MANY
     with double():
         program = _program(problem, method, run.compensated, batched, wide)
         carry, stored = _spread(run) if batched else (run.carry, run.stored)
         done, carry, stored = program(carry, stored, run.done, last, run.per_sample, run.per_chunk, run.step, run.t0)
         done = int(done)
-    return replace(run, done=done, carry=carry, stored=stored, ended=done < last)
+    return replace(run, done=done, carry=carry, stored=stored, ended=done < last, engine="xla")
+
+
+def _chunks(run: Run, last: int) -> Any:
+    from canon.numeric.native.engine import Chunks
+
+    return Chunks(run.done, last, run.per_sample, run.per_chunk, run.step, run.t0)
 
 
 def _leaves(run: Run) -> list[Any]:

@@ -15,7 +15,7 @@ from canon.numeric.precision import double
 from canon.numeric.scalar_arrays import MOVES, Traced, Unscalar, Value, computed, known, lifted, moved
 from canon.program import Builder, Program, TooLong
 
-__all__ = ["Unscalar", "scalar_program", "values_and_jacobian"]
+__all__ = ["Unscalar", "scalar_program", "taken_apart", "values_and_jacobian"]
 
 MOST_OPERATIONS: Final = 6000
 """Longer programs are left to jax as they are: compiling every scalar of them would take longer than running them."""
@@ -36,19 +36,27 @@ def scalar_program(function: Callable[[Any], Any], size: int, *, most: int = MOS
     with double():
         closed = jax.make_jaxpr(function)(np.zeros(size))
         builder = Builder(size, 20 * most)
-        inputs = Traced(np.array([builder.input(k) for k in range(size)]))
-        try:
-            results = _run(builder, closed.jaxpr, closed.consts, [inputs])
-            nodes = [int(node) for result in results for node in lifted(builder, result).nodes.ravel()]
-        except TooLong as reason:
-            raise Unscalar(str(reason)) from None
-        except (TypeError, ValueError, KeyError, IndexError, NotImplementedError) as reason:
-            # an operation in a form that is not known here: jax runs it all the same
-            raise Unscalar(f"{type(reason).__name__}: {reason}") from reason
-        program = builder.program(tuple(nodes))
+        results = taken_apart(builder, closed, [Traced(np.array([builder.input(k) for k in range(size)]))])
+        program = builder.program(tuple(int(node) for result in results for node in result.nodes.ravel()))
     if len(program.operations) > most:
         raise Unscalar(f"more than {most} operations")
     return program
+
+
+def taken_apart(builder: Builder, closed: Any, arguments: Sequence[Value], *, whole: bool = False) -> list[Any]:
+    """What a jaxpr returns, as nodes of the program that is being built; what does not depend on nodes, and is no
+    double, as it is with `whole`, else as numbers. Called in double precision.
+
+    **Raises:** `Unscalar` where it can't be taken apart.
+    """
+    try:
+        found = _run(builder, closed.jaxpr, closed.consts, arguments)
+        return [x if whole and not isinstance(x, Traced) and x.dtype.kind != "f" else lifted(builder, x) for x in found]
+    except TooLong as reason:
+        raise Unscalar(str(reason)) from None
+    except (TypeError, ValueError, KeyError, IndexError, NotImplementedError) as reason:
+        # an operation in a form that is not known here: jax runs it all the same
+        raise Unscalar(f"{type(reason).__name__}: {reason}") from reason
 
 
 def values_and_jacobian(one: Callable[[Any], Any], size: int, *, most: int = MOST_OPERATIONS) -> Program:

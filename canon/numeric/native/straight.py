@@ -1,0 +1,229 @@
+"""The pieces of an integrator as straight-line programs of scalars: what prepares, begins, makes a step, and ends.
+
+One orbit's numbers are the inputs: of a batch, in which orbits go their own ways, the functions are traced for a batch
+of one. What a carry holds of whole numbers and truth values (at which place of its history a multistep method is) is
+known while tracing: a step is traced for each of the places, until they repeat.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+
+from canon.numeric.integrators.stepper import Stepper, Time
+from canon.numeric.operations import count_operations
+from canon.numeric.precision import double
+from canon.numeric.scalar_arrays import Traced, Unscalar, Value, known
+from canon.numeric.scalar_program import taken_apart
+from canon.program import Builder, Program
+
+MOST_OPERATIONS: Final = 12_000
+"""Operations of a step and what brackets it: longer programs would take seconds to compile."""
+LONGEST_CYCLE: Final = 16
+"""Steps after which the whole numbers of a carry are to be what they were."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How a carry's numbers lie one after another: the `shapes` of its leaves that hold doubles, without the orbits'
+    axis, and which leaves these are; the others are `statics`.
+    """
+
+    structure: Any
+    floats: tuple[int, ...]
+    shapes: tuple[tuple[int, ...], ...]
+    leaves: int
+
+    @property
+    def size(self) -> int:
+        """Doubles of one orbit."""
+        return sum(int(np.prod(shape)) for shape in self.shapes)
+
+
+@dataclass(frozen=True)
+class Straight:
+    """Programs of one orbit. `prepare` takes h to the tables; the others take (carry, tables, t0, h, k).
+
+    For each entry of `cycle`, the whole numbers before a step: `steps` to the next carry, `begins` to a carry, and
+    `ends` to a carry and the state that is shown. `still` says that to begin changes nothing.
+    """
+
+    carry: Layout
+    state: Layout
+    tables: int
+    prepare: Program
+    cycle: tuple[tuple[np.ndarray, ...], ...]
+    begins: tuple[Program, ...]
+    steps: tuple[Program, ...]
+    ends: tuple[Program, ...]
+    still: bool
+
+    @property
+    def operations(self) -> int:
+        """All that is to be compiled."""
+        return sum(len(p.operations) for p in (self.prepare, *self.begins, *self.steps, *self.ends))
+
+    def place(self, statics: Sequence[np.ndarray]) -> int | None:
+        """Which entry of the cycle these whole numbers are."""
+        wanted = _key(statics)
+        return next((k for k, entry in enumerate(self.cycle) if _key(entry) == wanted), None)
+
+
+def straight(stepper: Stepper, carry: Any, first: Sequence[np.ndarray] | None, batched: bool) -> Straight:
+    """The stepper as straight programs, for carries of this form; `first`: whole numbers of the carry to begin the
+    cycle with, where they are not those of `carry`.
+
+    **Raises:** `Unscalar` where it depends on more than that: loops whose length depends on the state, functions that
+    are no elementary ones, more operations than are worth compiling; whatever jax raises where it cannot trace.
+    """
+    import jax
+
+    with double():
+        layout = layout_of(carry, batched)
+        statics = [np.asarray(x) for k, x in enumerate(jax.tree.leaves(carry)) if k not in layout.floats]
+        one = _one_orbit(carry, layout, batched)
+        tables = jax.eval_shape(stepper.prepare, 0.01)
+        table_layout = layout_of(tables, False)
+        if table_layout.leaves != len(table_layout.floats):
+            raise Unscalar("tables of whole numbers")
+        moment = jax.ShapeDtypeStruct((), np.float64)
+
+        def traced(function: Callable[[Any, Any, Time], Any]) -> Any:
+            whole = lambda c, made, t0, h, k: function(c, made, Time(t0, h, k))
+            return jax.make_jaxpr(whole, return_shape=True)(one, tables, moment, moment, moment)
+
+        step, shape = traced(stepper.step)
+        if count_operations(step.jaxpr) > MOST_OPERATIONS:
+            raise Unscalar(f"more than {MOST_OPERATIONS} operations")
+        _same_form(shape, one)
+        begin, shape = traced(stepper.begin)
+        _same_form(shape, one)
+        end, (shape, shown) = traced(lambda *a: (lambda made: (made, stepper.read(made)))(stepper.end(*a)))
+        _same_form(shape, one)
+        state = layout_of(shown, batched)
+        if state.leaves != len(state.floats):
+            raise Unscalar("a state of whole numbers")
+        parts = _Parts(layout, table_layout)
+        cycle, steps = _cycle(parts, step, [np.asarray(x) for x in first] if first is not None else statics)
+        begins = [parts.program(begin, entry, entry)[0] for entry in cycle]
+        ends = [parts.program(end, entry, entry)[0] for entry in cycle]
+        still = all(_is_identity(program, layout.size) for program in begins)
+        if first is not None and not still:
+            raise Unscalar("a method that begins in two ways")
+        prepare = _prepared(stepper)
+    found = Straight(
+        layout, state, table_layout.size, prepare, tuple(map(tuple, cycle)), tuple(begins), steps, tuple(ends), still
+    )
+    if found.operations > MOST_OPERATIONS:
+        raise Unscalar(f"more than {MOST_OPERATIONS} operations")
+    return found
+
+
+def layout_of(tree: Any, batched: bool) -> Layout:
+    """**Raises:** `Unscalar` where numbers are of another type than float64, or a batch's have no axis of orbits."""
+    import jax
+
+    leaves, structure = jax.tree.flatten(tree)
+    floats, shapes = [], []
+    for k, leaf in enumerate(leaves):
+        kind, shape = np.dtype(getattr(leaf, "dtype", type(leaf))), np.shape(leaf)
+        if kind == np.float64:
+            if batched and not shape:
+                raise Unscalar("a number that all orbits share")
+            floats.append(k)
+            shapes.append(shape[:-1] if batched else shape)
+        elif kind.kind not in "iub" or shape:
+            raise Unscalar(f"numbers of type {kind}")
+    return Layout(structure, tuple(floats), tuple(shapes), len(leaves))
+
+
+def _one_orbit(carry: Any, layout: Layout, batched: bool) -> Any:
+    """The form of a carry, with one orbit."""
+    import jax
+
+    leaves = [np.asarray(x) for x in jax.tree.leaves(carry)]
+    forms = [jax.ShapeDtypeStruct(x.shape, x.dtype) for x in leaves]
+    for k, shape in zip(layout.floats, layout.shapes, strict=True):
+        forms[k] = jax.ShapeDtypeStruct((*shape, 1) if batched else shape, np.float64)
+    return jax.tree.unflatten(layout.structure, forms)
+
+
+def _same_form(found: Any, wanted: Any) -> None:
+    import jax
+
+    forms = [[(x.shape, np.dtype(x.dtype)) for x in jax.tree.leaves(tree)] for tree in (found, wanted)]
+    if forms[0] != forms[1] or jax.tree.structure(found) != jax.tree.structure(wanted):
+        raise Unscalar("a carry that changes its form, or numbers of single orbits in the problem")
+
+
+class _Parts:
+    """Programs of (carry, tables, t0, h, k), with what the carry holds of whole numbers known."""
+
+    def __init__(self, carry: Layout, tables: Layout) -> None:
+        self.carry, self.tables = carry, tables
+
+    def program(
+        self, closed: Any, statics: Sequence[np.ndarray], kept: Sequence[np.ndarray] | None
+    ) -> tuple[Program, list[np.ndarray]]:
+        """The program of a jaxpr, and the whole numbers that it leaves in the carry: those `kept`, if given."""
+        inputs = self.carry.size + self.tables.size + 3
+        builder = Builder(inputs, 20 * MOST_OPERATIONS)
+        position = iter(range(inputs))
+        forms = [v.aval for v in closed.jaxpr.invars]
+        others = iter(statics)
+        values: list[Value] = []
+        for k, form in enumerate(forms):
+            if k < self.carry.leaves and k not in self.carry.floats:
+                values.append(known(next(others)))
+                continue
+            nodes = [builder.input(next(position)) for _ in range(int(np.prod(form.shape)))]
+            values.append(Traced(np.array(nodes, dtype=int).reshape(form.shape)))
+        found = taken_apart(builder, closed, values, whole=True)
+        after, nodes = list[np.ndarray](), list[int]()
+        for k, value in enumerate(found):
+            if k >= self.carry.leaves or k in self.carry.floats:
+                nodes += [int(node) for node in value.nodes.ravel()]
+            elif isinstance(value, Traced):
+                raise Unscalar("a whole number that depends on the state")
+            else:
+                after.append(value)
+        if kept is not None and _key(after) != _key(kept):
+            raise Unscalar("whole numbers that change at the ends of a run of steps")
+        return builder.program(tuple(nodes)), after
+
+
+def _cycle(
+    parts: _Parts, step: Any, first: Sequence[np.ndarray]
+) -> tuple[list[Sequence[np.ndarray]], tuple[Program, ...]]:
+    """The whole numbers before each step until they repeat, and the steps."""
+    cycle, steps = [first], list[Program]()
+    for _ in range(LONGEST_CYCLE):
+        program, after = parts.program(step, cycle[-1], None)
+        steps.append(program)
+        if len(program.operations) * len(steps) > MOST_OPERATIONS:
+            break
+        if _key(after) == _key(first):
+            return cycle, tuple(steps)
+        cycle.append(after)
+    raise Unscalar("whole numbers of a carry that do not repeat soon")
+
+
+def _prepared(stepper: Stepper) -> Program:
+    import jax
+
+    closed = jax.make_jaxpr(stepper.prepare)(jax.ShapeDtypeStruct((), np.float64))
+    builder = Builder(1, 20 * MOST_OPERATIONS)
+    found = taken_apart(builder, closed, [Traced(np.array(builder.input(0)))])
+    return builder.program(tuple(int(node) for x in found for node in x.nodes.ravel()))
+
+
+def _is_identity(program: Program, size: int) -> bool:
+    operations = [program.operations[node] for node in program.outputs]
+    return all(o.name == "input" and o.datum == k for k, o in enumerate(operations[:size]))
+
+
+def _key(statics: Sequence[np.ndarray]) -> tuple[tuple[str, bytes], ...]:
+    return tuple((np.asarray(x).dtype.str, np.asarray(x).tobytes()) for x in statics)

@@ -16,7 +16,7 @@ from typing import Any, Final, TypeVar
 
 from canon.budget import Budget
 from canon.errors import BudgetExceeded
-from canon.interruption import ABANDONED, STACK
+from canon.interruption import ABANDONED, started
 
 T = TypeVar("T")
 ENDING: Final = 0.5
@@ -49,7 +49,7 @@ def within(budget: Budget, work: Callable[[], T]) -> T:
         except BaseException as raised:
             failure.append(raised)
 
-    thread = _started(run)
+    thread = started(run)
     try:
         thread.join(budget.left())
     finally:
@@ -60,16 +60,6 @@ def within(budget: Budget, work: Callable[[], T]) -> T:
     if not answer:
         raise BudgetExceeded(f"the budget of {budget.seconds:g} s is spent")
     return answer[0]
-
-
-def _started(run: Callable[[], None]) -> threading.Thread:
-    usual = threading.stack_size(STACK)
-    try:
-        thread = threading.Thread(target=run, daemon=True)
-        thread.start()
-    finally:
-        threading.stack_size(usual)
-    return thread
 
 
 def _stop(thread: threading.Thread) -> None:

@@ -126,12 +126,7 @@ def _in_a_thread(work: Callable[[], T], over: Callable[[], bool], error: type[Ex
         except BaseException as raised:
             failure.append(raised)
 
-    usual = threading.stack_size(STACK)
-    try:
-        thread = threading.Thread(target=run, daemon=True)
-        thread.start()
-    finally:
-        threading.stack_size(usual)
+    thread = started(run)
     try:
         while thread.is_alive():
             if over():
@@ -143,6 +138,17 @@ def _in_a_thread(work: Callable[[], T], over: Callable[[], bool], error: type[Ex
     if failure:
         raise failure[0]
     return answer[0]
+
+
+def started(run: Callable[[], None]) -> threading.Thread:
+    """A thread with a deep stack that is doing this, and that a program doesn't wait for at its end."""
+    usual = threading.stack_size(STACK)
+    try:
+        thread = threading.Thread(target=run, daemon=True)
+        thread.start()
+    finally:
+        threading.stack_size(usual)
+    return thread
 
 
 def left_behind() -> bool:

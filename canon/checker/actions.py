@@ -9,17 +9,26 @@ proof; where two ways of measuring it don't agree, nothing is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
 from typing import Any
 
 from canon.checker.case import Case
+from canon.checker.enclosures import Enclosure, refined
+from canon.checker.followed import at_random, is_identity
+from canon.checker.formulas import ZERO
 from canon.checker.functions import Unknown
+from canon.checker.intervals import Intervals, Open
 from canon.checker.orbits import Ends, Form, Momenta, Orbit
 from canon.checker.points import Numbers, Outside
+from canon.checker.positive import is_nowhere_zero
+from canon.checker.shapes import is_smooth
 from canon.checker.statement import Statement
 
 DIGITS = 12
 """To so many digits an integral has to agree."""
+TURNS = (2, 3)
+"""What an angle may turn instead of once, in a refutation."""
 PRECISE, SOLVED = (32, 44), (20, 26)
 """Digits in which an orbit is measured, and again where it isn't as claimed: fewer where the momentum is solved for."""
 
@@ -55,7 +64,27 @@ def action(s: Statement) -> Case:
             raise Outside
         return [found[equals] / values[-1] - 1]
 
-    return Case([], measured=measured, digits=DIGITS)
+    def enclosed(own: Intervals, of: Mapping[str, Any]) -> Iterator[Any]:
+        """Intervals that hold the action, or the frequency, less what is claimed, of an orbit that may be meant."""
+        numbers, found = Numbers(SOLVED[0]), own.values(f, [level, equals, period, *given], of)
+        point = {n: numbers.mp.mpf(v.mid) for n, v in of.items() if not isinstance(v, str)}
+        momenta = Momenta(form, numbers, point, numbers.mp.mpf(found[level].mid))
+        ends = Ends(s, momenta, 1, Orbit(momenta, rate, DIGITS))
+        integrand, signs = form.integrand(level, rate=rate, rotates=rotates)
+        enclosure = Enclosure(own, of, integrand, [*ends.conditions, *signs], s.words.get(x, ()))
+        if rotates:
+            totals: Any = ([enclosure.over(found[period], n)] for n in (24, 96, 384))
+        else:
+            try:
+                loops = ends.loops(numbers.mp.mpf(found[given[-1]].mid) if "well" in claim else None)
+            except Outside:
+                raise Open from None
+            totals = zip(*(refined(enclosure, *map(Fraction, map(float, loop))) for loop in loops), strict=True)
+        for several in totals:
+            values = [(1 / value if rate else value) - found[equals] for value in several]
+            yield next((value for value in values if 0 in value), values[0])
+
+    return Case([], measured=measured, digits=DIGITS, enclosed=enclosed if form.quadratic else None)
 
 
 def action_angle(s: Statement) -> Case:
@@ -74,30 +103,77 @@ def action_angle(s: Statement) -> Case:
         raise Unknown("angles of a map that is given by a generating function")
     K = s.pull(s.H)
     zeros += [f.slope(K, angle) for angle in s.Q]
-    later = [[f.substitute(x, {Q: f.add(f.node("s", Q), period)}) for x in s.old] for Q in s.Q]
+    if s.verdict == "refuted":
+        return _not_closed(s, zeros, period)
+    values, shown = at_random(s), _is_whole(s, K)
+    for k, angle in enumerate(s.Q):
+        kinds = list[bool]()
+        for name, change in zip((*s.q, *s.p), _changes(s, angle, period), strict=True):
+            kinds.append(name in s.p or is_identity(values, change))
+            if kinds[-1]:
+                zeros.append(change)
+                continue
+            turn = f.mul(f.number(4), f.power(f.node("s", "pi"), f.number(2)))  # a full turn, of which H knows nothing
+            moved = f.substitute(s.H, {name: f.add(f.node("s", name), change)})
+            zeros += [f.sub(f.mul(change, change), turn), s.pull(f.sub(moved, s.H))]
+        rotates = all(kind == (i != k) for i, kind in enumerate(kinds))
+        shown = shown and _apart(s, k) and (rotates or (all(kinds) and _swings(s, k, period)))
+    return Case(zeros, trusted="" if shown else once)
 
-    def measured(numbers: Numbers, of: Mapping[str, Any]) -> list[Any]:
-        """The changes of the old variables, but for coordinates that H doesn't tell from themselves afterwards."""
-        found = numbers.values(f, [*s.old, *(x for row in later for x in row)], of)
-        residuals = []
-        for row in later:
-            for name, before, after in zip((*s.q, *s.p), s.old, row, strict=True):
-                change = found[after] - found[before]
-                if abs(change) > numbers.mp.mpf(10) ** -DIGITS and name in s.q and _same(s, numbers, of, name, change):
-                    change = numbers.mp.mpf(0)
-                residuals.append(change)
-        return residuals
 
-    return Case(zeros, measured=measured, digits=DIGITS, trusted=once)
+def _is_whole(s: Statement, K: int) -> bool:
+    """Whether all of each angle's cycle is seen to lie where H and the map are smooth, with no bounds on angles."""
+    f, angles = s.f, {*s.Q}
+    bound = any(f.ops[b][0] == "s" and f.ops[b][1] in angles for a, _ in s.conditions for b in f.reach(a))
+    return not bound and all(is_smooth(s, a, angle) for a in (K, *s.old) for angle in s.Q)
 
 
-def _same(s: Statement, numbers: Numbers, of: Mapping[str, Any], name: str, change: Any) -> bool:
-    """Whether H is the same where a coordinate has moved by a full turn."""
+def _changes(s: Statement, angle: str, period: int) -> list[int]:
+    """What the old variables change by where an angle advances by a period."""
     f = s.f
-    here = {n: numbers.values(f, [x], of)[x] for n, x in zip((*s.q, *s.p), s.old, strict=True)}
-    a, b = (numbers.values(f, [s.H], {**of, **here, name: here[name] + d})[s.H] for d in (0, change))
-    turns = abs(change) / (2 * numbers.mp.pi)
-    return bool(abs(a - b) < numbers.mp.mpf(10) ** -DIGITS and abs(turns - 1) < numbers.mp.mpf(10) ** -DIGITS)
+    ahead = {angle: f.add(f.node("s", angle), period)}
+    return [f.sub(f.substitute(x, ahead), x) for x in s.old]
+
+
+def _apart(s: Statement, k: int) -> bool:
+    """Whether no other angle moves the k-th coordinate and its momentum: each of the angles has a cycle of its own."""
+    f, n = s.f, len(s.q)
+    return all(f.slope(s.old[i], angle) == ZERO for j, angle in enumerate(s.Q) if j != k for i in (k, k + n))
+
+
+def _swings(s: Statement, k: int, period: int) -> bool:
+    """Whether p = g cos(2π w/period + b), g being 0 nowhere: then no part of the period brings p back.
+
+    Its zeros are half a period apart, across which it changes its sign.
+    """
+    f, values, factors, cosines = s.f, at_random(s), [s.old[k + len(s.q)]], 0
+    while factors:
+        a = factors.pop()
+        op = f.ops[a]
+        if op[0] == "*":
+            factors += f.parts(a)
+        elif op[:2] == ("f", "cos"):
+            once = f.sub(f.mul(f.slope(op[3][0], s.Q[k]), period), f.mul(f.number(2), f.node("s", "pi")))
+            cosines += is_identity(values, once)
+            if not is_identity(values, once):
+                return False
+        elif not is_nowhere_zero(s, a):
+            return False
+    return cosines == 1
+
+
+def _not_closed(s: Statement, zeros: list[int], period: int) -> Case:
+    """Against the claim speaks what doesn't come back, by no number of turns; or what is back after a part of it."""
+    f, values = s.f, at_random(s)
+    for n in TURNS if len(s.q) == 1 else ():
+        part = _changes(s, s.Q[0], f.mul(f.number(Fraction(1, n)), period))
+        if all(is_identity(values, x) for x in part):
+            return Case(part, found=False)
+    for angle in s.Q:
+        for name, change in zip((*s.q, *s.p), _changes(s, angle, period), strict=True):
+            half = f.mul(f.number(Fraction(1, 2)), change)
+            zeros.append(f.node("f", "sin", (), (half,)) if name in s.q and half != ZERO else change)
+    return Case(zeros)
 
 
 KINDS: dict[str, Callable[[Statement], Case]] = {

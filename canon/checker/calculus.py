@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
 from canon.checker.case import Case
+from canon.checker.expansions import Series, towards
 from canon.checker.functions import Unknown
 from canon.checker.intervals import Intervals
 from canon.checker.points import Numbers, Outside
@@ -145,13 +146,36 @@ def _pieces(numbers: Numbers, a: Any, b: Any) -> list[Any]:
     return [a, b - 1, b] if mp.isfinite(b) else [a, -1, 1, b]
 
 
+def by_expansion(s: Statement, found: Sequence[Series | None], equals: int | str) -> Case | None:
+    """No pole, and the constant is the limit; or a pole whose first coefficient has the sign of the infinity."""
+    f, case = s.f, Case([])
+    for series in found:
+        if series is None:
+            return None
+        poles, rest = series.terms[: max(-series.low, 0)], series.terms[max(-series.low, 0) :]
+        if isinstance(equals, int):
+            if not rest:
+                return None
+            constant = rest[0] if series.low <= 0 else f.number(0)
+            case.zeros += [*(c for c in poles if f.value(c) != 0), f.sub(constant, equals)]
+        elif not poles or s.verdict == "refuted":
+            return None
+        else:
+            sign = f.number(1 if equals == "infinity" else -1)
+            case.positive.append((f.mul(sign, poles[0]), True))
+    return case
+
+
 def limit(s: Statement) -> Case:
-    """f tends to `equals`: measured at points that come nearer and nearer."""
+    """f tends to `equals`: by its expansion, or measured at points that come nearer and nearer."""
     f, claim, x = s.f, s.claim, str(s.claim["variable"])
     s.declared |= {x}
     inside, to, equals = f.read(claim["f"], s.names), _end(s, claim["to"]), _end(s, claim["equals"])
     s.written += [end for end in (to, equals) if isinstance(end, int)]
     sides = {"+": [1], "-": [-1]}.get(str(claim.get("side")), [1, -1] if isinstance(to, int) else [1])
+    shown = by_expansion(s, [towards(s, inside, x, to, side) for side in sides], equals)
+    if shown is not None:
+        return replace(shown, mentions=[inside])
 
     def measured(numbers: Numbers, of: Mapping[str, Any]) -> list[Any]:
         own = Numbers(120, real=numbers.real)

@@ -168,6 +168,11 @@ class _Check:
         for a in f.rational([*shown, *s.surface])[1]:
             if a in atoms and not followed.is_value(a):
                 trusted.append(f"the value of {f.text(a)[:80]} in the kernels (seen at {len(places)} points)")
+        if len(trusted) > bool(case.trusted) and not s.surface:  # what is 0 by the rules alone needs none of these
+            own = Values(s, self.primes[-1], self.rng, real=self.real)
+            added = self.real and unreal(followed, domain_of(s), {})
+            if not added and all(is_identity(own, a) for a in case.zeros):
+                trusted = [case.trusted] if case.trusted else []
         for k, (a, entry) in enumerate(zip(s.surface, data.get("surface", []), strict=False), 1):
             self._denominator(entry, places)
             relations[f"surface {k}"] = core.fraction(self._program(a, atoms), entry, self.primes)

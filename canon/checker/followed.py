@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Mapping
 from typing import Any
 
@@ -85,3 +86,9 @@ def is_identity(values: Values, a: int) -> bool:
         return not values.value(a)
     except FAILURES:
         return False
+
+
+def at_random(s: Statement) -> Values:
+    """Values at random numbers of their own: what is 0 there is 0, but for a chance of degree / 2^126."""
+    rng = random.SystemRandom()
+    return Values(s, core.random_prime(rng), rng, real=True)

@@ -20,7 +20,7 @@ SPARE = 10
 """So many of the last digits of a function's value are left open."""
 MONOTONE = {
     "asin": "asin", "acos": "acos", "atan": "atan", "asinh": "asinh", "acosh": "acosh", "atanh": "atanh",
-    "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf",
+    "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf", "elliptic_pi": "ellippi",
 }  # fmt: skip
 """Functions that are monotonic in each of their arguments, where these don't change their sign, and mpmath's names."""
 BOUNDED = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn"}
@@ -105,7 +105,7 @@ class Intervals:
             return x[0] * sign if name == "abs" else iv.mpf(sign)
         if name == "atan2":
             return self._angle(*x)
-        if name in MONOTONE:
+        if name in MONOTONE and (name != "elliptic_pi" or (len(x) == 2 and x[0].b < 1 and x[1].b < 1)):
             return self._monotone(MONOTONE[name], x)
         if name in BOUNDED and x[1].a >= 0 and x[1].b < 1:
             return self._jacobi(BOUNDED[name], x[0], x[1])
@@ -124,7 +124,7 @@ class Intervals:
 
     def _monotone(self, name: str, x: list[Any]) -> Any:
         """The least and the largest value at the corners; an argument around 0 is left alone, but by odd functions."""
-        if len(x) > 1 and 0 in x[0]:
+        if len(x) > 1 and 0 in x[0] and name != "ellippi":
             raise Open
         corners = product(*((self.mp.mpf(t.a), self.mp.mpf(t.b)) for t in x))
         found = [getattr(self.mp, name)(*corner) for corner in corners]

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
+from canon.checker.enclosures import Integrand
 from canon.checker.points import Numbers, Outside, allowed
 from canon.checker.statement import Statement
 
@@ -42,6 +44,22 @@ class Form:
             return Form(s, x, p, True, parts)
         turned = f.substitute(H, {p: f.mul(f.number(-1), f.node("s", p))})
         return Form(s, x, p, False, (f.substitute(H, at_rest), H, slope, turned))
+
+    def integrand(self, level: int, *, rate: bool, rotates: bool) -> tuple[Integrand, list[tuple[int, str]]]:
+        """Of a quadratic form what is integrated for its action, or with `rate` its period; and what must be positive.
+
+        D = b² - 4 a (c - E): ∮ p dq = ∫ √D/a dq and ∮ dt = 2 ∫ dq/√D round a libration; a rotation has p > 0 alone.
+        """
+        f, (a, b, c) = self.s.f, self.parts
+        room = f.sub(level, c)
+        D = f.add(f.mul(b, b), f.mul(f.number(4), a, room))
+        over, none = f.power(a, f.number(-1)), f.number(0)
+        r = Fraction(-1 if rate else 1, 2)
+        if not rotates:
+            return Integrand(f, self.x, none, f.number(2) if rate else over, D, r), []
+        half = f.mul(f.number(Fraction(1, 2)), over)
+        e, u = (none, f.number(1)) if rate else (f.mul(f.number(-1), b, half), half)
+        return Integrand(f, self.x, e, u, D, r), [(a, "positive"), (room, "positive")]
 
 
 class Momenta:
@@ -182,6 +200,13 @@ class Ends:
     def measure(self, well: Any) -> Any:
         """The orbit about the well, or without one the one that there is. Raises Outside where there are several that
         differ, none, or none that can be measured."""
+        values = [self.orbit.libration(low, high) for low, high in self.loops(well)]
+        if any(abs(value / values[0] - 1) > 10.0**-self.orbit.digits for value in values):
+            raise Outside
+        return values[0]
+
+    def loops(self, well: Any) -> list[tuple[Any, Any]]:
+        """The ends of one orbit, or of two: about the well, or next to 0. Raises Outside where there is none."""
         runs = sorted(self._runs(), key=lambda run: abs(self.grid[run[0]] + self.grid[run[1]]))
         loops = list[tuple[Any, Any]]()
         for run in runs[:NEAREST]:
@@ -196,10 +221,7 @@ class Ends:
         loops = sorted(loops, key=lambda loop: (abs(loop[0] + loop[1]), -loop[0]))[:2]
         if not loops:
             raise Outside
-        values = [self.orbit.libration(low, high) for low, high in loops]
-        if any(abs(value / values[0] - 1) > 10.0**-self.orbit.digits for value in values):
-            raise Outside
-        return values[0]
+        return loops
 
     def _is_open(self, q: Any, numbers: Numbers | None = None) -> bool:
         try:

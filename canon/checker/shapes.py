@@ -43,6 +43,14 @@ def is_smooth(s: Statement, a: int, x: str) -> bool:
             continue
         if assumed or "complex" in {word for words in s.words.values() for word in words}:
             return False
+        inner = f.ops[op[3][0]] if op[0] == "f" and len(op[3]) == 1 else ("", "")
+        if op[:2] == ("f", "tan") and inner[:2] in (("f", "asin"), ("f", "atan")):
+            continue  # which are themselves asked to lie inside of a right angle
+        if op[:2] == ("f", "asin"):
+            rest = f.sub(f.number(1), f.power(op[3][0], f.number(2)))
+            if not Signs(s).is_positive(rest, strict=True):
+                return False
+            continue
         below = op[0] == "^" and Signs(s).is_nowhere_zero(op[1])
         root = op[0] == "f" and op[1] in ("power", "log") and Signs(s).is_positive(op[3][0], strict=True)
         if not (below or root):

@@ -27,6 +27,10 @@ ODD = {"asin", "atan", "asinh", "atanh", "elliptic_f", "elliptic_e", "jacobi_eps
 CIRCULAR = {"sin": (1, 0), "cos": (0, 1), "tan": (1, -1), "cot": (-1, 1), "sec": (0, -1), "csc": (-1, 0)}
 """The powers of the sine and of the cosine."""
 HYPERBOLIC = {"sinh": (1, 0), "cosh": (0, 1), "tanh": (1, -1), "coth": (-1, 1)}
+QUARTERS = {
+    "asin": ((1, 1), (-1, -1)), "acos": ((0, 1), (1, 0), (-1, 2)), "atan": ((1, "1/2"), (-1, "-1/2")),
+}  # fmt: skip
+"""Values of inverse functions in right angles."""
 MULTIPLES = (range(-24, 25), range(-4, 5), range(-2, 3))
 """The integers n_i that are tried for one angle, for two, for three."""
 INVERSE = ("asin", "acos", "atan", "atan2")
@@ -146,6 +150,9 @@ class Values:
                     return t.mul(other, root if name == "elliptic_e" else t.inverse(root))
         if not x[0] and name in ODD and not (name == "elliptic_e" and len(x) == 1):
             return self.zero
+        for sine, turns in QUARTERS.get(name, ()):
+            if x[0] == t.constant(core.Fraction(sine)):
+                return t.mul(self._angles[0][0], t.constant(core.Fraction(turns)))
         return self._log(x[0]) if name == "log" else t.free()
 
     def _times(self, claimed: Fraction_ | None, factor: int) -> Fraction_ | None:

@@ -36,6 +36,11 @@ CLAIMS = {
     ("flows", "harmonic-oscillator"): (0, 3),
     ("errata", "valence"): (0, 1, 2),
     ("actions", "pendulum-generating-function"): (0, 3),
+    ("actions", "morse-angle"): (3, 4),
+    ("actions", "free-symmetric-top-angles"): (0, 2),
+    ("course", "action-angle-oscillator"): (3,),
+    ("course", "limits"): (4, 5, 8, 16, 19, 20, 21, 22),
+    ("course", "angle-without-a-shift"): (6, 8),
 }
 IN_PART = {
     ("transformations", "power-and-angle", 0): "almost all values",
@@ -44,7 +49,6 @@ IN_PART = {
     ("transformations", "oscillator-type-2", 0): "on a connected cell",
     ("transformations", "rotating-polar-coordinates", 1): "is exact",
     ("actions", "heavy-top-actions", 0): "points where it was measured",
-    ("actions", "heavy-top-actions", 2): "measured at the witness",
 }
 PATHS = {(Path(str(file)).parent.name, Path(str(file)).stem): Path(str(file)) for file in files()}
 

@@ -1,0 +1,130 @@
+"""False claims of kinds that are confirmed by more than an identity, and true ones refuted: none is confirmed.
+
+A forger writes what the checker would like to read: as many residuals as it asks for, each said to be 0 or shown by an
+argument; for a refutation, a point.
+"""
+
+from typing import Any
+
+import pytest
+
+from canon.checker.check import check, checksum
+from canon.checker.functions import Unknown, Unreadable
+from canon.checker.kinds import obligations
+from canon.checker.statement import Statement
+
+SPACE = {"phase_space": {"q": ["q"], "p": ["p"], "Q": ["w"], "P": ["J"]}}
+POSITIVE = {"symbols": {"a": "positive", "b": "positive", "c": "positive"}}
+SHOWN: tuple[dict[str, Any], ...] = (
+    {"argument": "normal form"},
+    {"numerator": {}, "denominator": {"": "1"}, "cofactors": {}},
+)
+
+
+def status(claim: dict[str, Any], verdict: str, shown: dict[str, Any], tables: Any, witness: Any = None) -> str:
+    """The checker's answer about a forged certificate with a right checksum."""
+    everything = {**SPACE, **POSITIVE, **tables, "claim": claim}
+    try:
+        count = [len(case.shown(verdict)) for case in obligations(Statement(everything, {}, verdict))]
+    except (Unknown, Unreadable):
+        count = [1]
+    data = {
+        "certificate": 1, "tables": everything, "known": {}, "verdict": verdict, "method": "normal form",
+        "domain": [], "witness": witness, "points": [],
+        "cases": [{"kernels": [], "atoms": {}, "residuals": [shown] * n} for n in count],
+    }  # fmt: skip
+    try:
+        return check({**data, "checksum": checksum(data)}).status
+    except Unreadable:
+        return "unreadable"
+
+
+def limit(f: str, equals: str, to: str = "0", **more: str) -> dict[str, Any]:
+    return {"kind": "limit", "f": f, "variable": "x", "to": to, "equals": equals, **more}
+
+
+def map_of(q: str, p: str, H: str = "(p**2 + a**2*q**2)/2", **more: Any) -> dict[str, Any]:
+    return {"transformation": {"q": [q], "p": [p]}, "hamiltonian": {"H": H}, **more}
+
+
+OSCILLATOR = map_of("sqrt(2*J/a)*sin(w)", "sqrt(2*a*J)*cos(w)", symbols={"a": "positive", "J": "positive"})
+ANGLE = {"kind": "action_angle", "angle_period": "2*pi"}
+
+FALSE: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "a limit's thousandth": (limit("sin(a*x)/x", "1001/1000*a"), {}),
+    "a limit from the other side": (limit("sqrt(a*x**2)/x", "sqrt(a)", side="-"), {}),
+    "a limit from both sides": (limit("x/abs(x)", "1"), {}),
+    "a limit's branch": (limit("acos((sqrt(1 - x**2) - 1)/x)", "-pi/2", side="+"), {}),
+    "a pole that is left out": (limit("1/x + a", "a", side="+"), {}),
+    "an infinity of the other sign": (limit("-a/x**2", "infinity"), {}),
+    "an infinity of no sign": (limit("a/x", "infinity"), {}),
+    "a coefficient that may vanish": (limit("(q*x + x**2)/(p*x + x**2)", "q/p"), {}),
+    "an exponential": (limit("tanh(a*x)", "1 + 1/1000000", to="infinity"), {}),
+    "exponentials of two rates": (limit("exp(-a*x)*sinh(b*x)", "1/2", to="infinity"), {}),
+    "an oscillation": (limit("x*sin(1/x)/x", "1"), {}),
+    "an arbitrary function": (limit("sqrt(x)*V(x)", "0", side="+"), {"symbols": {"V": "function"}}),
+    "a turn that is two": ({**ANGLE, "angle_period": "4*pi"}, OSCILLATOR),
+    "a turn that is half": ({**ANGLE, "angle_period": "pi"}, OSCILLATOR),
+    "a turn a thousandth longer": ({**ANGLE, "angle_period": "2*pi*1001/1000"}, OSCILLATOR),
+    "twice round, in bounds": (
+        {**ANGLE, "angle_period": "4*pi"},
+        OSCILLATOR | {"domain": {"where": ["0 < w", "w < pi/2"]}},
+    ),
+    "another Hamiltonian": (ANGLE, OSCILLATOR | {"hamiltonian": {"H": "p**2/2 + a**2*q**2/2 + q/1000"}}),
+    "half of a phase space": (ANGLE, OSCILLATOR | {"hamiltonian": {"H": "p**2/2 + a**2*sqrt(q)**4/2"}}),
+    "a cosine that isn't alone": (
+        {**ANGLE, "angle_period": "4*pi"},
+        map_of("sqrt(2*J/a)*sin(w)", "sqrt(2*a*J)*cos(w)*cos(w/2)/cos(w/2)", symbols=OSCILLATOR["symbols"]),
+    ),
+}  # fmt: skip
+
+ACTION = {"kind": "action", "coordinate": "q", "energy": "E", "equals": "2*pi*E/a"}
+TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = {
+    "a limit": (limit("sin(a*x)/x", "a"), {}, {"a": "1/3"}),
+    "a limit of nested roots": (limit("(sqrt(1 + a*x) - 1)/x", "a/2"), {}, {"a": "3"}),
+    "a limit at infinity": (limit("tanh(a*x)", "1", to="infinity"), {}, {"a": "2"}),
+    "an action": (ACTION, OSCILLATOR, {"a": "2", "E": "3"}),
+    "a frequency": ({**ACTION, "kind": "frequency", "equals": "a/(2*pi)"}, OSCILLATOR, {"a": "2", "E": "3"}),
+    "an action about a well": (
+        {**ACTION, "equals": "1/3*2*pi*E/a + 2/3*2*pi*E/a", "well": "1/100"}, OSCILLATOR, {"a": "1/2", "E": "5"}
+    ),
+    "a rotation": (
+        {**ACTION, "equals": "2*pi*sqrt(2*E)", "branch": "rotation", "period": "2*pi"},
+        OSCILLATOR | {"hamiltonian": {"H": "p**2/2"}}, {"E": "3", "a": "1"},
+    ),
+    "a pendulum's action": (
+        {**ACTION, "equals": "16*(elliptic_e((1 + E)/2) - (1 - E)/2*elliptic_k((1 + E)/2))", "branch": "libration"},
+        OSCILLATOR | {"hamiltonian": {"H": "p**2/2 - cos(q)"}}, {"E": "1/3", "a": "1"},
+    ),
+    "a turn": (ANGLE, OSCILLATOR, {"a": "2", "J": "3", "w": "1/2"}),
+    "a turn without a point": (ANGLE, OSCILLATOR, None),
+    "turns that are combined": (
+        ANGLE,
+        {
+            "phase_space": {"q": ["q", "x"], "p": ["p", "y"], "Q": ["w", "v"], "P": ["J", "K"]},
+            "transformation": {"q": ["2*w + v", "w + v"], "p": ["J - K", "2*K - J"]},
+            "hamiltonian": {"H": "p**2/2 + y**2/2"},
+        },
+        {"w": "1/2", "v": "1/3", "J": "2", "K": "3"},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("shown", SHOWN, ids=("argument", "identity"))
+@pytest.mark.parametrize("name", FALSE)
+def test_no_proof_of_what_is_false(name: str, shown: dict[str, Any]) -> None:
+    claim, tables = FALSE[name]
+    assert status(claim, "proved", shown, tables) != "confirmed"
+
+
+@pytest.mark.parametrize("name", TRUE)
+def test_no_refutation_of_what_is_true(name: str) -> None:
+    claim, tables, witness = TRUE[name]
+    assert status(claim, "refuted", SHOWN[0], tables, witness) not in ("confirmed", "confirmed in part")
+
+
+@pytest.mark.parametrize("name", [name for name in TRUE if name not in ("turns that are combined",)])
+def test_these_are_true(name: str) -> None:
+    """The same claims as proofs: confirmed, or in part where they are measured."""
+    claim, tables, _ = TRUE[name]
+    assert status(claim, "proved", SHOWN[0], tables).startswith("confirmed")

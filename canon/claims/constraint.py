@@ -20,6 +20,7 @@ from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
 from canon.claims.velocities import Motion, motion, region_in_velocities
 from canon.decide.derivative import derivative, substitute
+from canon.decide.region import Requirement
 from canon.decide.tape import Node
 from canon.errors import InputError
 from canon.expression import Formula
@@ -65,6 +66,12 @@ def constraint(question: Question) -> Outcome:
     loose = question.key("determined") is False and sum(question.key(word) is not None for word in ASKED) == 1
     if rank.status == "refuted" and not loose:
         raise InputError("the constraints depend on each other: leave out those that follow", f"key {written[0]!r}")
+    if written == ["functions"] and not loose and _independent(question, jets, forms, there).status == "refuted":
+        raise InputError(
+            "where the constraints hold their differentials depend on each other, as that of x**2 is 0 at x = 0: "
+            "write them so that they don't, as x",
+            "key 'functions'",
+        )
     parts = [rank] if question.key("holonomic") is not None or question.key("integrals") is not None else []
     return combined([*parts, *_answers(question, jets, forms, region), *_motions(question, jets, forms, lines, there)])
 
@@ -96,6 +103,18 @@ def _independent(question: Question, jets: Motion, forms: Sequence[Form], region
     return replace(found, detail={}) if found.status == "proved" else found
 
 
+def _regular(question: Question, forms: Sequence[Form]) -> Iterator[Requirement]:
+    """That the differentials of constraints are independent: elsewhere they say nothing of displacements."""
+    tape, m = question.tape, len(forms)
+    minors = [
+        determinant(tape, [[form[c] for c in chosen] for form in forms])
+        for chosen in combinations(range(question.space.n), m)
+    ]
+    total = tape.plus(*(tape.power(minor, 2) for minor in minors))
+    if tape.value(total) is None:
+        yield Requirement("positive", (total,), "the constraints' differentials are independent")
+
+
 def _answers(question: Question, jets: Motion, forms: Sequence[Form], region: Region) -> Iterator[Outcome]:
     """What is claimed of the forms themselves."""
     if question.key("holonomic") is not None:
@@ -110,11 +129,14 @@ def _motions(
     question: Question, jets: Motion, forms: Sequence[Form], lines: Sequence[Node], region: Region
 ) -> Iterator[Outcome]:
     """What is claimed of displacements and motions, on the surface that `functions` define."""
+    regular = region
+    if question.key("functions") is not None:
+        regular = region.also(*_regular(question, forms))
     for word in ("possible", "virtual"):
         if question.key(word) is not None:
-            yield _displacement(question, forms, region, word)
+            yield _displacement(question, forms, regular, word)
     if question.key("multipliers") is not None:
-        yield _reactions(question, jets, forms, lines, region)
+        yield _reactions(question, jets, forms, lines, regular)
     if question.key("determined") is not None:
         yield determined(question, jets, forms, region)
 

@@ -92,6 +92,19 @@ def test_displacements_on_a_moving_surface(status, keys, expected):
     assert status(claim, space=SKATE, symbols=SYMBOLS, domain='where = ["R + c*t > 0"]') == expected
 
 
+@pytest.mark.parametrize("functions", ["x**2", "x**2 + y**2", '["x - y", "(x - y)**2 + x - y"]', '["x", "x**2"]'])
+def test_functions_whose_differentials_depend_on_each_other_where_they_vanish(ask, functions):
+    """Of x² = 0 the differential is 0, and would allow any displacement."""
+    with pytest.raises(InputError, match="depend on each other"):
+        ask(_claim(functions, 'virtual = ["1", "0", "0"]', word="functions"), space=SKATE)
+
+
+@pytest.mark.parametrize(("step", "expected"), [('["1", "0", "0"]', "proved"), ('["0", "1", "0"]', "refuted")])
+def test_a_surface_is_left_out_where_its_differential_is_0(status, step, expected):
+    claim = _claim("x**2*(y - 1)", f"virtual = {step}", word="functions")
+    assert status(claim, space=SKATE) == expected
+
+
 @pytest.mark.parametrize(
     ("multiplier", "expected"),
     [

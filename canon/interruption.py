@@ -19,7 +19,11 @@ ABANDONED: Final = "canon: nobody waits for this"
 LOOK: Final = 0.02
 """Seconds between two looks at whether Ctrl-C was pressed."""
 PATIENCE: Final = (0.5, 5.0)
-"""Seconds after Ctrl-C until work is left that has nothing to report yet, and work that has."""
+"""Seconds after Ctrl-C until work is left that has nothing to report yet, and work that has; where the processor was busy
+with other things, and the work had less than half of them, `STARVED` times as many."""
+STARVED: Final = 4.0
+HEARD: Final = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+"""Ctrl-C, what a system sends to those that it ends, and a terminal that is closed."""
 STACK: Final = 64 << 20
 """Bytes of stack of a thread: sympy's recursion is deep, and threads have little on some systems."""
 
@@ -41,27 +45,30 @@ class Listener:
     def __init__(self) -> None:
         self.pressed = self.underway = False
         self.times = 0
-        self.last = 0.0
+        self.last = self.spent = 0.0
 
     def __call__(self, *_: object) -> None:
         self.pressed = True
         self.times += 1
-        self.last = time.monotonic()
+        self.last, self.spent = time.monotonic(), time.process_time()
 
     def overdue(self) -> bool:
         """Whether the work has had its time since Ctrl-C was pressed, or it was pressed again."""
-        waited = time.monotonic() - self.last
-        return self.times > 1 or (self.times == 1 and waited > PATIENCE[self.underway])
+        if self.times != 1:
+            return self.times > 1
+        waited, patience = time.monotonic() - self.last, PATIENCE[self.underway]
+        starved = time.process_time() - self.spent < patience / 2
+        return waited > patience * (STARVED if starved else 1)
 
 
 def heeding(work: Callable[[], T]) -> T:
     """What `work` returns, or raises; it is done in another thread, in which `interruptible` raises `KeyboardInterrupt`
-    soon after Ctrl-C (or SIGTERM). Called in the main thread.
+    soon after Ctrl-C (or SIGTERM, or SIGHUP). Called in the main thread.
 
     **Raises:** `Left` where the work didn't end soon after that.
     """
     listener = Listener()
-    wanted = [n for n in (signal.SIGINT, signal.SIGTERM) if signal.getsignal(n) is not signal.SIG_IGN]
+    wanted = [n for n in HEARD if signal.getsignal(n) is not signal.SIG_IGN]
     before = {number: signal.signal(number, listener) for number in wanted}
     try:
         return _in_a_thread(work, listener.overdue, Left)
@@ -93,8 +100,8 @@ def interruptible(work: Callable[[], T], until: float | None = None) -> T:
 
 
 def _listener() -> Listener | None:
-    """Who hears Ctrl-C, or SIGTERM where Ctrl-C is ignored, as in a shell's background."""
-    handlers = (signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM))
+    """Who hears Ctrl-C, or the others where Ctrl-C is ignored, as in a shell's background."""
+    handlers = (signal.getsignal(number) for number in HEARD)
     return next((each for each in handlers if isinstance(each, Listener)), None)
 
 

@@ -15,7 +15,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.numeric.compiled import compiled
+from canon.numeric.compiled import compiled, compiled_soon
 from canon.numeric.devices import spread
 from canon.numeric.engines import Engine, settled
 from canon.numeric.integrators.problem import State
@@ -252,7 +252,7 @@ def _program(problem: Any, method: Method, compensated: bool, batched: bool, wid
         kept = [jnp.all(x.reshape(-1, x.shape[-1]), axis=0) for x in finite]
         return jnp.any(jnp.all(jnp.stack(kept), axis=0))
 
-    @(compiled if wide else jax.jit)
+    @(compiled if wide else compiled_soon)
     def program(
         carry: Any, stored: State, first: Any, last: Any, per_sample: Any, per_chunk: Any, h: Any, t0: Any
     ) -> Any:

@@ -112,8 +112,10 @@ class Search:
         return Progress(tuple(self.runs), self.current, tuple(self.trials), tuple(self.agreed), self.compensated)
 
     def keep_last(self) -> None:
-        """Keep what has been found, if that took long: what comes after the search may take long, too."""
-        if self.keep is not None and time.monotonic() - self.began > KEEP_EVERY:
+        """Keep what has been found, if that took long, or somebody stopped it: what comes after the search may take long,
+        too, and be left.
+        """
+        if self.keep is not None and (self.interrupted or time.monotonic() - self.began > KEEP_EVERY):
             self.keep(self.progress())
 
     @property

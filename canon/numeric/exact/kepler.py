@@ -63,15 +63,16 @@ def kepler(q: Any, v: Any, mu: Any, t: Any) -> tuple[Any, Any]:
     open_ = (-psi > OPEN) & (mu != 0)
     q, v = lax.cond(
         jnp.any(open_),
-        lambda: _from_pericentre(start, (q, v), mu, span, lax.stop_gradient(s), open_),
+        lambda: _from_pericentre(start, (r, beta, eta), (q, v), mu, span, lax.stop_gradient(s), open_),
         lambda: (q, v),
     )
     longer, faster = lax.stop_gradient(_energy_correction(q, v, mu, (beta, beta_low)))
     return jax.tree.map(lambda x: x + longer * x, q), jax.tree.map(lambda u: u + faster * u, v)
 
 
-def _from_pericentre(start: Any, other: Any, mu: Any, span: Any, s: Any, where: Any) -> Any:
+def _from_pericentre(start: Any, elements: Any, other: Any, mu: Any, span: Any, s: Any, where: Any) -> Any:
     """The state on a hyperbola that turns by much, in the frame of its pericentre, where `where` is; else the other.
+    `elements`: r, β and η of the start.
 
     On the way in and out again f x and g v grow as the exponential of s and cancel. From the pericentre, with ε = |μ|e,
     t = q_p s + ε G_3, r = q_p + ε G_2 and x = (q_p − μ G_2) P + G_1 P·L are sums without a difference but the one in
@@ -82,9 +83,10 @@ def _from_pericentre(start: Any, other: Any, mu: Any, span: Any, s: Any, where: 
 
     x, v = start
     count = len(x)
-    r, (beta, _), eta, _ = _elements(x, v, mu)
+    r, beta, eta = elements
     beta = jnp.where(where, beta, -1.0)
-    L = [[sum_of_products([(x[i], v[j]), (-x[j], v[i])])[0] for j in range(count)] for i in range(count)]
+    below = [[sum_of_products([(x[i], v[j]), (-x[j], v[i])])[0] for j in range(i)] for i in range(count)]
+    L = [[below[i][j] if j < i else -below[j][i] if j > i else 0.0 * r for j in range(count)] for i in range(count)]
     h2 = sum((L[i][j] * L[i][j] for i in range(count) for j in range(i)), 0.0 * r)
     epsilon = jnp.sqrt(mu * mu - beta * h2)
     nearest = jnp.where(mu > 0, h2 / jnp.where(mu > 0, mu + epsilon, 1.0), (epsilon - mu) / -beta)
@@ -196,10 +198,12 @@ def _solve(span: Any, r: Any, eta: Any, zeta: Any, beta: Any, mu: Any) -> Any:
 
     high = jnp.where(bound, full * 1.0000001, jnp.inf)
     zero = jnp.zeros_like(first)
-    # nearly always a few steps do, and without bounds to keep they are one loop over the orbits
-    quick, before = first, first
-    for _ in range(QUICK_ITERATIONS):
-        quick, before = laguerre(quick)[0], quick
+    # nearly always a few steps do, and without bounds to keep they are one loop over the orbits where they are written
+    # out; for one orbit that would only take long to compile
+    turns = QUICK_ITERATIONS if jnp.ndim(first) else 1
+    quick, before = lax.fori_loop(
+        0, QUICK_ITERATIONS, lambda _, s: (laguerre(s[0])[0], s[0]), (first, first), unroll=turns
+    )
     settled = (quick >= 0) & (quick <= high) & (jnp.abs(quick - before) <= FINE * quick)
     first = jnp.where(settled, quick, first)
     begin = (0, first, zero, jnp.broadcast_to(high, zero.shape), zero + jnp.inf, settled | (span + zero == 0))

@@ -6,6 +6,7 @@ Conditioning: a rounding of ψ is √|ψ|/2 roundings of the angle, or of the ex
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import factorial
 from typing import Any, Final
 
@@ -45,6 +46,18 @@ def stumpff_quickly(psi: Any) -> tuple[Any, Any, Any, Any]:
     c_0 is taken as 1 − ψ c_2 each time: as 2 c_0² − 1 its rounding would grow fourfold.
     Mikkola (1997), Celest. Mech. Dyn. Astron. 67, 145.
     """
+    return _traced_once()(psi)
+
+
+@lru_cache(maxsize=1)
+def _traced_once() -> Any:
+    """An iteration calls it time and again, and jax traces it each time, unless it is told that it is one function."""
+    import jax
+
+    return jax.jit(_quickly)
+
+
+def _quickly(psi: Any) -> tuple[Any, Any, Any, Any]:
     near = psi / 4.0**_QUARTERINGS
     c2, c3 = _series(near, 2, 7), _series(near, 3, 7)
     c0, c1 = 1 - near * c2, 1 - near * c3

@@ -19,8 +19,8 @@ ABANDONED: Final = "canon: nobody waits for this"
 LOOK: Final = 0.02
 """Seconds between two looks at whether Ctrl-C was pressed."""
 PATIENCE: Final = (0.5, 5.0)
-"""Seconds after Ctrl-C until work is left that has nothing to report yet, and work that has; where the processor was busy
-with other things, and the work had less than half of them, `STARVED` times as many."""
+"""Seconds after Ctrl-C until work is left that has nothing to report yet, and work that has; where the processor was
+busy with other things, and the work had less than half of them, `STARVED` times as many."""
 STARVED: Final = 4.0
 HEARD: Final = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 """Ctrl-C, what a system sends to those that it ends, and a terminal that is closed."""

@@ -112,9 +112,7 @@ class Search:
         return Progress(tuple(self.runs), self.current, tuple(self.trials), tuple(self.agreed), self.compensated)
 
     def keep_last(self) -> None:
-        """Keep what has been found, if that took long, or somebody stopped it: what comes after the search may take long,
-        too, and be left.
-        """
+        """Keep what has been found, if that took long, or somebody stopped it: what comes after may take long, too."""
         if self.keep is not None and (self.interrupted or time.monotonic() - self.began > KEEP_EVERY):
             self.keep(self.progress())
 

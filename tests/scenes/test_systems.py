@@ -12,7 +12,9 @@ from canon.scenes.examples import scene_text
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import simulate
 from canon.scenes.systems import load_system, system_names
+from tests.scenes.ledger import REFERENCES, deviations
 
+SYSTEMS = sorted(REFERENCES)
 LEDGER = {f"S{k:02}" for k in range(1, 32)} | {"S33", "S39"}
 Capture = pytest.CaptureFixture[str]
 BROKEN = {
@@ -25,22 +27,43 @@ BROKEN = {
 def test_the_ledgers_systems_are_there() -> None:
     assert {load_system(name).ledger for name in system_names()} == LEDGER
     assert len(system_names()) == len(LEDGER)
+    assert [*system_names()] == SYSTEMS
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", system_names())
 def test_a_system_runs_and_conserves_what_it_should(name: str, tmp_path: Path, capsys: Capture) -> None:
-    """From the file that `canon scenes` prints, by the command line."""
+    """From the file that `canon scenes` prints, by the command line; and the states agree with textbook formulas."""
     assert main(["scenes", name]) == 0
     path = tmp_path / f"{name}.toml"
-    path.write_text(capsys.readouterr().out.replace("accuracy = 1e-9", "accuracy = 1e-8\nsamples = 20"))
+    path.write_text(capsys.readouterr().out.replace("accuracy = 1e-9", "accuracy = 1e-8\nsamples = 30"))
     status = main(["simulate", str(path), "--json"])
     record = json.loads(capsys.readouterr().out)
     assert status == 0, record["messages"]
     assert record["error_estimate"] <= 1e-8
     for monitor, reading in record["monitors"].items():
         assert reading["expected"] == BROKEN.get((name, monitor), "conserved")
-    assert all(len(record[word]) == 20 for word in ("times", "q", "p", *load_system(name).own))
+    off = deviations(name, record)
+    assert max(off.values()) < 2e-7, off
+    assert all(len(record[word]) == 30 for word in ("times", "q", "p", *load_system(name).own))
+
+
+@pytest.mark.parametrize(
+    ("name", "degrees"), [("pendulum", 1), pytest.param("linear_chain", 3, marks=pytest.mark.slow)]
+)
+def test_friction_contracts_as_the_ledger_says(name: str, degrees: int) -> None:
+    """det M = exp(−2 n λ t), a loop by exp(−2λt), of n degrees of freedom, each with the force −2λp."""
+    text = scene_text(load_system(name)).replace("samples = 200", "").split("monitor =")[0]
+    text = text.replace("duration = 20.0", "duration = 2.0").replace("duration = 30.0", "duration = 2.0")
+    text += 'samples = 5\nmonitor = ["energy", "volume", "loop"]\n[[effect]]\nkind = "damping"\nrate = 0.3\n'
+    result = simulate(read_scene_text(text))
+    energy, volume, loop = result.monitors
+    assert result.ok, result.messages
+    assert energy.expected == volume.expected == loop.expected == "broken by damping"
+    assert volume.final is not None
+    assert loop.initial is not None
+    assert 1 + volume.final == pytest.approx(np.exp(-2 * degrees * 0.3 * 2.0), rel=1e-9)
+    assert loop.final == pytest.approx(loop.initial * np.exp(-2 * 0.3 * 2.0), rel=1e-6)
 
 
 def kepler(parameters: str) -> str:

@@ -1,44 +1,75 @@
 """Claims about actions and their mutants, of which it is known whether they are true: is one of them decided wrongly?
 
-    python -m properties.action_attacks [--budget SECONDS]
+    python -m properties.action_attacks [--budget SECONDS] [--jobs N]
 
 `action_attacks.toml` holds them, made by hand: a sign, a factor, a thousandth; energies at and beyond separatrices;
 several wells, barriers, branches; variables of one sign, domains that cut the orbit, kinks, masses that change their
-sign; angles of several turns. An ill-posed claim has no orbit, or several: it may be refused or left open.
+sign; angles of several turns. An ill-posed claim has no orbit, or several: it may be refused or left open. They are
+decided as `canon verify` decides, by workers that stay and are killed where a claim overstays.
 """
 
 import argparse
+import json
+import sys
+import time
 import tomllib
 from collections import Counter
 from pathlib import Path
 
-from canon import verify
 from canon.claims.reader import read_text
-from canon.errors import InputError
+from canon.claims.run import run
+from canon.claims.worker import Entry, Settings
+from canon.report.record import claim_record
 
 WRONG = {("true", "refuted"), ("false", "proved"), ("ill-posed", "proved"), ("ill-posed", "refuted")}
 
 
-def main() -> int:
-    """Prints how many of each truth have each verdict; 1 if one is wrong."""
-    parser = argparse.ArgumentParser(description="Decides claims about actions whose truth is known.")
-    parser.add_argument("--budget", type=float, default=20, metavar="SECONDS")
-    budget = parser.parse_args().budget
-    tally, wrong = Counter[tuple[str, str]](), list[str]()
+def entries() -> tuple[list[Entry], list[str], list[str]]:
+    """The claims, of each its truth, and the file that it is in."""
     with (Path(__file__).parent / "action_attacks.toml").open("rb") as stream:
         files = tomllib.load(stream)["file"]
-    for file in files:
-        reading = read_text(file["text"])
-        for truth, claim in zip(file["truths"], reading.claims, strict=True):
-            try:
-                verdict = verify(claim, budget=budget).status
-            except InputError:
-                verdict = "input error"
-            tally[truth, verdict] += 1
-            if (truth, verdict) in WRONG:
-                wrong.append(f"{verdict}, though {truth}: {claim.kind} of\n{file['text']}")
+    claims, truths, texts = list[Entry](), list[str](), list[str]()
+    for number, file in enumerate(files):
+        read = read_text(file["text"]).claims
+        claims += [Entry(f"file {number + 1}", claim.index, claim) for claim in read]
+        truths += [truth for truth, _ in zip(file["truths"], read, strict=True)]
+        texts += [file["text"]] * len(read)
+    return claims, truths, texts
+
+
+def main() -> int:
+    """Prints how many of each truth have each verdict, and what they took; 1 if one is wrong."""
+    parser = argparse.ArgumentParser(description="Decides claims about actions whose truth is known.")
+    parser.add_argument("--budget", type=float, default=20, metavar="SECONDS")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="worker processes (default: 1)")
+    asked = parser.parse_args()
+    claims, truths, texts = entries()
+    tally, wrong, start = Counter[tuple[str, str]](), list[str](), time.monotonic()
+    slow = list[tuple[float, str, int, str]]()
+    done = run(claims, Settings(budget=asked.budget), claim_record, jobs=asked.jobs)
+    for position, answer in done:
+        entry, truth = claims[position], truths[position]
+        verdict = answer["claim"]["verdict"] if "claim" in answer else "input error"
+        tally[truth, verdict] += 1
+        if "claim" in answer:
+            note = json.dumps(answer["claim"]["detail"].get("note", ""))[:90]
+            slow.append((answer["claim"]["seconds"], entry.file, entry.index + 1, f"{verdict} {note}"))
+        if (truth, verdict) in WRONG:
+            assert entry.claim is not None
+            wrong.append(
+                f"{verdict}, though {truth}: {entry.claim.kind}, claim {entry.index + 1} of\n{texts[position]}"
+            )
+        if sys.stderr.isatty():
+            print(f"\r{sum(tally.values())} of {len(claims)}", end="", file=sys.stderr, flush=True)
     for (truth, verdict), count in sorted(tally.items()):
         print(f"{truth:10} {verdict:12} {count:4}")
+    slow.sort(reverse=True)
+    print(
+        f"{time.monotonic() - start:.0f} s, {sum(seconds for seconds, *_ in slow):.0f} s in the workers; the slowest:"
+    )
+    print(
+        *(f"  {seconds:6.1f} s  {file}, claim {index}: {words}" for seconds, file, index, words in slow[:8]), sep="\n"
+    )
     print(*wrong, f"{len(wrong)} wrong of {sum(tally.values())}", sep="\n")
     return 1 if wrong else 0
 

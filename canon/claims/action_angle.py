@@ -23,6 +23,7 @@ from canon.claims.generating_function import generated
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.question import Question
 from canon.claims.transformation import canonical
+from canon.deadline import within
 from canon.decide.derivative import derivative
 from canon.decide.region import Region, Requirement
 from canon.domain import Condition, Domain
@@ -87,7 +88,7 @@ def _inverted(question: Question, length: Any) -> tuple[Question, Outcome] | Non
         return None
     for branch in range(2):
         try:
-            inverse = given.backward(branch)
+            inverse = within(question.budget.share(0.5), lambda branch=branch: given.backward(branch))
         except (InputError, NotImplementedError):
             return None
         subject = replace(question.subject, generating_function=None, transformation=inverse)

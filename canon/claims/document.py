@@ -9,7 +9,6 @@ import sys
 import tomllib
 from collections.abc import Iterable, Mapping
 from decimal import Decimal
-from pathlib import Path
 from typing import Any, Final
 
 from canon.errors import InputError
@@ -35,7 +34,7 @@ def load(path: str | os.PathLike[str]) -> dict[str, Any]:
     **Raises:** `InputError` if it isn't there, can't be read, is no regular file, is too big, isn't UTF-8 text, or
     isn't TOML (with line and column).
     """
-    return parse(_text(Path(path)))
+    return parse(content(path))
 
 
 def parse(text: str) -> dict[str, Any]:
@@ -64,7 +63,8 @@ def _exact(text: str) -> Decimal:
         raise ValueError(f"the number {text[:40]} is out of range") from None
 
 
-def _text(path: Path) -> str:
+def content(path: str | os.PathLike[str]) -> str:
+    """The text of the file at `path`. **Raises:** `InputError` as `load`, but for what is in the text."""
     try:
         handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
     except FileNotFoundError:

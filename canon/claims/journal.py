@@ -29,6 +29,8 @@ DEEPEST: Final = 40
 """The most levels of tables in tables that a record has."""
 LONGEST: Final = 4_000_000
 """The most bytes of a line."""
+DAMAGED: Final = 10_000
+"""The most lines that may be damaged: of what has more, not every line is looked at."""
 
 
 @dataclass
@@ -80,6 +82,8 @@ def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
     for line in _lines(kept.path):
         lines += 1
         if (body := _body(line)) is None:
+            if lines - sound > DAMAGED:
+                raise InputError(f"more than {DAMAGED} lines of this journal are damaged", f"--resume {kept.path}")
             continue
         sound += 1
         for position in places.get(body["name"], ()):

@@ -1,15 +1,13 @@
 """Campaigns: claims by the thousand on any executor of `concurrent.futures`, in processes here or on a cluster.
 
-Claims go out in batches and verdicts come back, in the order in which they are answered; so many batches are out at a
-time that every worker has something to do, and no more, however many claims there are. What a lost worker had is asked
-again, claim by claim; a claim whose worker is lost again is `undecided`, with the reason.
+Claims go out in batches and verdicts come back, in the order in which they are answered. What a lost worker had is
+asked again, claim by claim; a claim whose worker is lost again is `undecided`, with the reason.
 """
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from concurrent.futures import Executor, ProcessPoolExecutor
 from dataclasses import replace
 from itertools import islice
 from multiprocessing import get_context
@@ -17,6 +15,8 @@ from typing import Final
 
 from canon.claim import Claim
 from canon.claims.apart import decided_apart
+from canon.claims.batches import ONE_AT_A_TIME, answers
+from canon.claims.read_many import Sent
 from canon.claims.run import available_cores, memory_limit
 from canon.claims.verify import Method, verify
 from canon.claims.worker import Settings, without_verdict
@@ -25,17 +25,12 @@ from canon.verdict import Verdict
 
 BATCH: Final = 16
 """Claims that travel together: a message costs about as much as a small claim."""
-AHEAD: Final = 64
-"""Batches that are out at a time."""
 
 Answer = Verdict | InputError
-Numbered = tuple[int, Claim]
-_ONE_AT_A_TIME: Final = threading.Lock()
-"""The precision of the balls belongs to a process: its threads decide one after the other."""
 
 
 def verify_many(
-    claims: Iterable[Claim],
+    claims: Iterable[Claim | Sent],
     *,
     executor: Executor | None = None,
     budget: float = 10.0,
@@ -49,7 +44,8 @@ def verify_many(
 ) -> Iterator[tuple[int, Answer]]:
     """The verdicts on many claims as they come, each with the claim's place in the order of `claims`.
 
-    **Arguments:** `claims`, taken only as they are needed; `executor`, on which they are decided (default: a process
+    **Arguments:** `claims`, taken only as they are needed (or as `read_many` sends them);
+    `executor`, on which they are decided (default: a process
     for each core here), with workers that can import `canon`; `budget` in seconds for each claim (its own wins),
     `seed`, `method` and `accuracy` as of `verify`; `batch`, how many claims travel together; `certificates`, whether
     verdicts bring theirs along; `apart`, whether each worker decides in a process beside it, which is killed where a
@@ -63,56 +59,25 @@ def verify_many(
     settings = (asked, certificates, apart)
     if executor is None:
         with ProcessPoolExecutor(available_cores(), mp_context=get_context("spawn")) as own:
-            yield from _answers(enumerate(claims), own, settings, batch)
+            yield from answers(_batches(claims, batch), own, decided, settings, _lost)
     else:
-        yield from _answers(enumerate(claims), executor, settings, batch)
+        yield from answers(_batches(claims, batch), executor, decided, settings, _lost)
 
 
-How = tuple[Settings, bool, bool]
+def _batches(claims: Iterable[Claim | Sent], size: int) -> Iterator[list[tuple[int, Claim | Sent]]]:
+    numbered = enumerate(claims)
+    while batch := list(islice(numbered, size)):
+        yield batch
 
 
-def _answers(
-    numbered: Iterator[Numbered], executor: Executor, settings: How, batch: int
-) -> Iterator[tuple[int, Answer]]:
-    out: dict[Future[list[Answer]], list[Numbered]] = {}
-    again: list[Numbered] = []
-    alone: set[int] = set()
-    try:
-        while True:
-            while len(out) < AHEAD:
-                work = [again.pop()] if again else list(islice(numbered, batch))
-                if not work:
-                    break
-                try:
-                    out[executor.submit(decided, [claim for _, claim in work], *settings)] = work
-                except Exception as error:  # a pool that is broken takes nothing more
-                    yield from ((position, _lost(claim, error)) for position, claim in work)
-            if not out:
-                return
-            for future in wait(out, return_when=FIRST_COMPLETED).done:
-                work = out.pop(future)
-                error = future.exception()
-                if error is None:
-                    yield from zip((position for position, _ in work), future.result(), strict=True)
-                    continue
-                once_more = [(k, claim) for k, claim in work if k not in alone]
-                yield from ((k, _lost(claim, error)) for k, claim in work if k in alone)
-                alone.update(k for k, _ in once_more)
-                again += once_more
-    finally:
-        for future in out:
-            future.cancel()
-
-
-def decided(claims: Sequence[Claim], settings: Settings, certificates: bool, apart: bool) -> list[Answer]:
+def decided(claims: Sequence[Claim | Sent], settings: Settings, certificates: bool, apart: bool) -> list[Answer]:
     """The answers to a batch of claims: what a worker does."""
-    if not apart:
-        return [decided_here(claim, settings, certificates) for claim in claims]
     if settings.memory is None:
         settings = replace(settings, memory=memory_limit(available_cores()))
     found: list[Answer] = []
-    for claim in claims:
-        answer = decided_apart(claim, settings, certificates)
+    for given in claims:
+        claim = given.opened() if isinstance(given, Sent) else given
+        answer = decided_apart(claim, settings, certificates) if apart else None
         found.append(decided_here(claim, settings, certificates) if answer is None else answer)
     return found
 
@@ -120,7 +85,7 @@ def decided(claims: Sequence[Claim], settings: Settings, certificates: bool, apa
 def decided_here(claim: Claim, settings: Settings, certificates: bool) -> Answer:
     """The answer to a claim, in this process."""
     try:
-        with _ONE_AT_A_TIME:
+        with ONE_AT_A_TIME:
             verdict = verify(
                 claim,
                 budget=settings.budget,
@@ -138,5 +103,6 @@ def decided_here(claim: Claim, settings: Settings, certificates: bool) -> Answer
         return without_verdict(claim, note, 0.0)
 
 
-def _lost(claim: Claim, error: BaseException) -> Verdict:
+def _lost(given: Claim | Sent, error: BaseException) -> Verdict:
+    claim = given.claim if isinstance(given, Sent) else given
     return without_verdict(claim, f"stopped: its worker was lost twice ({type(error).__name__}: {error})"[:300], 0.0)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import Any
 
-from canon.claims import document
+from canon.claims.document import Table
 from canon.claims.names import read_names
 from canon.claims.sections import read_subject
 from canon.errors import InputError
@@ -14,14 +13,12 @@ from canon.mechanics.phase_space import PhaseSpace
 from canon.vocabulary import nearest
 
 
-def hamiltonian_with(path: str | os.PathLike[str], values: Mapping[str, Any]) -> tuple[str, PhaseSpace, Any]:
-    """(title, phase space, H) of a claim file, with `values` in the place of the symbols of these names.
+def hamiltonian_with(tables: Table, values: Mapping[str, Any]) -> tuple[str, PhaseSpace, Any]:
+    """(title, phase space, H) of a claim file's tables, with `values` in the place of the symbols of these names.
 
     **Raises:** `InputError` where the file has no Hamiltonian, or a parameter has no value.
     """
-    tables = document.load(path)
-    names = read_names(tables)
-    subject = read_subject(tables, names)
+    subject = read_subject(tables, read_names(tables))
     if subject.hamiltonian is None:
         raise InputError("there is no Hamiltonian: [hamiltonian] with H is what actions are taken of", "[hamiltonian]")
     H: Any = subject.hamiltonian.expr
@@ -29,14 +26,13 @@ def hamiltonian_with(path: str | os.PathLike[str], values: Mapping[str, Any]) ->
     return str(tables.get("title", "")), space, _with(H, {s.name: s for s in H.free_symbols - {*space.old}}, values)
 
 
-def one_degree_with(path: str | os.PathLike[str], values: Mapping[str, Any]) -> tuple[str, Any, Any, Any]:
+def one_degree_with(tables: Table, values: Mapping[str, Any]) -> tuple[str, Any, Any, Any]:
     """(title, q, p, H) of a claim file's Hamiltonian in which one coordinate moves and all others are cyclic.
 
     The momenta of the others are constants, and have `values` as the parameters have.
 
     **Raises:** `InputError` as `hamiltonian_with`, and where several coordinates, or none, occur in H.
     """
-    tables = document.load(path)
     subject = read_subject(tables, read_names(tables))
     if subject.hamiltonian is None:
         raise InputError("there is no Hamiltonian: [hamiltonian] with H is what actions are taken of", "[hamiltonian]")

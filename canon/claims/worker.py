@@ -30,13 +30,15 @@ CERTIFICATE_SECONDS = 10.0
 class Entry:
     """A claim, and where it was read: `file` as shown, `path` as opened, `index` counted from 0 in the file.
 
-    `claim` is None only in a worker that was spawned rather than forked: it reads the file again.
+    `claim` is None only in a worker that was spawned rather than forked: it reads the file again. Where workers of a
+    cluster have read it, `claim` is what a report needs of it, and `message` the whole, which they alone open.
     """
 
     file: str
     index: int
     claim: Claim | None
     path: str = ""
+    message: bytes | None = None
 
 
 @dataclass(frozen=True)

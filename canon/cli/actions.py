@@ -5,10 +5,12 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import sys
 import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
 
+from canon.cli.parser import NOT_WRITTEN
 from canon.cli.refusal import refused
 from canon.cli.simulate import picture
 
@@ -57,28 +59,33 @@ def declare(parser: argparse.ArgumentParser) -> None:
 
 def execute(arguments: argparse.Namespace) -> int:
     """Print and draw what is asked for, and return the exit status."""
-    from canon.cli.simulate import check_folder
+    from canon.cli.simulate import check_folder, write_each
     from canon.errors import InputError
 
     begun = time.monotonic()
     try:
         check_folder("--plot", arguments.plot)
         found = _found(arguments)
-        if arguments.plot is not None:
-            from canon.report.portrait import plot_portrait
-
-            plot_portrait(found, arguments.plot)
+        faults = write_each(arguments, {"plot": lambda: _draw(found, arguments.plot)})
     except InputError as error:
         return refused("actions", arguments.file, error, as_json=arguments.json)
     from canon.report.action_record import action_lines, action_record
 
     if arguments.json:
         print(json.dumps(action_record(found, time.monotonic() - begun), ensure_ascii=False, allow_nan=False))
-        return 0
-    print("\n".join(action_lines(found)))
-    if arguments.plot is not None:
-        print(f"  figure       {arguments.plot}")
-    return 0
+    else:
+        print("\n".join(action_lines(found)))
+        if arguments.plot is not None:
+            print(f"  figure       {arguments.plot}")
+    for fault in faults:
+        print(f"canon actions: {fault}", file=sys.stderr)
+    return NOT_WRITTEN if faults else 0
+
+
+def _draw(found: Actions, path: str) -> None:
+    from canon.report.portrait import plot_portrait
+
+    plot_portrait(found, path)
 
 
 def _found(arguments: argparse.Namespace) -> Actions:
@@ -86,18 +93,19 @@ def _found(arguments: argparse.Namespace) -> Actions:
     from canon.cli.simulate import read_scene_or_system
     from canon.errors import InputError
     from canon.scenes.actions import actions_of_scene
+    from canon.scenes.reader import scene_of
 
     named = {name: getattr(arguments, name) for name in _NAMES if getattr(arguments, name) is not None}
     name = arguments.file
     is_file = os.path.lexists(name) or name.endswith(".toml")
     tables = document.load(name) if is_file else {}
     if is_file and {"phase_space", "hamiltonian", "claim"} & {*tables}:
-        return _of_claims(arguments, named)
+        return _of_claims(arguments, tables, named)
     for option in ("q", "p", "parameter"):
         if getattr(arguments, option):
             raise InputError("a scene has its initial state and its parameters itself", f"--{option}")
     _check_named(named)
-    return actions_of_scene(read_scene_or_system(name), named)
+    return actions_of_scene(scene_of(tables) if is_file else read_scene_or_system(name), named)
 
 
 def _check_named(named: dict[str, Any]) -> None:
@@ -108,7 +116,7 @@ def _check_named(named: dict[str, Any]) -> None:
             raise InputError("goes with --energy or with a distance from a minimum or separatrix", f"--{name}")
 
 
-def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
+def _of_claims(arguments: argparse.Namespace, tables: dict[str, Any], named: dict[str, Any]) -> Actions:
     from canon.claims.numbers import one_degree_with
     from canon.errors import InputError
     from canon.numeric.actions.motion import motion
@@ -116,7 +124,7 @@ def _of_claims(arguments: argparse.Namespace, named: dict[str, Any]) -> Actions:
     from canon.scenes.values import number
 
     values = parameter_values(arguments.parameter)
-    title, q, p, H = one_degree_with(arguments.file, values)
+    title, q, p, H = one_degree_with(tables, values)
     point = [getattr(arguments, word) for word in ("q", "p")]
     if named and point != [None, None]:
         raise InputError("either a point is given, or an energy", "--q")

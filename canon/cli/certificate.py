@@ -7,7 +7,7 @@ import os
 import sys
 from typing import Final
 
-from canon.cli.parser import BAD_INPUT, Parser
+from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, Parser
 
 HELP: Final = "check certificates of proofs and refutations, or put them in Coq"
 DESCRIPTION: Final = "Works with certificates that `canon verify --certificate DIR` has written."
@@ -49,24 +49,24 @@ def _export(arguments: argparse.Namespace) -> int:
     from canon.checker.check import check
     from canon.checker.files import load
     from canon.checker.functions import Unreadable
+    from canon.cli.simulate import check_folder
     from canon.errors import InputError
     from canon.report.coq import coq_of
+    from canon.report.whole_file import written
 
     try:
         data = load(arguments.file)
         if (answer := check(data)).status == "rejected":
             raise InputError(f"this certificate is {answer}")
-        if os.path.lexists(arguments.coq) and not os.path.isfile(arguments.coq):
-            raise InputError(f"{arguments.coq} is no regular file")
+        check_folder("--coq", arguments.coq)
         text = coq_of(data)
-        with open(arguments.coq, "w", encoding="utf-8") as file:
-            file.write(text)
+        written(arguments.coq, text)
     except (InputError, Unreadable) as error:
         print(f"canon certificate: {arguments.file}: {error}", file=sys.stderr)
         return BAD_INPUT
     except OSError as error:
         print(f"canon certificate: {arguments.coq} can't be written: {error.strerror}", file=sys.stderr)
-        return BAD_INPUT
+        return NOT_WRITTEN
     count = text.count("\nTheorem ")
     print(f"{arguments.coq}: {count} theorem{'s' * (count > 1)}; check with `coqc {arguments.coq}`")
     return 0

@@ -1,13 +1,18 @@
-"""Claims on the workers of a Dask cluster: its executor does what processes here would do."""
+"""Claims read and decided by the workers of a Dask cluster, whose executor does what processes here would do.
+
+Files are opened here, since a worker may not see the same folders; what is in them goes there as text.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from canon.errors import InputError
 
 if TYPE_CHECKING:
+    from canon.claims.read_many import Found
     from canon.claims.worker import Entry, Settings
 
 Record = dict[str, Any]
@@ -15,26 +20,48 @@ SECONDS = 10
 """How long a scheduler may take to answer."""
 
 
+def readings_of(address: str, paths: Sequence[Path]) -> list[Found]:
+    """What each of these files holds, read here as text and by the workers of the cluster at this address as claims.
+
+    **Raises:** `InputError` where Dask isn't installed, or nobody answers there.
+    """
+    from canon.claims import document
+    from canon.claims.read_many import Found, read_many
+
+    found: list[Found | None] = [None] * len(paths)
+
+    def texts() -> Iterator[str]:
+        for number, path in enumerate(paths):
+            try:
+                text = document.content(path)
+            except InputError as error:
+                found[number] = Found([], [{"where": error.where, "message": error.message}])
+                continue
+            sent.append(number)
+            yield text
+
+    sent: list[int] = []
+    with _client(address) as client:
+        for place, read in read_many(texts(), client.get_executor()):
+            found[sent[place]] = read
+    return [read if read is not None else Found([], []) for read in found]
+
+
 def answers_of(address: str, entries: Sequence[Entry], settings: Settings) -> Iterator[tuple[int, Record]]:
     """(position, answer) of the entries, as they come from the cluster whose scheduler is at this address.
 
     **Raises:** `InputError` where Dask isn't installed, or nobody answers there.
     """
-    try:
-        from distributed import Client  # pyright: ignore[reportMissingImports]
-    except ImportError:
-        raise InputError("clusters need Dask: pip install 'canon-mechanics[cluster]'", "--cluster") from None
     from canon.claims.many import verify_many
+    from canon.claims.read_many import Sent
     from canon.report.record import claim_record
 
     claims = [entry.claim for entry in entries if entry.claim is not None]
-    try:
-        client = Client(address, timeout=SECONDS, set_as_default=False)
-    except (OSError, ValueError, TypeError) as error:
-        raise InputError(f"no scheduler of Dask answers at {address!r}: {error}"[:300], "--cluster") from None
-    with client:
+    messages = [entry.message for entry in entries]
+    given = [claim if m is None else Sent(claim, m) for claim, m in zip(claims, messages, strict=True)]
+    with _client(address) as client:
         found = verify_many(
-            claims,
+            given,
             executor=client.get_executor(),
             budget=settings.budget,
             seed=settings.seed,
@@ -49,3 +76,14 @@ def answers_of(address: str, entries: Sequence[Entry], settings: Settings) -> It
                 yield position, {"error": {"file": entry.file, "where": where, "message": answer.message}}
             else:
                 yield position, {"claim": claim_record(entry, claims[position], answer)}
+
+
+def _client(address: str) -> Any:
+    try:
+        from distributed import Client  # pyright: ignore[reportMissingImports]
+    except ImportError:
+        raise InputError("clusters need Dask: pip install 'canon-mechanics[cluster]'", "--cluster") from None
+    try:
+        return Client(address, timeout=SECONDS, set_as_default=False)
+    except (OSError, ValueError, TypeError) as error:
+        raise InputError(f"no scheduler of Dask answers at {address!r}: {error}"[:300], "--cluster") from None

@@ -7,13 +7,12 @@ import json
 import os
 import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from canon.cli.actions import parameter_values
-from canon.cli.parser import Parser, count, positive, seconds
+from canon.cli.parser import NOT_WRITTEN, Parser, count, positive, seconds
 from canon.cli.refusal import refused
-from canon.cli.simulate import check_folder, picture, read_scene_or_system
+from canon.cli.simulate import check_folder, picture, read_scene_or_system, write_each
 
 if TYPE_CHECKING:
     from canon.cost.study import Study
@@ -96,9 +95,11 @@ def execute(arguments: argparse.Namespace) -> int:
             studies = _STUDIES[arguments.what](arguments, watch)
     except InputError as error:
         return refused("cost", arguments.file, error, as_json=arguments.json)
-    _write(studies, arguments)
+    faults = _write(studies, arguments)
     _print(studies, arguments)
-    return 0
+    for fault in faults:
+        print(f"canon cost: {fault}", file=sys.stderr)
+    return NOT_WRITTEN if faults else 0
 
 
 def _verify(arguments: argparse.Namespace, watch: Any) -> list[Study]:
@@ -141,14 +142,18 @@ def _normal_form(arguments: argparse.Namespace, watch: Any) -> list[Study]:
     from canon.claims import document
     from canon.claims.numbers import hamiltonian_with
     from canon.cost.normal_form import cost_of_normal_form, hamiltonian_of_scene, henon_heiles
+    from canon.scenes.reader import scene_of
 
     name = arguments.file
+    tables = document.load(name) if name is not None and os.path.lexists(name) else {}
     if name is None:
         title, space, H = henon_heiles()
-    elif os.path.lexists(name) and {"phase_space", "hamiltonian", "claim"} & {*document.load(name)}:
-        title, space, H = hamiltonian_with(name, parameter_values(arguments.parameter))
+    elif {"phase_space", "hamiltonian", "claim"} & {*tables}:
+        title, space, H = hamiltonian_with(tables, parameter_values(arguments.parameter))
     else:
-        title, space, H = hamiltonian_of_scene(read_scene_or_system(name))
+        title, space, H = hamiltonian_of_scene(
+            scene_of(tables) if os.path.lexists(name) else read_scene_or_system(name)
+        )
     return [
         cost_of_normal_form(
             title, space, H, order=arguments.order, radius=arguments.radius, cap=arguments.cap or 20.0, watch=watch
@@ -179,15 +184,21 @@ class _watched:  # noqa: N801 - a context manager that reads as a word
             print("\r\033[K", end="", file=sys.stderr, flush=True)
 
 
-def _write(studies: list[Study], arguments: argparse.Namespace) -> None:
-    if arguments.csv is not None:
-        from canon.report.cost_text import as_csv
+def _write(studies: list[Study], arguments: argparse.Namespace) -> list[str]:
+    """Write the files that were asked for, and return what to say of those that couldn't be written."""
 
-        Path(arguments.csv).write_text(as_csv(studies), encoding="utf-8")
-    if arguments.plot is not None:
+    def table() -> None:
+        from canon.report.cost_text import as_csv
+        from canon.report.whole_file import written
+
+        written(arguments.csv, as_csv(studies))
+
+    def figure() -> None:
         from canon.report.cost_figure import plot_studies
 
         plot_studies(studies, arguments.plot)
+
+    return write_each(arguments, {"csv": table, "plot": figure})
 
 
 def _print(studies: list[Study], arguments: argparse.Namespace) -> None:

@@ -8,7 +8,7 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
@@ -174,6 +174,8 @@ def check_folder(option: str, path: str | None) -> None:
 
     if path is None:
         return
+    if "\0" in path:
+        raise InputError("no file's name has the character NUL in it", option)
     folder = os.path.dirname(path) or os.curdir
     if not os.path.isdir(folder):
         raise InputError(f"there is no folder {folder!r} to write to", option)
@@ -210,17 +212,24 @@ def _write(result: Result, arguments: argparse.Namespace) -> list[str]:
 
         plot(result, arguments.plot)
 
+    return write_each(arguments, {"out": lambda: write_states(result, arguments.out), "plot": draw})
+
+
+def write_each(arguments: argparse.Namespace, files: Mapping[str, Callable[[], None]]) -> list[str]:
+    """Write the files of those options that are given, and return what to say of those that couldn't be written.
+
+    An option whose file isn't there is None afterwards. What was computed is worth more than a file of it: it is
+    printed all the same.
+    """
     faults = []
-    for option, path, write in (
-        ("--out", arguments.out, lambda: write_states(result, arguments.out)),
-        ("--plot", arguments.plot, draw),
-    ):
+    for option, write in files.items():
+        path = getattr(arguments, option)
         try:
             if path is not None:
                 write()
         except OSError as error:
-            faults.append(f"{option} {path} can't be written: {error.strerror or error}")
-            setattr(arguments, option.removeprefix("--"), None)
+            faults.append(f"--{option} {path} can't be written: {error.strerror or error}")
+            setattr(arguments, option, None)
     return faults
 
 

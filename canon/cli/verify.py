@@ -6,6 +6,7 @@ import argparse
 import re
 import sys
 import time
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -118,7 +119,7 @@ def execute(arguments: argparse.Namespace) -> int:
     kept = memory(settings) if not (arguments.files or arguments.fresh) else None
     recalled: set[str] = set()
     try:
-        _read(arguments.files, entries, errors, order, results, kept, recalled)
+        _read(arguments.files, entries, errors, order, results, kept, recalled, arguments.cluster)
         if diary is not None:
             results |= answered(diary, entries)
         quiet = arguments.json or arguments.coverage
@@ -139,9 +140,7 @@ def execute(arguments: argparse.Namespace) -> int:
     answers = [results[position] for position in sorted(results)]
     claims = [answer["claim"] for answer in answers if "claim" in answer]
     errors += [answer["error"] for answer in answers if "error" in answer]
-    if arguments.proof is not None and (reason := write_proofs(arguments.proof, claims, time.monotonic() - start)):
-        print(f"canon verify: --proof: {reason}", file=sys.stderr)
-        return BAD_INPUT
+    unproved = "" if arguments.proof is None else write_proofs(arguments.proof, claims, time.monotonic() - start)
     errors.sort(key=lambda error: (order.get(error["file"], -1), _claim_number(error["where"])))
     record = run_record(claims, errors)
     table = _coverage(entries, record) if arguments.coverage else []
@@ -153,8 +152,10 @@ def execute(arguments: argparse.Namespace) -> int:
     unwritten = [claim["detail"]["certificate_error"] for claim in claims if "certificate_error" in claim["detail"]]
     if unwritten:
         print(f"canon verify: {len(unwritten)} certificates are missing: {unwritten[0]}", file=sys.stderr)
+    if unproved:
+        print(f"canon verify: --proof: {unproved}", file=sys.stderr)
     status = INTERRUPTED if interrupted else exit_status(claims, errors)
-    return status or (NOT_WRITTEN if unwritten else 0)
+    return status or (NOT_WRITTEN if unwritten or unproved else 0)
 
 
 def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Record) -> None:
@@ -185,35 +186,50 @@ def _read(
     results: dict[int, Record],
     kept: Memory | None,
     recalled: set[str],
+    cluster: str | None,
 ) -> None:
-    """Read the files into `entries` and `errors`, and number them in `order`.
+    """Read the files into `entries` and `errors`, and number them in `order`; a cluster's workers do it where one is.
 
     What is remembered goes to `results`, the names of its files to `recalled`. All are filled as reading goes on, so
     that an interruption loses nothing.
     """
-    from canon.claims.reader import read_file
     from canon.claims.remembered import recall
     from canon.claims.worker import Entry
     from canon.report.record import error_record
 
     files, missing = claim_files(names) if names else (_catalogue(), [])
     errors += [error_record(absent.name, "", absent.message) for absent in missing]
-    for file in files:
+    memories = [None if kept is None else recall(kept, file.path, file.name) for file in files]
+    readings = _readings([file.path for file, known in zip(files, memories, strict=True) if known is None], cluster)
+    for file, known in zip(files, memories, strict=True):
         order.setdefault(file.name, len(order))
-        known = None if kept is None else recall(kept, file.path, file.name)
         if known is not None:
             recalled.add(file.name)
             results |= {len(entries) + k: {"claim": record} for k, record in enumerate(known[1])}
             entries += [Entry(file.name, claim.index, claim, str(file.path)) for claim in known[0]]
             continue
-        try:
-            claims, problems = read_file(file.path)
-        except Exception as error:  # a flaw of the reader must not keep the other files from being checked
-            message = f"this file stopped the reader, which is a flaw of canon: {type(error).__name__}: {error}"
-            errors.append(error_record(file.name, "", message))
-            continue
-        entries += [Entry(file.name, claim.index, claim, str(file.path)) for claim in claims]
+        claims, problems = next(readings)
+        entries += [Entry(file.name, claim.index, claim, str(file.path), message) for claim, message in claims]
         errors += [error_record(file.name, problem["where"], problem["message"]) for problem in problems]
+
+
+def _readings(paths: list[Path], cluster: str | None) -> Iterator[tuple[list[Any], list[dict[str, str]]]]:
+    """Of each file its claims, each with the message in which it came from elsewhere or None, and its faults."""
+    if cluster is not None:
+        from canon.cli.cluster import readings_of
+
+        yield from readings_of(cluster, paths) if paths else ()
+        return
+    from canon.claims.read_many import stopped
+    from canon.claims.reader import read_file
+
+    for path in paths:
+        try:
+            claims, problems = read_file(path)
+        except Exception as error:  # a flaw of the reader must not keep the other files from being checked
+            yield [], [stopped(error)]
+        else:
+            yield [(claim, None) for claim in claims], problems
 
 
 def _remember(kept: Memory, entries: list[Entry], results: dict[int, Record], others: set[str]) -> None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 Record = dict[str, Any]
+NUL: Final = "no file's name has the character NUL in it"
 
 
 def no_proof_file(name: str) -> str:
@@ -16,15 +16,20 @@ def no_proof_file(name: str) -> str:
 
     if notation_of(name) is None:
         return f"{name!r} has none of the endings {', '.join(NOTATIONS)}"
+    if "\0" in name:
+        return NUL
     folder = os.path.dirname(name) or "."
     if os.path.isdir(name) or not os.path.isdir(folder):
         return f"{name!r} is a folder" if os.path.isdir(name) else f"there is no folder {folder!r}"
+    if os.path.exists(name) and not os.path.isfile(name):
+        return f"{name!r} is no regular file"
     return "" if os.access(folder, os.W_OK) else f"{folder!r} can't be written to"
 
 
 def write_proofs(name: str, claims: list[Record], seconds: float) -> str:
     """Write the sections that the claims' records hold, take them out of these, and return what went wrong, if so."""
     from canon.report.proof_file import document, notation_of
+    from canon.report.whole_file import written
 
     files = list(dict.fromkeys(claim["file"] for claim in claims))
     title = f"Proofs of {files[0]}" if len(files) == 1 else f"Proofs of {len(files)} claim files"
@@ -32,7 +37,7 @@ def write_proofs(name: str, claims: list[Record], seconds: float) -> str:
     for claim in claims:
         claim.pop("proof", None)
     try:
-        Path(name).write_text(text, encoding="utf-8")
+        written(name, text)
     except OSError as error:
         return f"{name!r} can't be written: {error.strerror}"
     return ""
@@ -40,6 +45,8 @@ def write_proofs(name: str, claims: list[Record], seconds: float) -> str:
 
 def not_a_folder(name: str) -> str:
     """Make the folder for certificates, and return why that isn't possible, or nothing."""
+    if "\0" in name:
+        return NUL
     try:
         os.makedirs(name, exist_ok=True)
     except OSError as error:

@@ -37,9 +37,12 @@ def cost_of_normal_form(
     """
     rng = np.random.default_rng(seed)
     sphere = rng.standard_normal((DIRECTIONS, 2 * space.n))
-    x = radius * sphere / np.linalg.norm(sphere, axis=1, keepdims=True)
+    x = radius * (sphere / np.linalg.norm(sphere, axis=1, keepdims=True))
     energy = lower((sp.sympify(H, strict=True),), tuple(space.old))
-    size = float(np.abs(energy(*x.T, numbers=np)[0]).max())
+    with np.errstate(all="ignore"):
+        size = float(np.abs(energy(*x.T, numbers=np)[0]).max())
+    if not 1e-290 < size < 1e290:
+        raise InputError(f"at a distance {radius:g} H is about {size:g}, of which doubles keep no digits", "--radius")
     points: list[Point] = []
     for k in range(3, order + 1):
         if watch:

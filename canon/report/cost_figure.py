@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from canon.cost.study import Point, Study, measured_order, pareto
+from canon.report.whole_file import figure_written
 
 COLOURS: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8A7B00")
 MARKERS: Final = "osD^vP*X"
@@ -35,7 +36,7 @@ def plot_studies(studies: Sequence[Study], path: str | Path) -> None:
         _panel(axes, study)
     for axes in panels[len(shown) :]:
         axes.set_visible(False)
-    figure.savefig(path, dpi=150)
+    figure_written(path, figure)
 
 
 def _panel(axes: Any, study: Study) -> None:

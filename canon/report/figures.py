@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, Final
 
+from canon.report.whole_file import figure_written
 from canon.scenes.simulate import Result
 from canon.scenes.states import named_states
 
@@ -25,7 +26,7 @@ def plot(result: Result, path: str | Path) -> None:
     _against_time(right, result)
     if result.scene.title:
         figure.suptitle(result.scene.title)
-    figure.savefig(path, dpi=150)
+    figure_written(path, figure)
 
 
 def _orbit(axes: Any, result: Result) -> None:

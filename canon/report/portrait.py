@@ -12,6 +12,7 @@ from canon.errors import InputError
 from canon.numeric.actions.balls import precision
 from canon.numeric.actions.motion import Motion
 from canon.numeric.actions.orbit import Orbit
+from canon.report.whole_file import figure_written
 from canon.scenes.actions import Actions
 
 _CURVES: Final = 6
@@ -36,7 +37,7 @@ def plot_portrait(actions: Actions, path: str | Path) -> None:
             axes.plot(*(float(x) for x in degree.at), "o", color="C3", ms=6, zorder=4)
     if actions.title:
         figure.suptitle(actions.title)
-    figure.savefig(path, dpi=150)
+    figure_written(path, figure)
 
 
 def _portrait(axes: Any, motion: Motion, orbit: Orbit) -> None:

@@ -1,18 +1,18 @@
-"""The stored states of a run as a file: written to a neighbour first, and put in its place when it is whole."""
+"""The stored states of a run as a file of arrays, and such a file read again, which is not trusted."""
 
 from __future__ import annotations
 
+import math
 import os
-import tempfile
 import zipfile
 import zlib
-from collections.abc import Callable, Mapping
-from pathlib import Path
-from typing import IO, Any
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from canon.errors import InputError
+from canon.report.whole_file import atomically
 from canon.scenes.simulate import Result
 from canon.scenes.states import named_states, own_states
 
@@ -38,8 +38,13 @@ def read_arrays(path: str | os.PathLike[str]) -> dict[str, np.ndarray]:
     if os.path.lexists(path) and not os.path.isfile(path):
         raise InputError("it is not a regular file")
     try:
+        size = os.stat(path).st_size
+        if size > _memory():
+            raise InputError(f"it has {size} bytes, more than the memory of this machine")
         with zipfile.ZipFile(path) as archive:
             found: dict[str, np.ndarray] = {}
+            if sum(member.file_size for member in archive.infolist()) > size:
+                raise ValueError("members that share their bytes")
             for member in archive.infolist():
                 if member.compress_type != zipfile.ZIP_STORED or not member.filename.endswith(".npy"):
                     raise InputError("it is not a file that `canon simulate --out` wrote")
@@ -57,17 +62,9 @@ def read_arrays(path: str | os.PathLike[str]) -> dict[str, np.ndarray]:
         raise InputError(f"it can't be read: {error.strerror or error}") from None
 
 
-def atomically(path: str | os.PathLike[str], write: Callable[[IO[bytes]], None]) -> None:
-    """Write a file so that it is there as a whole or not at all."""
-    target = Path(path)
-    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.", suffix=".part")
+def _memory() -> float:
+    """The bytes of this machine's memory; infinity where they aren't told."""
     try:
-        with os.fdopen(handle, "wb") as file:
-            write(file)
-        umask = os.umask(0)
-        os.umask(umask)
-        os.chmod(name, 0o666 & ~umask)
-        os.replace(name, target)
-    except BaseException:
-        os.unlink(name)
-        raise
+        return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    except (AttributeError, ValueError, OSError):
+        return math.inf

@@ -19,7 +19,8 @@ from canon import verify, verify_many
 from canon.claim import Claim
 from canon.claims import apart, many
 from canon.claims.apart import decided_apart
-from canon.claims.many import AHEAD
+from canon.claims.batches import AHEAD
+from canon.claims.read_many import _sent, read_many
 from canon.claims.reader import read_text
 from canon.claims.worker import Settings
 from canon.cli.main import main
@@ -282,3 +283,29 @@ def test_a_claim_that_runs_away_on_a_cluster_is_killed_there(
     assert claims[0]["detail"]["note"].startswith("stopped: ")
     assert [claim["verdict"] for claim in claims[1:4]] == ["proved", "proved", "refuted"]
     assert len(claims) == 31
+
+
+def test_files_are_read_as_here_by_whoever_reads_them() -> None:
+    """Faults, claims and what is said of them are the same, in every order; a worker that is lost loses no file."""
+    texts = [brackets(k % 4) if k % 5 else HEAD + "[[claim]]\nkind = 'brackett'\n" for k in range(40)]
+    texts[7] = "no TOML"
+    here = [read_text(text) for text in texts]
+    executor = Here(lose=lambda number, items: number == 2)
+    found = dict(read_many(texts, executor))
+    assert executor.number == 3 + 16  # the files of one message, one by one
+    assert [found[k].problems for k in range(40)] == [read.problems for read in here]
+    for k, read in enumerate(here):
+        assert [sent.opened() for sent in found[k].claims] == [sent.opened() for sent in map(_sent, read.claims)]
+        assert [replace(claim, subject=None, keys={}) for claim in read.claims] == [s.claim for s in found[k].claims]
+    claims = [sent for k in range(40) for sent in found[k].claims]
+    assert words_of(verify_many(claims, executor=Here(), apart=False, batch=7)) == words_of(
+        verify_many([sent.opened() for sent in claims], executor=Here(), apart=False)
+    )
+
+
+def test_a_file_that_takes_its_readers_along_is_at_fault() -> None:
+    executor = Here(lose=lambda number, items: any("kind = 'gone'" in item for item in items))
+    found = dict(read_many([brackets(1), "kind = 'gone'", brackets(2)], executor))
+    assert [len(found[k].claims) for k in range(3)] == [1, 0, 2]
+    (fault,) = found[1].problems
+    assert fault["message"] == "not read: its worker was lost twice (BrokenExecutor: its machine is gone)"

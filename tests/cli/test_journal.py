@@ -20,6 +20,7 @@ from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.claims.worker import Entry, Settings
 from canon.cli.main import main
+from canon.errors import InputError
 
 CLAIM = '[[claim]]\nkind = "bracket"\nf = "q**{k}"\ng = "p"\nequals = "{value}"\nexpect = "{expect}"\n'
 HEAD = '[phase_space]\nq = ["q"]\np = ["p"]\n'
@@ -206,3 +207,19 @@ def test_errors_are_answers_too(tmp_path: Path) -> None:
     error = {"file": "claims.toml", "where": "claim 1", "message": "the domain seems empty"}
     write(kept, entry, {"error": error})
     assert answered(kept, [entry]) == {0: {"error": error}}
+
+
+@pytest.mark.parametrize("line", [b"\n", b"{}\n", b"9" * 40 + b"\n"])
+def test_what_is_damaged_all_over_is_not_read_to_its_end(line: bytes, tmp_path: Path) -> None:
+    """A journal of 100 MB of empty lines would take minutes."""
+    (claim,) = read_text(claims(1)).claims
+    entry = Entry("claims.toml", 0, claim, str(tmp_path / "claims.toml"))
+    kept = journal(tmp_path / "journal", Settings())
+    write(kept, entry, {"error": {"file": "claims.toml", "where": "", "message": "first"}})
+    with kept.path.open("ab") as file:
+        file.write(line * 9_000)
+    assert answered(kept, [entry])
+    with kept.path.open("ab") as file:
+        file.write(line * 2_000)
+    with pytest.raises(InputError, match="more than 10000 lines of this journal are damaged"):
+        answered(kept, [entry])

@@ -7,6 +7,7 @@ import pytest
 
 from canon.cli import simulate as command
 from canon.cli.main import main
+from canon.errors import InputError
 from canon.report.states_file import read_arrays, write_arrays
 
 SCENE = """
@@ -88,3 +89,26 @@ def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     refused("nothing to go on with")
     path.write_bytes(path.read_bytes()[:-40])
     refused("it is damaged")
+
+
+def test_members_that_share_their_bytes_are_damage(tmp_path: Path) -> None:
+    """Few bytes that would be read as many: the same member, listed twenty times."""
+    path = tmp_path / "states.npz"
+    write_arrays({"q": np.zeros(1000)}, path)
+    data = path.read_bytes()
+    end, listed = data.rfind(b"PK\x05\x06"), data.rfind(b"PK\x01\x02")
+    entry, tail = data[listed:end], bytearray(data[end:])
+    tail[8:12] = (20).to_bytes(2, "little") * 2
+    tail[12:16] = (20 * len(entry)).to_bytes(4, "little")
+    path.write_bytes(data[:listed] + 20 * entry + bytes(tail))
+    with pytest.raises(InputError, match="damaged") as caught:
+        read_arrays(path)
+    assert str(caught.value.__cause__) == "members that share their bytes"
+
+
+def test_what_is_larger_than_memory_is_not_read(tmp_path: Path) -> None:
+    path = tmp_path / "states.npz"
+    with path.open("wb") as file:
+        file.truncate(10**13)  # without a block on the disk
+    with pytest.raises(InputError, match="more than the memory of this machine"):
+        read_arrays(path)

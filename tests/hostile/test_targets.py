@@ -1,4 +1,4 @@
-"""Files to be written where they can't be: refused before any work, or said after it, and nothing that was there lost."""
+"""Files to be written where they can't be: refused before any work, or said after it; nothing that was there is lost."""
 
 from __future__ import annotations
 

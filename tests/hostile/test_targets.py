@@ -1,4 +1,4 @@
-"""Files to be written where they can't be: refused before any work, or said after it; nothing that was there is lost."""
+"""Files to be written where they can't be: refused before any work, or said after it; what was there is kept."""
 
 from __future__ import annotations
 

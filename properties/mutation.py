@@ -99,6 +99,8 @@ class Campaign:
         self.session, self.items = session, {item.nodeid: item for item in session.items}
         self.modules = [Module(path) for path in self.options.modules]
         self.passing = set[str]()
+        earlier = self.options.again.read_text().splitlines() if self.options.again else ()
+        self.again = {found["module"]: set(found["survivors"]) for found in map(json.loads, earlier)}
         self.reached = self._reached()
         gc.collect()
         gc.freeze()
@@ -165,6 +167,8 @@ class Campaign:
         numbers = random.Random(self.options.seed).sample(range(len(places)), min(len(places), self.options.most))
         noticing: dict[str, int] = {}
         survivors, tried, late = list[str](), 0, 0
+        if module.name in self.again:
+            numbers = [k for k, place in enumerate(places) if place.said in self.again[module.name]]
         for number in sorted(numbers):
             if time.monotonic() > self.until:
                 break
@@ -177,8 +181,10 @@ class Campaign:
             tried += 1
             late += by == "the clock"
             if by is None:
-                survivors.append(f"{place.said} ({len(chosen)} tests)")
-                print(f"survives: {module.path.name}, {survivors[-1]}", file=sys.__stderr__, flush=True)
+                survivors.append(place.said)
+                print(
+                    f"survives {len(chosen)} tests: {module.path.name}, {place.said}", file=sys.__stderr__, flush=True
+                )
             elif by in self.items:
                 noticing[by] = noticing.get(by, 0) + 1
         counts = {"places": len(places), "tried": tried, "noticed": tried - len(survivors), "by the clock": late}
@@ -270,6 +276,7 @@ def main() -> int:
     parser.add_argument("--minutes", type=float, default=60.0, help="after which no mutant is begun")
     parser.add_argument("--seconds", type=float, default=10.0, help="of a processor, for the tests of a mutant")
     parser.add_argument("--reached", type=Path, help="a file that keeps which test reaches which statement")
+    parser.add_argument("--again", type=Path, help="what an earlier campaign printed: only its survivors are tried")
     options = parser.parse_args()
     os.environ.setdefault("CANON_PROFILE", "ci")  # examples are the same each time
 

@@ -11,7 +11,7 @@ import pytest
 import sympy as sp
 
 from canon.decide.tape import Tape
-from canon.special import EllipticPi
+from canon.special import EllipticPi, JacobiDN, JacobiSN
 from properties.towers import disagreement, tower_of
 
 x, y = sp.symbols("x y", real=True)
@@ -106,6 +106,22 @@ CASES += [  # what sympy would write in another way before it is seen
     (exp(log(a**2 * b) / 3 - y, evaluate=False) + log(exp(x) * a, evaluate=False),),
     (sp.Pow(x**2, HALF, evaluate=False) + sp.Pow(4 * x**2 * y**4, THIRD / 2, evaluate=False),),
     (sp.Pow(x**2 / y**2, HALF, evaluate=False) + sp.Pow(x**-2 * (y + 1) ** -4, HALF / 2, evaluate=False),),
+]
+
+
+LONG = x + 3 * y + x**2 * y + x * y**2 / 3 + x**3 / 5 + y**3 / 7 + x**3 * y**2 / 2
+OTHER = x + 2 * y + 5 * x**2 * y + x * y**2 / 2 + x**3 / 4 + y**3 / 9 + x**2 * y**3 / 3
+
+CASES += [  # what has no sign, though something like it has
+    (
+        sp.Abs(sin(x * y)) + sp.Abs(sin(x**2)) + sp.Abs(sin(x + y)) + sp.Abs(sin(5 * pi**2 * x / 13)),
+        x,
+        sp.Rational(13, 5) - x,
+    ),
+    (sp.Abs(LONG) + sqrt(LONG**2 * a) + log(OTHER**2), LONG * OTHER),
+    (sqrt(y + 5 - 2 * (y + 4) ** THIRD) + sqrt(x + 5 - 2 * (x + 4) ** (HALF / 2)),),
+    (sqrt(a * (1 - HALF * JacobiSN(x, HALF) ** 2)) + sqrt((1 - JacobiSN(x, HALF) ** 2) * b) + JacobiDN(x, HALF),),
+    (sp.Abs(x**3 + a**2) + sp.Abs(x * y + a**2) + sp.Abs(a**2 * x**2 + y) + sp.Abs(u * x**2 + v * y),),
 ]
 
 

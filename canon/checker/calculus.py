@@ -1,4 +1,4 @@
-"""What claims about integrals, limits and variations ask for."""
+"""What claims about integrals and limits ask for."""
 
 from __future__ import annotations
 
@@ -211,35 +211,8 @@ def _distance(numbers: Numbers, values: list[Any], equals: Any) -> Any:
     raise Outside  # slowly, as a logarithm does, or not at all: nothing can be said
 
 
-VARIATION = ("extremum", "field", "conjugate")
-"""What a claim may say of the second variation."""
-
-
-def stationary(s: Statement) -> Case:
-    """Lagrange's equations hold along the path; what is said of the second variation is not looked at."""
-    s.claim.unread -= {"from", "to", *VARIATION}  # Lagrange's equations are the same between any ends
-    second = bool({*VARIATION} & s.claim.keys())
-    if second and s.verdict == "refuted":
-        raise Unknown("a second variation")
-    f, t, v = s.f, s.time, list(s.claim["velocities"])
-    texts = s.claim["path"]
-    path = [f.read(text, s.names) for text in (texts if isinstance(texts, list) else [texts])]
-    s.written += path
-    s.declared |= {*v, t}
-    L = f.read(s.claim["L"], s.names)
-    along = dict(zip((*s.q, *v), (*path, *(f.slope(x, t) for x in path)), strict=True))
-    zeros = []
-    for q, w in zip(s.q, v, strict=True):
-        momentum = f.substitute(f.slope(L, w), along)
-        zeros.append(f.sub(f.slope(momentum, t), f.substitute(f.slope(L, q), along)))
-    smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along)))
-    trusted = "" if smooth else "that the path, and L along it, are smooth between its ends"
-    return Case(zeros, trusted="what is said of the second variation" if second else trusted)
-
-
 KINDS: dict[str, Callable[[Statement], Case]] = {
     "integral": integral,
     "average": average,
     "limit": limit,
-    "stationary": stationary,
 }

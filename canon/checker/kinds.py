@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from canon.checker import actions, algebras, calculus, constraints, dimensions, matrices
+from canon.checker import actions, algebras, calculus, constraints, dimensions, matrices, normal_forms, variations
 from canon.checker import obligations as mechanics
 from canon.checker.case import Case
 from canon.checker.functions import Unknown, Unreadable
@@ -90,6 +90,8 @@ KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {
     **matrices.KINDS,
     **actions.KINDS,
     **calculus.KINDS,
+    **normal_forms.KINDS,
+    **variations.KINDS,
     "algebra": algebras.algebra,
     "matrix_algebra": algebras.matrix_algebra,
     "group": algebras.group,

@@ -4,7 +4,8 @@ A function is a name of its own here: √R a positive w with w² = R (zeros of r
 exponential a positive one, sine and cosine two with s² + c² = 1, any other one of which nothing is known. What holds
 for all real values of such names holds for the functions. A polynomial P in them is nowhere negative
 
-- if its terms are, by the signs of names and even powers, and with it P times a monomial of one sign;
+- if its terms are, by the signs of names and even powers, and with it P times a monomial of one sign, or times what a
+  condition or a root says to be positive;
 - with P = A + B w, if A and B are; or if A is and B nowhere positive, and A² − B² R nowhere negative (or the reverse);
 - with P = a x² + b x + c, if a is positive, or a and c are nowhere negative, and 4 a c − b² isn't either;
 - with P = A + B c for a sine or cosine c, if A + B and A − B are;
@@ -19,44 +20,25 @@ from fractions import Fraction
 from canon.checker import core
 from canon.checker.core import Polynomial, combined
 from canon.checker.functions import Unreadable
+from canon.checker.polynomials import (
+    MOST,
+    Undetermined,
+    coefficients,
+    divided,
+    is_multiple,
+    minus,
+    name_of,
+    parted,
+    plus,
+    times,
+)
 from canon.checker.statement import Statement
 from canon.checker.terms import sign_of
 
-DEPTH, MOST, LONGEST = 5, 120, 400_000
-"""Steps one inside the other, terms of a polynomial, and products of terms for one formula."""
+DEPTH, LONGEST = 5, 400_000
+"""Steps one inside the other, and products of terms for one formula."""
 Pair = tuple[Polynomial, Polynomial]
 ONE = core.ONE
-
-
-class Undetermined(ValueError):
-    """A formula that isn't one of real quantities, or is too large."""
-
-
-def name_of(name: str, exponent: int = 1) -> Polynomial:
-    """A power of a name."""
-    return {((name, exponent),): Fraction(1)}
-
-
-def times(*factors: Polynomial) -> Polynomial:
-    """Their product. Raises Undetermined for one that is too large."""
-    total = ONE
-    for factor in factors:
-        if len(total) * len(factor) > MOST**2:
-            raise Undetermined
-        total = combined({}, total, factor)
-    if len(total) > MOST:
-        raise Undetermined
-    return total
-
-
-def minus(p: Polynomial) -> Polynomial:
-    """-p."""
-    return {m: -c for m, c in p.items()}
-
-
-def plus(p: Polynomial) -> Polynomial:
-    """p."""
-    return p
 
 
 class Signs:
@@ -142,7 +124,8 @@ class Signs:
             self.words[mark] = ["positive"]
             if under == ONE or (n == 2 and self._holds(under, strict=False)):  # √(P/Q) = √(P Q)/Q, with a positive Q
                 self._roots[mark] = n, times(over, under)
-                self._positive.append(self._roots[mark][1])
+                outer, rest = parted(self._roots[mark][1])
+                self._positive += [self._roots[mark][1], *([rest] if self._terms(outer)[0] > 0 else [])]
                 below = under
             pair = name_of(mark, abs(r.numerator)), times(*[below] * abs(r.numerator))
             return pair if r > 0 else (pair[1], pair[0])
@@ -193,19 +176,19 @@ class Signs:
         sign, never = self._terms(p)
         if sign:
             return sign > 0 and (never or not strict)
-        if any(_is_multiple(p, other) for other in self._positive):
+        if any(is_multiple(p, other) for other in self._positive):
             return True
         if depth == 0 or len(p) > MOST:
             return False
-        common = dict(min(p, key=len))
-        for m in p:
-            powers = dict(m)
-            common = {n: min(e, powers[n]) for n, e in common.items() if n in powers}
-        if common:
-            outer, never = self._terms({tuple(sorted(common.items())): Fraction(1)})
-            rest = {tuple((n, e - common.get(n, 0)) for n, e in m if e > common.get(n, 0)): c for m, c in p.items()}
+        common, rest = parted(p)
+        if common != ONE:
+            outer, never = self._terms(common)
             if outer and (never or not strict):
                 return self._holds(rest if outer > 0 else minus(rest), strict=strict, depth=depth)
+        for other in self._positive:
+            quotient = divided(p, other) if 1 < len(other) < len(p) else None
+            if quotient is not None:
+                return self._holds(quotient, strict=strict, depth=depth - 1)
         rules = self._by_roots, self._by_squares, self._by_conditions, self._by_bounds
         return any(rule(p, strict, depth - 1) for rule in rules)
 
@@ -215,7 +198,7 @@ class Signs:
     def _by_roots(self, p: Polynomial, strict: bool, depth: int) -> bool:
         for name in sorted(core.names(p) & {*self._roots}):
             n, radicand = self._roots[name]
-            parts = _coefficients(p, name)
+            parts = coefficients(p, name)
             if n != 2 or len(parts) != 2:
                 continue
             A, B = parts
@@ -232,7 +215,7 @@ class Signs:
 
     def _by_squares(self, p: Polynomial, strict: bool, depth: int) -> bool:
         for name in sorted(core.names(p)):
-            parts = _coefficients(p, name)
+            parts = coefficients(p, name)
             if len(parts) != 3:
                 continue
             c, b, a = parts
@@ -259,7 +242,7 @@ class Signs:
     def _by_bounds(self, p: Polynomial, strict: bool, depth: int) -> bool:
         """A + B c at a sine or cosine c lies between A + B and A - B."""
         for name in sorted(core.names(p) & {*self._circles, *self._circles.values()}):
-            parts = _coefficients(p, name)
+            parts = coefficients(p, name)
             ends = (combined(parts[0], parts[1], {(): Fraction(k)}) for k in (1, -1)) if len(parts) == 2 else ()
             if len(parts) == 2 and all(self._holds(end, strict=strict, depth=depth) for end in ends):
                 return True
@@ -275,19 +258,3 @@ class Signs:
             rest = {n: c for n, c in p.items() if n != m}
             if name not in core.names(rest):
                 yield name, exponent, {n: c / k for n, c in combined(name_of(above), rest, {(): Fraction(-1)}).items()}
-
-
-def _is_multiple(p: Polynomial, other: Polynomial) -> bool:
-    """Whether p is a positive number times another polynomial."""
-    if p.keys() != other.keys():
-        return False
-    ratios = {c / other[m] for m, c in p.items()}
-    return len(ratios) == 1 and ratios.pop() > 0
-
-
-def _coefficients(p: Polynomial, name: str) -> list[Polynomial]:
-    """Those of the powers of a name, from the 0th on."""
-    parts: list[Polynomial] = [{} for _ in range(1 + max(dict(m).get(name, 0) for m in p))]
-    for m, c in p.items():
-        parts[dict(m).get(name, 0)][tuple((n, e) for n, e in m if n != name)] = c
-    return parts

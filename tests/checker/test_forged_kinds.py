@@ -50,6 +50,19 @@ def map_of(q: str, p: str, H: str = "(p**2 + a**2*q**2)/2", **more: Any) -> dict
 OSCILLATOR = map_of("sqrt(2*J/a)*sin(w)", "sqrt(2*a*J)*cos(w)", symbols={"a": "positive", "J": "positive"})
 ANGLE = {"kind": "action_angle", "angle_period": "2*pi"}
 
+
+def normal(H: str, N: dict[str, str], order: int = 4) -> tuple[dict[str, Any], dict[str, Any]]:
+    return {"kind": "normal_form", "order": order, "N": N}, {"hamiltonian": {"H": H}}
+
+
+def extremal(L: str, path: str, to: str, extremum: str, **more: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+    claim = {"kind": "stationary", "L": L, "velocities": ["v"], "path": [path], "from": "0", "to": to}
+    return {**claim, "extremum": extremum, **more}, {"phase_space": {"q": ["q"], "p": ["p"]}}
+
+
+QUARTIC, WAVE, PATH = "(p**2 + a**2*q**2)/2 + q**4", "(v**2 - q**2)/2", "sin(t)"
+RIGHT = "3/2*((p**2 + a**2*q**2)/2)**2/a**4"
+
 FALSE: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "a limit's thousandth": (limit("sin(a*x)/x", "1001/1000*a"), {}),
     "a limit from the other side": (limit("sqrt(a*x**2)/x", "sqrt(a)", side="-"), {}),
@@ -78,6 +91,35 @@ FALSE: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     ),
 }  # fmt: skip
 
+FALSE |= {
+    "a normal form's thousandth": normal(QUARTIC, {"4": f"1001/1000*{RIGHT}"}),
+    "a normal form's sign": normal(QUARTIC, {"4": f"-{RIGHT}"}),
+    "a normal form that doesn't commute": normal(QUARTIC, {"4": "3/8*q**4 + 3/8*p**4/a**4"}),
+    "a normal form one order short": normal(f"{QUARTIC} + q**6", {"4": RIGHT}, order=6),
+    "another quadratic part": normal(QUARTIC, {"2": "(p**2 + q**2)/2", "4": "3/2*((p**2 + q**2)/2)**2"}),
+    "a cubic that is left out": normal(f"{QUARTIC} + q**3/1000", {"4": RIGHT}),
+    "no analytic Hamiltonian": normal("(p**2 + q**2)/2 + abs(q)**5", {}),
+    "a frequency that may vanish": (
+        {"kind": "normal_form", "order": 3, "N": {}},
+        {
+            "phase_space": {"q": ["q", "x"], "p": ["p", "y"]},
+            "hamiltonian": {"H": "(p**2 + q**2)/2 + b*(y**2 + x**2)/2 + q**2*x"},
+        },
+    ),
+    "no minimum beyond a conjugate point": extremal(WAVE, PATH, "4", "minimum", field="sin(t + 1/2)"),
+    "a field that isn't one": extremal(WAVE, PATH, "4", "minimum", field="exp(t)"),
+    "a field with a zero inside": extremal(WAVE, PATH, "4", "minimum", field="sin(t - 1)"),
+    "neither, before a conjugate point": extremal(
+        WAVE, PATH, "3", "neither", field="sin(t - 1/10)", conjugate=["1/10", "1/10 + pi"]
+    ),
+    "a field that is 0": extremal(WAVE, PATH, "4", "neither", field="0", conjugate=["1", "2"]),
+    "a maximum": extremal(WAVE, PATH, "3", "maximum", field="cos(t - 3/2)"),
+    "no extremal": extremal(WAVE, "sin(2*t)", "3", "minimum", field="cos(t - 3/2)"),
+    "an end that is nearly a conjugate point": extremal(
+        WAVE, PATH, "pi + 1/1000", "minimum", field="sin(t + 1/1000000)"
+    ),
+}  # fmt: skip
+
 ACTION = {"kind": "action", "coordinate": "q", "energy": "E", "equals": "2*pi*E/a"}
 TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = {
     "a limit": (limit("sin(a*x)/x", "a"), {}, {"a": "1/3"}),
@@ -98,6 +140,13 @@ TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = 
     ),
     "a turn": (ANGLE, OSCILLATOR, {"a": "2", "J": "3", "w": "1/2"}),
     "a turn without a point": (ANGLE, OSCILLATOR, None),
+    "a normal form": (*normal(QUARTIC, {"4": RIGHT}), {"a": "2"}),
+    "a normal form without a point": (*normal(QUARTIC, {"4": RIGHT}), None),
+    "a minimum": (*extremal(WAVE, PATH, "3", "minimum", field="cos(t - 3/2)"), {"q": "1", "p": "1"}),
+    "a minimum without a point": (*extremal(WAVE, PATH, "3", "minimum", field="cos(t - 3/2)"), None),
+    "neither": (
+        *extremal(WAVE, PATH, "4", "neither", field="sin(t - 1/10)", conjugate=["1/10", "1/10 + pi"]), {"q": "1"}
+    ),
     "turns that are combined": (
         ANGLE,
         {

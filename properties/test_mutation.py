@@ -36,6 +36,7 @@ def test_what_is_changed_and_what_is_left_alone() -> None:
         "line 11: for x in items if x.ready -> for x in items if not x.ready",
         "line 13: x + x -> x - x",
     ]
+    assert [place.outside for place in mutants(TEXT)] == [True, *[False] * 8, True]
 
 
 def test_functions_in_memory_become_a_mutant(tmp_path: Path, monkeypatch) -> None:

@@ -11,7 +11,7 @@ import pytest
 import sympy as sp
 
 from canon.decide.tape import Tape
-from canon.special import EllipticPi, JacobiDN, JacobiSN
+from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiSN
 from properties.towers import disagreement, tower_of
 
 x, y = sp.symbols("x y", real=True)
@@ -121,6 +121,9 @@ CASES += [  # what has no sign, though something like it has
     (sp.Abs(LONG) + sqrt(LONG**2 * a) + log(OTHER**2), LONG * OTHER),
     (sqrt(y + 5 - 2 * (y + 4) ** THIRD) + sqrt(x + 5 - 2 * (x + 4) ** (HALF / 2)),),
     (sqrt(a * (1 - HALF * JacobiSN(x, HALF) ** 2)) + sqrt((1 - JacobiSN(x, HALF) ** 2) * b) + JacobiDN(x, HALF),),
+    (JacobiSN(x, HALF) + JacobiCN(9 * x + y, HALF) * JacobiDN(x / 2, HALF) + JacobiSN(-3 * x, HALF),),
+    (JacobiSN(x, -a) * JacobiCN(y, -a) + JacobiDN(x + 2 * y, -a) + sqrt(1 - a * JacobiSN(y, a) ** 2),),
+    (sp.Abs(JacobiDN(x, a / d)) + sqrt(1 - a / d * JacobiSN(x, a / d) ** 2) + JacobiDN(x, a / (1 + a)) ** 3,),
     (sp.Abs(x**3 + a**2) + sp.Abs(x * y + a**2) + sp.Abs(a**2 * x**2 + y) + sp.Abs(u * x**2 + v * y),),
 ]
 

@@ -11,6 +11,7 @@ import sympy as sp
 from canon.domain import Condition
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, OneDegree, one_degree
 from canon.mechanics.elliptic_actions import elliptic
+from canon.mechanics.legendre import S, decomposed
 from canon.mechanics.quartic_wells import quartic_wells
 from canon.mechanics.residues import by_residues
 from canon.mechanics.separatrix_actions import separatrix
@@ -22,6 +23,7 @@ q, p, E = sp.symbols("q p E", real=True)
 r = sp.Symbol("r", positive=True)
 c = sp.Symbol("c", positive=True)
 HALF = sp.Rational(1, 2)
+M = sp.Rational(2, 7)
 
 
 def orbit(square: Any, x: sp.Symbol = q, low: Any = -sp.oo, high: Any = sp.oo) -> OneDegree:
@@ -178,6 +180,43 @@ def test_linear_conditions_bound_the_range() -> None:
     conditions = [Condition("positive", (e,)) for e in (2 * q + c, 3 - q)]
     motion = one_degree(p**2 + q**2, q, p, E, conditions)
     assert (motion.low, motion.high) == (-c / 2, 3)
+
+
+def by_sine(R: Any, m: Any) -> Any:
+    """∫ R/√(s(1 − s)(1 − ms)) ds from 0 to 1, by s = sin²φ."""
+    f = sp.lambdify(S, R / sp.sqrt(1 - m * S), "mpmath")
+    with mpmath.workdps(25):
+        return mpmath.quad(lambda t: 2 * f(mpmath.sin(t) ** 2), [0, mpmath.pi / 4, mpmath.pi / 2])
+
+
+@pytest.mark.parametrize(
+    ("constant", "shape"),
+    [
+        (1, {S: 1}),
+        (3, {S: 4, 1 - S: 1}),
+        (2, {1 + S / 3: -1, S: 2}),
+        (2, {1 + S / 3: -2}),
+        (1, {1 + S / 3: -4, S: 1, 1 - S: 1}),
+        (1, {1 - M * S: -1}),
+        (1, {1 - M * S: -3, 1 - S: 2}),
+        (1, {1 - M * S: -1, 1 + 2 * S: -2, 1 - S / 5: -1, S: 5}),
+    ],
+)
+def test_legendres_form_is_the_integral(constant: Any, shape: dict[Any, int]) -> None:
+    """Powers and poles of every order, at 1/m too; what is to vanish does at a point, and not for 1001/1000 of R."""
+    found = decomposed({sp.Integer(constant): 1} | shape, M)
+    assert found is not None
+    parts, rest = found
+    R = constant * sp.Mul(*(f**e for f, e in shape.items()))
+    assert same(sum(f * e for f, e in parts.items()), by_sine(R, M))
+    at = {S: sp.Rational(3, 11)}
+    assert sp.sympify(rest).xreplace(at) == 0
+    assert (rest + R / 1000).xreplace(at) != 0
+
+
+@pytest.mark.parametrize("shape", [{1 + S**2: -1}, {S**2 + S + 1: -1, S: 1}, {(1 + S**2) * (1 + S): -1}])
+def test_poles_that_are_not_real_have_no_legendre_form(shape: dict[Any, int]) -> None:
+    assert decomposed(shape, M) is None
 
 
 LOOPS: list[tuple[Any, Any, Any, Any, Any, Any]] = [

@@ -46,6 +46,15 @@ def test_kepler_apsides_are_exact():
     assert effective_potential(-1 / r, r, 1, 1) == 1 / (2 * r**2) - 1 / r
 
 
+@pytest.mark.parametrize("gap", [Q(1, 10**9), Q(1, 10**20), Q(1, 10**33)])
+@pytest.mark.parametrize("side", [1, -1])
+def test_turning_points_that_nearly_meet_at_a_short_number(gap, side):
+    """E − V − M²/2mr² = −(r − 1)(r − 1 ∓ gap)/r²: their middle is 1 but for many digits."""
+    other = 1 + side * gap
+    (region,) = radial_regions(-(1 + other) / r, r, mass=1 / (2 * other), energy=-1, angular_momentum=1)
+    assert (region.low, region.high, region.kind) == (*sorted((sp.Integer(1), other)), "bounded")
+
+
 @pytest.mark.parametrize(
     ("V", "E", "message"),
     [(sp.exp(-r), 1, "rational function"), (1 / (r - 1), 1, "pole"), (-1 / r, sp.sqrt(2), "rational numbers")],

@@ -20,6 +20,14 @@ def test_legendre_there_and_back(vanishes):
     assert vanishes(lagrangian_of(Hamiltonian(SPACE, H), (v, w)).L.expr - KEPLER.L.expr)
 
 
+def test_the_claim_of_a_legendre_transform():
+    claim = KEPLER.legendre(H)
+    assert claim.kind == "legendre"
+    assert Lagrangian(SPACE, v**2 + w**2, [v, w]).velocities == (v, w)
+    with pytest.raises(InputError, match="1 velocities for 2 coordinates"):
+        Lagrangian(SPACE, v**2, v)
+
+
 def test_the_relativistic_particle(vanishes):
     space = PhaseSpace("x", "p", positive="m c", real="v")
     mass, c, u, p = space.symbols("m c v p")

@@ -38,6 +38,9 @@ def test_zeros(expression):
         root(3 + 2 * root(2)) - 1 - root(2) + sp.Rational(1, 10**90),
         sp.cbrt(2 + root(5)) - sp.cbrt(root(5) - 2) - 1 - sp.Rational(1, 10**300),
         a / 10**80,
+        10**60 * (root(2) + root(3)) - sp.floor(10**60 * (root(2) + root(3))),  # below 1, its conjugates are long
+        (10**60 * (root(2) + root(3)) - sp.floor(10**60 * (root(2) + root(3)))) / 10**60,
+        (10**70 * sp.cbrt(5) - sp.floor(10**70 * sp.cbrt(5))) * (root(7) - 2),
         root(x**2) - x,
         root((x - y) ** 2) - (x - y),
         (-1) ** n + 1,

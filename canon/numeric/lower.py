@@ -11,6 +11,7 @@ import sympy as sp
 from canon.errors import InputError
 from canon.numeric.pair_kernel import pair_slopes, pair_total
 from canon.numeric.pair_sum import SQUARE, PairSlope, PairSum
+from canon.numeric.term_table import term_table
 
 Lowered = Callable[..., tuple[Any, ...]]
 
@@ -49,6 +50,7 @@ def lower(expressions: tuple[sp.Expr, ...], arguments: tuple[sp.Symbol, ...]) ->
     if free:
         names = ", ".join(sorted(map(str, free)))
         raise InputError(f"no value is given for {names}: give one in `parameters`")
+    table, expressions = term_table(expressions, arguments) or (None, expressions)
     shared, reduced = sp.cse(list(expressions), order="none")
     for expression in (*(value for _, value in shared), *reduced):
         for part in sp.preorder_traversal(expression):
@@ -59,7 +61,10 @@ def lower(expressions: tuple[sp.Expr, ...], arguments: tuple[sp.Symbol, ...]) ->
         place: dict[Any, Any] = dict(zip(arguments, values, strict=True))
         for name, value in shared:
             place[name] = _value(value, place, numbers)
-        return tuple(_value(value, place, numbers) for value in reduced)
+        found = tuple(_value(value, place, numbers) for value in reduced)
+        if table is None:
+            return found
+        return tuple(a + b for a, b in zip(table(values, numbers), found, strict=True))
 
     return function
 

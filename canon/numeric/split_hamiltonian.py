@@ -191,23 +191,33 @@ def quadratic_in(H: Formula, p: Sequence[sp.Symbol], t: sp.Symbol | None) -> boo
 
 
 def _degree_2(term: Formula, p: set[Any]) -> bool:
+    degree = _degree(term, p)
+    return degree is not None and degree <= 2
+
+
+def _degree(term: Formula, symbols: set[Any]) -> int | None:
+    """The degree of a term in these symbols; None where it is no polynomial."""
     found = monomial(term)
     if found is not None:
-        degrees = [exponent for symbol, exponent in found[1].items() if symbol in p]
-        return all(e > 0 for e in degrees) and sum(degrees) <= 2
-    own = term.free_symbols & p
-    return not own or (term.is_polynomial(*own) and sp.Poly(term, *own).total_degree() <= 2)
+        degrees = [exponent for symbol, exponent in found[1].items() if symbol in symbols]
+        return int(sum(degrees)) if all(e > 0 for e in degrees) else None
+    own = term.free_symbols & symbols
+    if not own:
+        return 0
+    return int(sp.Poly(term, *own).total_degree()) if term.is_polynomial(*own) else None
 
 
 def _kinetic_masses(H: Formula, p: Sequence[sp.Symbol]) -> list[Formula] | None:
     """1/m_i of Σ p_i²/2m_i, all of H's terms that are quadratic in p; None where there are others."""
-    if not H.is_polynomial(*p):
+    terms = sp.Add.make_args(H)
+    degrees = [_degree(term, {*p}) for term in terms]
+    if any(degree is None or degree > 2 for degree in degrees):
         return None
-    squares = [2 * H.coeff(y, 2) for y in p]
-    rest = sp.expand(H - _sum(m * y**2 / 2 for m, y in zip(squares, p, strict=True)))
-    if any(m == 0 for m in squares) or sp.Poly(rest, *p).total_degree() > 1:
-        return None
-    return squares
+    # term by term: a potential may have thousands, which a polynomial in p would have for a coefficient
+    upper = _sum(term for term, degree in zip(terms, degrees, strict=True) if degree == 2)
+    squares = [2 * upper.coeff(y, 2) for y in p]
+    mixed = sp.expand(upper - _sum(m * y**2 / 2 for m, y in zip(squares, p, strict=True)))
+    return None if mixed != 0 or any(m == 0 for m in squares) else squares
 
 
 def _kepler(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Symbol | None) -> SplitHamiltonian | None:
@@ -253,8 +263,8 @@ def _quadratic(
         return None
     W = [[H.coeff(y, 1).coeff(x, 1) for y in p] for x in q]
     origin = dict.fromkeys(q, 0)
-    polynomial = [term for term in sp.Add.make_args(H) if not term.free_symbols & {*p} and term.is_polynomial(*q)]
-    well = _sum(term for term in polynomial if sp.Poly(term, *q).total_degree() == 2)
+    still = [term for term in sp.Add.make_args(H) if not term.free_symbols & {*p}]
+    well = _sum(term for term in still if _degree(term, {*q}) == 2)
     K = [[well.diff(x, y).xreplace(origin) for y in q] for x in q]
     if any(entry.free_symbols & free for row in (*W, *K) for entry in row):
         return None

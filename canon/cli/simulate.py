@@ -52,6 +52,11 @@ def declare(parser: argparse.ArgumentParser) -> None:
     how.add_argument("--step", type=positive, metavar="H", help="a fixed step")
     parser.add_argument("--integrator", metavar="NAME", help="instead of the one that the planner would choose")
     parser.add_argument(
+        "--engine",
+        choices=("auto", "native", "xla"),
+        help="what computes the steps: machine code of canon's own, where the extra `native` is installed, or XLA",
+    )
+    parser.add_argument(
         "--compare", action="store_true", help="try every candidate for the integrator first, however short the run"
     )
     parser.add_argument(
@@ -159,6 +164,8 @@ def _with_options(scene: Scene, arguments: argparse.Namespace) -> Scene:
         settings = replace(settings, accuracy=arguments.accuracy, step=None)
     if arguments.integrator is not None:
         settings = replace(settings, integrator=arguments.integrator)
+    if arguments.engine is not None:
+        settings = replace(settings, engine=arguments.engine)
     return replace(scene, settings=replace(settings, compare=arguments.compare))
 
 

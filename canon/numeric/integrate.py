@@ -52,7 +52,7 @@ class Run:
     stored: State
     ended: bool = False
     taken: int | None = None
-    engine: Engine = "xla"
+    engine: Engine = "auto"
 
     @property
     def chunks(self) -> int:
@@ -105,7 +105,7 @@ def integrate(
     t0: float = 0.0,
     compensated: bool | None = None,
     batched: bool = False,
-    engine: Engine = "xla",
+    engine: Engine = "auto",
 ) -> Run:
     """The orbit from `state` at t0, at `samples` equidistant times, both ends included.
 
@@ -139,7 +139,7 @@ def start(
     samples: int = 2,
     t0: float = 0.0,
     compensated: bool | None = None,
-    engine: Engine = "xla",
+    engine: Engine = "auto",
 ) -> Run:
     """The run that `integrate` makes, before its first step."""
     import jax

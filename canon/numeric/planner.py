@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.engines import Engine
 from canon.numeric.integrate import Run
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method
@@ -51,6 +52,7 @@ def run_for_accuracy(
     accuracy: float | None,
     exact: bool = False,
     t0: float = 0.0,
+    engine: Engine = "auto",
     budget: float | None = None,
     reserve: Reserve | None = None,
     watch: Watch | None = None,
@@ -61,10 +63,10 @@ def run_for_accuracy(
     `budget` of seconds allows. `exact`: the method makes no error but rounding, whatever its steps.
 
     `watch` is told which part of a run is done, and `keep` what can be gone on with, both now and then; `resume` gives
-    the progress of an interrupted search for this task, which then goes on as if it had not been interrupted. Of the
-    budget, what `reserve` says of the last run is left for what comes after it.
+    the progress of an interrupted search for this task, which then goes on as if it had not been interrupted. `engine`
+    computes all its runs (see `canon.numeric.integrate.integrate`). Of the budget, what `reserve` says of the last run is left for what comes after it.
     """
-    task = Task(problem, method, state, duration, samples, t0)
+    task = Task(problem, method, state, duration, samples, t0, engine)
     search = Search(task, accuracy, exact, budget, watch, keep, resume(task) if resume else Progress(), reserve)
     verdict = search.verdict()
     while verdict is None and not search.stopped:
@@ -87,6 +89,7 @@ def run_with_step(
     step: float,
     exact: bool = False,
     t0: float = 0.0,
+    engine: Engine = "auto",
     watch: Watch | None = None,
     keep: Keep | None = None,
     resume: Callable[[Task], Progress] | None = None,
@@ -100,7 +103,7 @@ def run_with_step(
             f"a step of {step:g} over {duration:g} makes {duration / step:.2g} steps: at most {MOST_STEPS:.0e}"
         )
     steps = max(int(np.ceil(duration / step * (1 - 1e-12))), 1)
-    task = Task(problem, method, state, duration, samples, t0)
+    task = Task(problem, method, state, duration, samples, t0, engine)
     search = Search(task, None, exact, None, watch, keep, resume(task) if resume else Progress())
     search.complete([steps] if steps < 2 * (samples - 1) else [steps, max(steps // 2, 1)])
     # what was stopped may be the estimate of the error, and not the run itself

@@ -9,11 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.engines import ENGINES, settled
 from canon.numeric.integrate import Run
 
 DAMAGED: Final = "what it holds of the run is damaged"
@@ -36,7 +37,7 @@ class Progress:
     """The last `runs` that are finished, the `current` one if there is one, and what was seen of all before it.
 
     `agreed` counts, for each run, the samples in which it agrees with the one before; `compensated` says whether
-    rounding is to be kept from now on, None where that is left to the number of steps.
+    rounding is to be kept from now on, None where that is left to the number of steps. `engine` computes all runs.
     """
 
     runs: tuple[Run, ...] = ()
@@ -44,6 +45,7 @@ class Progress:
     trials: tuple[Trial, ...] = ()
     agreed: tuple[int, ...] = ()
     compensated: bool | None = None
+    engine: Literal["native", "xla"] | None = None
 
     @property
     def shown(self) -> Run:
@@ -72,12 +74,20 @@ def pack(progress: Progress) -> Packed:
             arrays |= {_name(index, word, k): np.asarray(leaf) for k, leaf in enumerate(jax.tree.leaves(tree))}
     figures = {
         "runs": [
-            {"steps": run.total, "compensated": run.compensated, "done": run.done, "ended": run.ended} for run in runs
+            {
+                "steps": run.total,
+                "compensated": run.compensated,
+                "done": run.done,
+                "ended": run.ended,
+                "engine": run.engine,
+            }
+            for run in runs
         ],
         "finished": len(progress.runs),
         "trials": [[trial.steps, trial.difference.hex(), trial.seconds] for trial in progress.trials],
         "agreed": list(progress.agreed),
         "compensated": progress.compensated,
+        "engine": progress.engine,
     }
     return Packed(figures, arrays)
 
@@ -85,12 +95,28 @@ def pack(progress: Progress) -> Packed:
 def unpack(packed: Packed, begin: Begin) -> Progress:
     """The progress of the problem whose runs `begin` makes.
 
-    **Raises:** `InputError` where the figures or arrays are no progress of that problem.
+    **Raises:** `InputError` where the figures or arrays are no progress of that problem, or were computed by an engine
+    that is not installed.
     """
+    engine_of(packed.figures)
     try:
         return _unpacked(packed, begin)
     except (LookupError, TypeError, ValueError, OverflowError, AttributeError) as error:
         raise InputError(DAMAGED) from error
+
+
+def engine_of(figures: Mapping[str, Any]) -> Literal["native", "xla"]:
+    """The engine that computed the runs of a progress; those of before there were two are XLA's.
+
+    **Raises:** `InputError` where it isn't installed: another one's bits would be others.
+    """
+    engine = figures.get("engine") or "xla"
+    if engine not in ("native", "xla"):
+        raise InputError(DAMAGED)
+    try:
+        return settled(engine)
+    except InputError as error:
+        raise InputError(f"it was begun with the native engine, whose bits XLA's are not: {error.message}") from None
 
 
 def _unpacked(packed: Packed, begin: Begin) -> Progress:
@@ -110,13 +136,19 @@ def _unpacked(packed: Packed, begin: Begin) -> Progress:
     )
     if not sound:
         raise InputError(DAMAGED)
-    return Progress(tuple(runs[:finished]), runs[-1] if finished < len(runs) else None, trials, agreed, kept)
+    return Progress(
+        tuple(runs[:finished]), runs[-1] if finished < len(runs) else None, trials, agreed, kept, engine_of(figures)
+    )
 
 
 def _run(index: int, entry: Mapping[str, Any], arrays: Mapping[str, np.ndarray], begin: Begin) -> Run:
     import jax
 
-    if entry["compensated"] not in (True, False) or entry["ended"] not in (True, False):
+    if (
+        entry["compensated"] not in (True, False)
+        or entry["ended"] not in (True, False)
+        or entry.get("engine", "xla") not in ENGINES
+    ):
         raise InputError(DAMAGED)
     run = begin(int(entry["steps"]), entry["compensated"])
     done = int(entry["done"])
@@ -129,7 +161,7 @@ def _run(index: int, entry: Mapping[str, Any], arrays: Mapping[str, np.ndarray],
         if any(a.shape != np.shape(b) or a.dtype != np.asarray(b).dtype for a, b in zip(found, leaves, strict=True)):
             raise InputError(DAMAGED)
         restored[word] = jax.tree.unflatten(structure, found)
-    return replace(run, done=done, ended=entry["ended"], **restored)
+    return replace(run, done=done, ended=entry["ended"], engine=entry.get("engine", "xla"), **restored)
 
 
 def _name(index: int, word: str, leaf: int) -> str:

@@ -33,6 +33,24 @@ MOVES: Final = frozenset(
 )
 
 
+WHOLE: Final[dict[str, Callable[..., Array]]] = {
+    "add": lambda params, a, b: np.asarray(a + b),
+    "sub": lambda params, a, b: np.asarray(a - b),
+    "mul": lambda params, a, b: np.asarray(a * b),
+    "lt": lambda params, a, b: np.asarray(a < b),
+    "le": lambda params, a, b: np.asarray(a <= b),
+    "gt": lambda params, a, b: np.asarray(a > b),
+    "ge": lambda params, a, b: np.asarray(a >= b),
+    "eq": lambda params, a, b: np.asarray(a == b),
+    "ne": lambda params, a, b: np.asarray(a != b),
+    "and": lambda params, a, b: np.asarray(a & b),
+    "or": lambda params, a, b: np.asarray(a | b),
+    "select_n": lambda params, which, *cases: np.choose(np.asarray(which, int), cases),
+    "convert_element_type": lambda params, a: np.asarray(a != 0 if params["new_dtype"] == bool else a),
+}
+"""Operations on whole numbers that are known, such as those that count turns of a loop: jax would compile each."""
+
+
 class Unscalar(Exception):
     """The function is no straight-line program of scalars."""
 
@@ -121,8 +139,24 @@ def _bound(equation: Any, arrays: list[Array]) -> list[Any]:
         return [x[tuple(slice(a, b, c) for a, b, c in bounds)]]
     if name == "rev":
         return [np.flip(x, params["dimensions"])]
+    if name in ("dynamic_slice", "dynamic_update_slice"):
+        return [_slice_at(arrays, params.get("slice_sizes"))]
     found = equation.primitive.bind(*arrays, **params)
     return list(found) if equation.primitive.multiple_results else [found]
+
+
+def _slice_at(arrays: list[Array], sizes: Sequence[int] | None) -> Array:
+    """A slice of known size at known indices, which are moved until it fits; or an array with one replaced."""
+    x, *rest = arrays
+    update = None if sizes is not None else rest.pop(0)
+    sizes = update.shape if update is not None else sizes or ()
+    begins = [min(max(int(k), 0), n - size) for k, n, size in zip(rest, x.shape, sizes, strict=True)]
+    where = tuple(slice(begin, begin + size) for begin, size in zip(begins, sizes, strict=True))
+    if update is None:
+        return x[where]
+    new = x.copy()
+    new[where] = update
+    return new
 
 
 def _elementwise(builder: Builder, name: str, operands: Sequence[Traced]) -> Traced:

@@ -12,7 +12,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.numeric.precision import double
-from canon.numeric.scalar_arrays import MOVES, Traced, Unscalar, Value, computed, known, lifted, moved
+from canon.numeric.scalar_arrays import MOVES, WHOLE, Traced, Unscalar, Value, computed, known, lifted, moved
 from canon.program import Builder, Program, TooLong
 
 __all__ = ["Unscalar", "scalar_program", "taken_apart", "values_and_jacobian"]
@@ -103,6 +103,8 @@ def _apply(builder: Builder, equation: Any, operands: list[Value]) -> list[Value
         return moved(builder, equation, operands)
     integral = all(not isinstance(x, Traced) and x.dtype.kind in "iub" for x in operands)
     if integral and all(out.aval.dtype.kind in "iub" for out in equation.outvars):
+        if name in WHOLE:
+            return [WHOLE[name](params, *operands).astype(equation.outvars[0].aval.dtype)]
         found = equation.primitive.bind(*operands, **params)
         return [np.asarray(x) for x in (found if equation.primitive.multiple_results else [found])]
     return [computed(builder, equation, operands)]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Final, NamedTuple
 
@@ -16,6 +16,7 @@ import numpy as np
 from canon.interruption import interruptible
 from canon.numeric.convergence import estimated_error, reaches
 from canon.numeric.cpu_time import cpu_time
+from canon.numeric.engines import Engine, settled
 from canon.numeric.integrate import Run, advance, start
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method
@@ -65,6 +66,7 @@ class Task:
     duration: float
     samples: int
     t0: float
+    engine: Engine = "auto"
 
     @property
     def first_steps(self) -> int:
@@ -75,7 +77,7 @@ class Task:
         """The run of so many steps, or a few more, before its first one."""
         return start(
             self.problem, self.method, self.state, duration=self.duration, steps=steps, samples=self.samples,
-            t0=self.t0, compensated=compensated,
+            t0=self.t0, compensated=compensated, engine=self.engine,
         )  # fmt: skip
 
 
@@ -93,7 +95,10 @@ class Search:
         self, task: Task, accuracy: float | None, exact: bool, budget: float | None, watch: Watch | None,
         keep: Keep | None, progress: Progress, reserve: Reserve | None = None,
     ) -> None:  # fmt: skip
-        self.task, self.accuracy, self.exact = task, accuracy, exact
+        # one engine for all runs, those of another process too: their differences are to be of their steps
+        self.engine = progress.engine or settled(task.engine)
+        self.task = replace(task, engine=self.engine)
+        self.accuracy, self.exact = accuracy, exact
         self.watch, self.keep, self.reserve = watch, keep, reserve or (lambda seconds: 0.0)
         self.order = task.method.traits.order
         self.runs, self.current = [*progress.runs], progress.current
@@ -109,7 +114,9 @@ class Search:
 
     def progress(self) -> Progress:
         """What it can be gone on with."""
-        return Progress(tuple(self.runs), self.current, tuple(self.trials), tuple(self.agreed), self.compensated)
+        return Progress(
+            tuple(self.runs), self.current, tuple(self.trials), tuple(self.agreed), self.compensated, self.engine
+        )
 
     def keep_last(self) -> None:
         """Keep what has been found, if that took long, or somebody stopped it: what comes after may take long, too."""

@@ -31,6 +31,7 @@ def scene_record(result: Result) -> Record:
             "order": None if result.problem.exact else method.traits.order,
             "symplectic": method.traits.symplectic,
             "step": planned.run.step,
+            "engine": engine_name(result),
             "why": result.choice.why,
             "candidates": [candidate_record(each) for each in result.choice.candidates],
         },
@@ -51,6 +52,12 @@ def scene_record(result: Result) -> Record:
         **{name: rows.tolist() for name, rows in own_states(result).items()},
         **{word: {name: rows.tolist() for name, rows in table.items()} for word, table in named_states(result).items()},
     }
+
+
+def engine_name(result: Result) -> str | None:
+    """What computed the steps, "native" or "xla"; None where it is another package."""
+    engine = result.planned.run.engine
+    return None if engine == "auto" else engine
 
 
 def candidate_record(each: Prediction) -> Record:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any, Final
 
 from canon.numeric.forecast import digit_factor
-from canon.report.scene_record import active_effects, integrator_name
+from canon.report.scene_record import active_effects, engine_name, integrator_name
 from canon.report.words import duration, visible
 from canon.scenes.simulate import Result
 from canon.scenes.values import text_of
@@ -107,7 +107,8 @@ def explanation_lines(result: Result) -> list[str]:
     source = problem.source if problem.exact else choice.method.source
     lines += ["", f"Method: {integrator_name(result)}", f"  {choice.why}", *([f"  {source}"] if source else [])]
     if result.operations is not None:
-        lines.append(f"  {result.operations} arithmetic operations a step")
+        engine = {"native": ", by native code", "xla": ", by XLA"}.get(engine_name(result) or "", "")
+        lines.append(f"  {result.operations} arithmetic operations a step{engine}")
     lines += candidate_lines(result)
     prices = list(price_lines(result))
     if prices:

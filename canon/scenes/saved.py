@@ -10,7 +10,8 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.numeric.progress import Begin, Packed, Progress, pack, unpack
+from canon.numeric.engines import Engine
+from canon.numeric.progress import Begin, Packed, Progress, engine_of, pack, unpack
 from canon.scenes.identity import check_same
 from canon.version import __version__
 
@@ -29,7 +30,7 @@ def saved(progress: Progress, identity: dict[str, Any]) -> dict[str, np.ndarray]
 def resumable(progress: Progress, identity: dict[str, Any]) -> dict[str, np.ndarray]:
     """What a run can be gone on with: a line of JSON under `KEY`, and the arrays that it speaks of."""
     packed = pack(progress)
-    header = {"format": FORMAT, "versions": versions(), "identity": identity, **packed.figures}
+    header = {"format": FORMAT, "versions": versions(progress.engine), "identity": identity, **packed.figures}
     return {KEY: np.array(json.dumps(header)), **packed.arrays}
 
 
@@ -47,17 +48,27 @@ def integrator_of(arrays: Arrays) -> str | None:
     return name if isinstance(name, str) else None
 
 
+def engine_for(arrays: Arrays, wanted: Engine) -> Engine:
+    """The engine that a run was begun with. **Raises:** `InputError` where another is wanted, or it's not installed."""
+    begun = engine_of(_header(arrays))
+    if wanted not in ("auto", begun):
+        raise InputError(f"it was begun with the engine {begun}, and this is the engine {wanted}: leave --engine out")
+    return begun
+
+
 def differing_versions(arrays: Arrays) -> str:
     """The versions that a run was begun with, where they are others than today's; nothing where they are the same."""
-    then, now = _header(arrays).get("versions"), versions()
+    header = _header(arrays)
+    then, now = header.get("versions"), versions(engine_of(header))
     if not isinstance(then, dict) or then == now:
         return ""
     return ", ".join(f"{name} {str(then.get(name))[:40]}" for name in now)
 
 
-def versions() -> dict[str, str]:
-    """The programs on which every bit of a run depends."""
-    return {"canon": __version__, **{name: version(name) for name in ("jax", "jaxlib", "numpy")}}
+def versions(engine: str | None = None) -> dict[str, str]:
+    """The programs on which every bit of a run by this engine depends."""
+    names = ("jax", "jaxlib", "numpy", *(("llvmlite",) if engine == "native" else ()))
+    return {"canon": __version__, **{name: version(name) for name in names}}
 
 
 def _header(arrays: Arrays) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final
 
+from canon.numeric.engines import Engine
 from canon.scenes.model import Model
 
 DEFAULT_ACCURACY: Final = 1e-9
@@ -23,7 +24,8 @@ MONITORS: Final = (
 class Settings:
     """How a scene is run: to an `accuracy`, or with a fixed `step`, or as exactly as `budget` seconds allow.
 
-    Time begins at `start`. With `compare` every candidate for an integrator is tried, however short the run.
+    Time begins at `start`. With `compare` every candidate for an integrator is tried, however short the run. `engine`
+    computes the steps.
     """
 
     duration: float
@@ -35,6 +37,7 @@ class Settings:
     monitors: tuple[str, ...] = ()
     start: float = 0.0
     compare: bool = False
+    engine: Engine = "auto"
 
 
 @dataclass(frozen=True)

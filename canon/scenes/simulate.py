@@ -12,6 +12,7 @@ import numpy as np
 from canon.errors import InputError
 from canon.numeric.attainable import attainable
 from canon.numeric.constrained_formula import faults_at
+from canon.numeric.engines import settled
 from canon.numeric.gradient import gradient
 from canon.numeric.integrators.constrained import Held
 from canon.numeric.observe import observe
@@ -27,7 +28,7 @@ from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.price import price
 from canon.scenes.problem import Problem, problem_of
-from canon.scenes.saved import Arrays, differing_versions, integrator_of, restored, resumable, saved
+from canon.scenes.saved import Arrays, differing_versions, engine_for, integrator_of, restored, resumable, saved
 from canon.scenes.scattering import Scattered, scattered
 from canon.scenes.scene import Scene, Settings
 from canon.scenes.string_events import Event, events_of
@@ -127,7 +128,8 @@ def _run(
     _check_constraints(scene, problem)
     choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
     state = (np.array(scene.q), np.array(scene.p))
-    task = Task(problem.value, choice.method, state, settings.duration, settings.samples, settings.start)
+    engine = settled(settings.engine) if resume is None else engine_for(resume, settings.engine)
+    task = Task(problem.value, choice.method, state, settings.duration, settings.samples, settings.start, engine)
     looking = time.process_time()
     choice = chosen_for(problem, task, settings, choice, began_with=None if resume is None else integrator_of(resume))
     task = replace(task, method=choice.method)
@@ -140,6 +142,7 @@ def _run(
         "duration": settings.duration,
         "samples": settings.samples,
         "exact": problem.exact,
+        "engine": engine,
         "watch": watch,
         "t0": settings.start,
         "keep": None if keep is None else lambda progress: keep(saved(progress, identity)),

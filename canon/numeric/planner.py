@@ -64,7 +64,8 @@ def run_for_accuracy(
 
     `watch` is told which part of a run is done, and `keep` what can be gone on with, both now and then; `resume` gives
     the progress of an interrupted search for this task, which then goes on as if it had not been interrupted. `engine`
-    computes all its runs (see `canon.numeric.integrate.integrate`). Of the budget, what `reserve` says of the last run is left for what comes after it.
+    computes all its runs (see `canon.numeric.integrate.integrate`). Of the budget, what `reserve` says of the last run
+    is left for what comes after it.
     """
     task = Task(problem, method, state, duration, samples, t0, engine)
     search = Search(task, accuracy, exact, budget, watch, keep, resume(task) if resume else Progress(), reserve)

@@ -46,7 +46,7 @@ WHOLE: Final[dict[str, Callable[..., Array]]] = {
     "and": lambda params, a, b: np.asarray(a & b),
     "or": lambda params, a, b: np.asarray(a | b),
     "select_n": lambda params, which, *cases: np.choose(np.asarray(which, int), cases),
-    "convert_element_type": lambda params, a: np.asarray(a != 0 if params["new_dtype"] == bool else a),
+    "convert_element_type": lambda params, a: np.asarray(a != 0 if np.dtype(params["new_dtype"]).kind == "b" else a),
 }
 """Operations on whole numbers that are known, such as those that count turns of a loop: jax would compile each."""
 

@@ -13,7 +13,7 @@ with compensated sums, the second differences of the forces are what is remember
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -206,10 +206,35 @@ def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
         found = each(total, carry.ring)
         return each(jnp.add, carry.force, found) if compensated else found
 
+    def ordered_kick(carry: _Carry) -> Any:
+        """The same with the newest value at place 0, which comes last."""
+
+        def total(ring: Any) -> Any:
+            terms = [sums.kick[j] * ring[-j] for j in range(1, kept)]
+            return (sum(terms[2::2], terms[0]) + sum(terms[3::2], terms[1])) + sums.kick[0] * ring[0]
+
+        if not compensated:
+            return each(total, carry.ring)
+        return each(lambda f, ring: total(ring) + f, carry.force, carry.ring)
+
+    def begun(carry: _Carry, tables: Any, time: Time) -> _Carry:
+        """Begun, with the newest value at place 0."""
+        carry = begin(carry, tables, time)
+        ring = each(lambda rows: jnp.roll(rows, -carry.place, axis=0), carry.ring)
+        return carry._replace(ring=ring, place=jnp.zeros_like(carry.place))
+
     def begin(carry: _Carry, tables: Any, time: Time) -> _Carry:
         return lax.cond(carry.started, lambda c: c, lambda c: started(c, tables, time), carry)
 
     def step(carry: _Carry, tables: Any, time: Time) -> _Carry:
+        place = jnp.where(carry.place == kept - 1, 0, carry.place + 1)
+        put = lambda rows, x: lax.dynamic_update_index_in_dim(rows, x, place, 0)
+        return stepped(carry, time, kick(carry), put)._replace(place=place)
+
+    def shifted(carry: _Carry, tables: Any, time: Time) -> _Carry:
+        return stepped(carry, time, ordered_kick(carry), lambda rows, x: jnp.stack([x, *rows[2:], rows[0]]))
+
+    def stepped(carry: _Carry, time: Time, total: Any, put: Callable[[Any, Any], Any]) -> _Carry:
         def moved(values: Any, lost: Any, rates: Any) -> tuple[Any, Any]:
             if lost is None:
                 return each(lambda x, r: x + time.h * r, values, rates), None
@@ -217,22 +242,29 @@ def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
             return jax.tree.transpose(jax.tree.structure(values), None, pairs)
 
         lost_q, lost_pi = carry.lost or (None, None)
-        pi, lost_pi = moved(carry.pi, lost_pi, kick(carry))
+        pi, lost_pi = moved(carry.pi, lost_pi, total)
         q, lost_q = moved(carry.q, lost_q, velocity(pi, carry.shown))
         new = force(q, carry.shown, time, 1.0)
         slope = each(jnp.subtract, new, carry.force) if compensated else None
         value = each(jnp.subtract, slope, carry.slope) if compensated else new
-        place = jnp.where(carry.place == kept - 1, 0, carry.place + 1)
-        ring = each(lambda rows, x: lax.dynamic_update_index_in_dim(rows, x, place, 0), carry.ring, value)
+        ring = each(put, carry.ring, value)
         lost = None if carry.lost is None else (lost_q, lost_pi)
         kept_force = new if compensated else None
-        return carry._replace(place=place, q=q, pi=pi, ring=ring, force=kept_force, slope=slope, lost=lost)
+        return carry._replace(q=q, pi=pi, ring=ring, force=kept_force, slope=slope, lost=lost)
 
     def end(carry: _Carry, tables: Any, time: Time) -> _Carry:
         p = each(lambda x, b: x - time.h * b, carry.pi, beside(carry))
         return carry._replace(shown=tuple(_whole(new, old) for old, new in zip(carry.shown, (carry.q, p), strict=True)))
 
-    return Stepper(lambda h: starter().prepare(-h), initial, begin, step, end, lambda carry: carry.shown)
+    def prepare(h: Any) -> Any:
+        return starter().prepare(-h)
+
+    def read(carry: _Carry) -> State:
+        return carry.shown
+
+    # in registers what is remembered moves on at no cost, and its newest value is waited for by one product alone
+    straight = Stepper(prepare, initial, begun, shifted, end, read)
+    return Stepper(prepare, initial, begin, step, end, read, straight)
 
 
 def _components(slot: Any) -> Any:

@@ -38,6 +38,8 @@ class Stepper(NamedTuple):
     end: Callable[[Any, Any, Time], Any]
     read: Callable[[Any], State]
     """A carry, after `end`, to its state."""
+    straight: Stepper | None = None
+    """The same for native code, where that is better off with another order of what is remembered."""
 
 
 class Method(Protocol):

@@ -11,7 +11,7 @@ from canon.numeric.native.loop import ENTRY, PREPARE
 
 _INTEGERS: Final = (ctypes.c_int64,)
 _RUN: Final = ctypes.CFUNCTYPE(
-    ctypes.c_int64, *(ctypes.c_void_p,) * 4, *_INTEGERS * 4, *(ctypes.c_double,) * 2, *_INTEGERS * 4
+    ctypes.c_int64, *(ctypes.c_void_p,) * 4, *_INTEGERS * 4, *(ctypes.c_double,) * 2, *_INTEGERS * 3
 )
 _PREPARE: Final = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double)
 

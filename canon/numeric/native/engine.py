@@ -55,30 +55,26 @@ class Native:
             return chunks.first, carry, stored
         programs = self.programs
         leaves = [np.asarray(x) for x in jax.tree.leaves(carry)]
-        place = programs.place(_statics(leaves, programs.carry))
-        if place is None:
+        if not programs.fits(_statics(leaves, programs.carry)):
             with double():
                 carry = _begun(self.stepper)(carry, chunks.h, chunks.t0, float(chunks.first * chunks.per_chunk))
             leaves = [np.asarray(x) for x in jax.tree.leaves(carry)]
-            place = programs.place(_statics(leaves, programs.carry))
-            assert place is not None
         orbits = leaves[programs.carry.floats[0]].shape[-1] if batched else 1
         blocks = self.blocks(orbits) if batched else 1
         together = (processor().width if batched else 1) * blocks
         stride = -(-orbits // together) * together
         packed = _packed(leaves, programs.carry, orbits, stride)
-        done, after, rows = self.called(packed, place, chunks, blocks, together, batched)
+        done, after, rows = self.called(packed, chunks, blocks, together, batched)
         if done == chunks.first:
             return done, carry, stored
-        place = (place + (done - chunks.first) * chunks.per_chunk) % len(programs.cycle)
-        carry = _unpacked(after, programs.carry, leaves, programs.cycle[place], orbits)
+        carry = _unpacked(after, programs.carry, leaves, programs.statics, orbits)
         first = chunks.first // chunks.per_sample
         count = (done - 1) // chunks.per_sample - first + 1
         stored = _rows_stored(stored, rows[:count, :, :orbits], first + 1)
         return done, carry, stored
 
     def called(
-        self, packed: np.ndarray, place: int, chunks: Chunks, blocks: int, together: int, batched: bool
+        self, packed: np.ndarray, chunks: Chunks, blocks: int, together: int, batched: bool
     ) -> tuple[int, np.ndarray, np.ndarray]:
         """The chunks that are done, and the carry and the rows of stored states after them."""
         code = self.code(blocks, batched)
@@ -92,7 +88,7 @@ class Native:
             alive = np.zeros(max(last - chunks.first, 1), dtype=np.int8)
             done = code.run(
                 carry.ctypes.data, rows.ctypes.data, tables.ctypes.data, alive.ctypes.data, chunks.first, last,
-                chunks.per_sample, chunks.per_chunk, chunks.h, chunks.t0, place, stride, 0, stride // together,
+                chunks.per_sample, chunks.per_chunk, chunks.h, chunks.t0, stride, 0, stride // together,
             )  # fmt: skip
             dead = np.flatnonzero(alive[: last - chunks.first] == 0)
             if not batched or not len(dead):
@@ -132,6 +128,7 @@ def _native(problem: Any, method: Method, compensated: bool, batched: bool, form
 
     with double():
         stepper = method.stepper(problem, compensated=compensated)
+    stepper = stepper.straight or stepper
     zeros = [np.zeros((*shape, 1) if batched and kind == "<f8" else shape, kind) for kind, shape in form.leaves]
     carry = jax.tree.unflatten(form.structure, zeros)
     try:

@@ -1,7 +1,7 @@
 """The loop over blocks of orbits, over chunks of steps and over steps, around the programs of a step.
 
 A carry is loaded at the beginning of a chunk, stays in registers (as far as they suffice) for its steps, and is stored
-at its end. Where the whole numbers of a carry go round, there is a copy of the step for each of their places.
+at its end.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ ENTRY: Final = "canon_run"
 PREPARE: Final = "canon_prepare"
 _ARGUMENTS: Final = (
     "ptr noalias %carry, ptr noalias %rows, ptr noalias readonly %tables, ptr noalias %alive, i64 %first, i64 %last, "
-    "i64 %per_sample, i64 %per_chunk, double %h, double %t0, i64 %place, i64 %stride, i64 %begin, i64 %end"
+    "i64 %per_sample, i64 %per_chunk, double %h, double %t0, i64 %stride, i64 %begin, i64 %end"
 )
 _INFINITY: Final = hexadecimal(float("inf"))
 
@@ -49,7 +49,7 @@ class _Loop:
 
     def __init__(self, programs: Straight, writer: Writer, fused: bool) -> None:
         self.programs, self.writer, self.fused = programs, writer, fused
-        self.size, self.places = programs.carry.size, len(programs.cycle)
+        self.size = programs.carry.size
         self.single = writer.width == 1
 
     def whole(self) -> None:
@@ -73,10 +73,7 @@ class _Loop:
         w.do(f"%orbit = mul i64 %block, {w.width * w.blocks}")
         w.do("br label %chunk_head")
         w.label("chunk_head")
-        ends = ", ".join(f"[ %done_next, %good_{j} ]" for j in range(self.places))
-        places = ", ".join(f"[ {(j + 1) % self.places}, %good_{j} ]" for j in range(self.places))
-        w.do(f"%done = phi i64 [ %first, %chunk_enter ], {ends}")
-        w.do(f"%at = phi i64 [ %place, %chunk_enter ], {places}")
+        w.do("%done = phi i64 [ %first, %chunk_enter ], [ %done_next, %good ]")
         w.do("%over = icmp sge i64 %done, %last")
         w.do("br i1 %over, label %block_done, label %chunk")
         w.label("chunk")
@@ -90,37 +87,46 @@ class _Loop:
             for b in range(w.blocks):
                 value = w.put(f"load {w.kind}, ptr {self.address('%carry', str(k), b)}, align 8")
                 w.do(f"store {w.kind} {value}, ptr %c{k}_{b}")
-        cases = " ".join(f"i64 {j}, label %begin_{j}" for j in range(1, self.places))
-        w.do(f"switch i64 %at, label %begin_0 [ {cases} ]")
-        for j in range(self.places):
-            self.at_place(j)
-        w.lines.append("}")
-
-    def at_place(self, j: int) -> None:
-        """What begins, a step, and what ends, at one place of the cycle."""
-        w, following = self.writer, (j + 1) % self.places
-        w.label(f"begin_{j}")
-        if not self.programs.still:
-            self.moved(self.programs.begins[j], "%k0")
-        w.do(f"br label %step_{j}")
-        w.label(f"step_{j}")
-        before = f"step_{(j - 1) % self.places}"
-        w.do(f"%k_{j} = phi i64 [ %k0, %begin_{j} ], [ %k_next_{(j - 1) % self.places}, %{before} ]")
-        self.moved(self.programs.steps[j], f"%k_{j}")
-        w.do(f"%k_next_{j} = add i64 %k_{j}, 1")
-        w.do(f"%stop_{j} = icmp sge i64 %k_next_{j}, %stop")
-        w.do(f"br i1 %stop_{j}, label %end_{j}, label %step_{following}")
-        w.label(f"end_{j}")
-        results = self.program(self.programs.ends[following], "%stop")
+        if self.programs.begin.operations:
+            self.moved(self.programs.begin, "%k0")
+        self.steps()
+        results = self.program(self.programs.end, "%stop")
         carried, shown = results[: self.size], results[self.size :]
-        self.judged(shown, j)
-        w.label(f"good_{j}")
+        self.judged(shown)
+        w.label("good")
         self.stored("%carry", "0", carried)
         base = w.put(f"mul i64 %row, {len(shown)}")
         self.stored("%rows", base, shown)
         w.do("br label %chunk_head")
+        w.lines.append("}")
 
-    def judged(self, shown: Sequence[Known], j: int) -> None:
+    def steps(self) -> None:
+        """The steps of a chunk. Where a carry holds a history, so many at once that each number of it is back in its
+        place: then none has to be moved from register to register.
+        """
+        w, together = self.writer, self.programs.moves + 1
+        w.do("br label %turn_head")
+        w.label("turn_head")
+        w.do("%k = phi i64 [ %k0, %chunk ], [ %k_after, %turn ]")
+        w.do(f"%k_after = add i64 %k, {together}")
+        w.do("%turn_over = icmp sgt i64 %k_after, %stop")
+        w.do(f"br i1 %turn_over, label %{'rest_head' if together > 1 else 'steps_done'}, label %turn")
+        w.label("turn")
+        for number in range(together):
+            self.moved(self.programs.step, w.put(f"add i64 %k, {number}"))
+        w.do("br label %turn_head")
+        if together > 1:
+            w.label("rest_head")
+            w.do("%k_rest = phi i64 [ %k, %turn_head ], [ %k_next, %rest ]")
+            w.do("%rest_over = icmp sge i64 %k_rest, %stop")
+            w.do("br i1 %rest_over, label %steps_done, label %rest")
+            w.label("rest")
+            self.moved(self.programs.step, "%k_rest")
+            w.do("%k_next = add i64 %k_rest, 1")
+            w.do("br label %rest_head")
+        w.label("steps_done")
+
+    def judged(self, shown: Sequence[Known]) -> None:
         """Whether the state is finite: one orbit's run ends where it isn't, and of many it is noted where any is."""
         w = self.writer
         anyone = []
@@ -132,8 +138,8 @@ class _Loop:
                 fine = finite if fine is None else w.put(f"and {w.truth} {fine}, {finite}")
             anyone.append(fine)
         if self.single:
-            w.do(f"br i1 {anyone[0]}, label %good_{j}, label %bad_{j}")
-            w.label(f"bad_{j}")
+            w.do(f"br i1 {anyone[0]}, label %good, label %bad")
+            w.label("bad")
             w.do("ret i64 %done")
             return
         for fine in anyone:
@@ -144,7 +150,7 @@ class _Loop:
             place = w.put(f"getelementptr i8, ptr %alive, i64 {index}")
             before = w.put(f"load i8, ptr {place}")
             w.do(f"store i8 {w.put(f'or i8 {before}, {flag}')}, ptr {place}")
-        w.do(f"br label %good_{j}")
+        w.do("br label %good")
 
     def moved(self, program: Program, k: str) -> None:
         """A program from the carry to the carry."""

@@ -1,8 +1,8 @@
 """The pieces of an integrator as straight-line programs of scalars: what prepares, begins, makes a step, and ends.
 
 One orbit's numbers are the inputs: of a batch, in which orbits go their own ways, the functions are traced for a batch
-of one. What a carry holds of whole numbers and truth values (at which place of its history a multistep method is) is
-known while tracing: a step is traced for each of the places, until they repeat.
+of one. What a carry holds of whole numbers and truth values (whether a multistep method has begun) is known while
+tracing, and is to be the same after a step.
 """
 
 from __future__ import annotations
@@ -22,8 +22,6 @@ from canon.program import Builder, Program
 
 MOST_OPERATIONS: Final = 12_000
 """Operations of a step and what brackets it: longer programs would take seconds to compile."""
-LONGEST_CYCLE: Final = 16
-"""Steps after which the whole numbers of a carry are to be what they were."""
 
 
 @dataclass(frozen=True)
@@ -45,36 +43,35 @@ class Layout:
 
 @dataclass(frozen=True)
 class Straight:
-    """Programs of one orbit. `prepare` takes h to the tables; the others take (carry, tables, t0, h, k).
+    """Programs of one orbit, for carries with these whole numbers, the `statics`. `prepare` takes h to the tables; the
+    others take (carry, tables, t0, h, k), `begin` and `step` to a carry, `end` to a carry and the state that is shown.
 
-    For each entry of `cycle`, the whole numbers before a step: `steps` to the next carry, `begins` to a carry, and
-    `ends` to a carry and the state that is shown. `still` says that to begin changes nothing.
+    `moves`: how often a number of the carry goes from place to place, at most, before it is left.
     """
 
     carry: Layout
     state: Layout
     tables: int
     prepare: Program
-    cycle: tuple[tuple[np.ndarray, ...], ...]
-    begins: tuple[Program, ...]
-    steps: tuple[Program, ...]
-    ends: tuple[Program, ...]
-    still: bool
+    statics: tuple[np.ndarray, ...]
+    begin: Program
+    step: Program
+    end: Program
+    moves: int
 
     @property
     def operations(self) -> int:
         """All that is to be compiled."""
-        return sum(len(p.operations) for p in (self.prepare, *self.begins, *self.steps, *self.ends))
+        return sum(len(p.operations) for p in (self.prepare, self.begin, self.step, self.end))
 
-    def place(self, statics: Sequence[np.ndarray]) -> int | None:
-        """Which entry of the cycle these whole numbers are."""
-        wanted = _key(statics)
-        return next((k for k, entry in enumerate(self.cycle) if _key(entry) == wanted), None)
+    def fits(self, statics: Sequence[np.ndarray]) -> bool:
+        """Whether the programs are for these whole numbers."""
+        return _key(statics) == _key(self.statics)
 
 
 def straight(stepper: Stepper, carry: Any, first: Sequence[np.ndarray] | None, batched: bool) -> Straight:
-    """The stepper as straight programs, for carries of this form; `first`: whole numbers of the carry to begin the
-    cycle with, where they are not those of `carry`.
+    """The stepper as straight programs, for carries of this form; `first`: the whole numbers of a carry that has begun,
+    where it has any.
 
     **Raises:** `Unscalar` where it depends on more than that: loops whose length depends on the state, functions that
     are no elementary ones, more operations than are worth compiling; whatever jax raises where it cannot trace.
@@ -107,15 +104,13 @@ def straight(stepper: Stepper, carry: Any, first: Sequence[np.ndarray] | None, b
         if state.leaves != len(state.floats):
             raise Unscalar("a state of whole numbers")
         parts = _Parts(layout, table_layout)
-        cycle, steps = _cycle(parts, step, [np.asarray(x) for x in first] if first is not None else statics)
-        begins = [parts.program(begin, entry, entry)[0] for entry in cycle]
-        ends = [parts.program(end, entry, entry)[0] for entry in cycle]
-        still = all(_is_identity(program, layout.size) for program in begins)
-        if first is not None and not still:
+        whole = statics if first is None else [*first]
+        made = [parts.program(each, whole) for each in (begin, step, end)]
+        if first is not None and not _is_identity(made[0]):
             raise Unscalar("a method that begins in two ways")
         prepare = _prepared(stepper)
     found = Straight(
-        layout, state, table_layout.size, prepare, tuple(map(tuple, cycle)), tuple(begins), steps, tuple(ends), still
+        layout, state, table_layout.size, prepare, tuple(whole), made[0], made[1], made[2], _moves(made[1])
     )
     if found.operations > MOST_OPERATIONS:
         raise Unscalar(f"more than {MOST_OPERATIONS} operations")
@@ -165,10 +160,8 @@ class _Parts:
     def __init__(self, carry: Layout, tables: Layout) -> None:
         self.carry, self.tables = carry, tables
 
-    def program(
-        self, closed: Any, statics: Sequence[np.ndarray], kept: Sequence[np.ndarray] | None
-    ) -> tuple[Program, list[np.ndarray]]:
-        """The program of a jaxpr, and the whole numbers that it leaves in the carry: those `kept`, if given."""
+    def program(self, closed: Any, statics: Sequence[np.ndarray]) -> Program:
+        """The program of a jaxpr, which leaves the whole numbers in the carry as they are."""
         inputs = self.carry.size + self.tables.size + 3
         builder = Builder(inputs, 20 * MOST_OPERATIONS)
         position = iter(range(inputs))
@@ -190,25 +183,9 @@ class _Parts:
                 raise Unscalar("a whole number that depends on the state")
             else:
                 after.append(value)
-        if kept is not None and _key(after) != _key(kept):
-            raise Unscalar("whole numbers that change at the ends of a run of steps")
-        return builder.program(tuple(nodes)), after
-
-
-def _cycle(
-    parts: _Parts, step: Any, first: Sequence[np.ndarray]
-) -> tuple[list[Sequence[np.ndarray]], tuple[Program, ...]]:
-    """The whole numbers before each step until they repeat, and the steps."""
-    cycle, steps = [first], list[Program]()
-    for _ in range(LONGEST_CYCLE):
-        program, after = parts.program(step, cycle[-1], None)
-        steps.append(program)
-        if len(program.operations) * len(steps) > MOST_OPERATIONS:
-            break
-        if _key(after) == _key(first):
-            return cycle, tuple(steps)
-        cycle.append(after)
-    raise Unscalar("whole numbers of a carry that do not repeat soon")
+        if _key(after) != _key(statics):
+            raise Unscalar("whole numbers that change from step to step")
+        return builder.program(tuple(nodes))
 
 
 def _prepared(stepper: Stepper) -> Program:
@@ -220,9 +197,22 @@ def _prepared(stepper: Stepper) -> Program:
     return builder.program(tuple(int(node) for x in found for node in x.nodes.ravel()))
 
 
-def _is_identity(program: Program, size: int) -> bool:
+def _is_identity(program: Program) -> bool:
     operations = [program.operations[node] for node in program.outputs]
-    return all(o.name == "input" and o.datum == k for k, o in enumerate(operations[:size]))
+    return all(o.name == "input" and o.datum == k for k, o in enumerate(operations))
+
+
+def _moves(program: Program) -> int:
+    """The places that a number goes through in a carry, one a step, before it is left: a history's length less one."""
+    outputs = [program.operations[node] for node in program.outputs]
+    source = {k: int(o.datum) for k, o in enumerate(outputs) if o.name == "input" and o.datum != k}
+    longest = 0
+    for place in source:
+        count, at = 0, place
+        while at in source and count < len(source):
+            count, at = count + 1, source[at]
+        longest = max(longest, count)
+    return longest
 
 
 def _key(statics: Sequence[np.ndarray]) -> tuple[tuple[str, bytes], ...]:

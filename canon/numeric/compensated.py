@@ -82,8 +82,11 @@ def add_product(value: Any, lost: Any, a: Any, b: Any) -> tuple[Any, Any]:
     """value + lost + a·b likewise, with what rounding took from the product, too.
 
     Products with one factor are rounded with a bias where its digits repeat, as those of 1/20 do: what is lost adds up
-    to more than a random walk.
+    to more than a random walk. The increment a·b + lost is rounded first, and added as a whole: what comes next waits
+    for one addition after it, and native code makes the increment by one operation.
     """
     product, beyond = two_product(a, b)
-    total, rounded = two_sum(value, product)
-    return two_sum(total, lost + (rounded + beyond))
+    rest = beyond + lost
+    increment = product + rest
+    total, rounded = two_sum(value, increment)
+    return total, rounded + (rest - (increment - product))

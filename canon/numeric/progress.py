@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Final, Literal
+from typing import Any, Final
 
 import numpy as np
 
 from canon.errors import InputError
-from canon.numeric.engines import ENGINES, settled
+from canon.numeric.engines import ENGINES, Settled, settled
 from canon.numeric.integrate import Run
 
 DAMAGED: Final = "what it holds of the run is damaged"
@@ -45,7 +45,7 @@ class Progress:
     trials: tuple[Trial, ...] = ()
     agreed: tuple[int, ...] = ()
     compensated: bool | None = None
-    engine: Literal["native", "xla"] | None = None
+    engine: Settled | None = None
 
     @property
     def shown(self) -> Run:
@@ -105,7 +105,7 @@ def unpack(packed: Packed, begin: Begin) -> Progress:
         raise InputError(DAMAGED) from error
 
 
-def engine_of(figures: Mapping[str, Any]) -> Literal["native", "xla"]:
+def engine_of(figures: Mapping[str, Any]) -> Settled:
     """The engine that computed the runs of a progress; those of before there were two are XLA's.
 
     **Raises:** `InputError` where it isn't installed: another one's bits would be others.

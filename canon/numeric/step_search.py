@@ -16,7 +16,7 @@ import numpy as np
 from canon.interruption import interruptible
 from canon.numeric.convergence import estimated_error, reaches
 from canon.numeric.cpu_time import cpu_time
-from canon.numeric.engines import Engine, settled
+from canon.numeric.engines import Engine, Settled, settled
 from canon.numeric.integrate import Run, advance, start
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method
@@ -96,7 +96,7 @@ class Search:
         keep: Keep | None, progress: Progress, reserve: Reserve | None = None,
     ) -> None:  # fmt: skip
         # one engine for all runs, those of another process too: their differences are to be of their steps
-        self.engine = progress.engine or settled(task.engine)
+        self.engine: Settled = progress.engine or settled(task.engine)
         self.task = replace(task, engine=self.engine)
         self.accuracy, self.exact = accuracy, exact
         self.watch, self.keep, self.reserve = watch, keep, reserve or (lambda seconds: 0.0)

@@ -1,5 +1,6 @@
 """`canon simulate --resume`: what is interrupted and gone on with has every bit, and no file is trusted."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from canon.cli import simulate as command
 from canon.cli.main import main
 from canon.errors import InputError
+from canon.numeric import engines
 from canon.report.states_file import read_arrays, write_arrays
 
 SCENE = """
@@ -66,6 +68,15 @@ def test_an_interrupted_run_is_gone_on_with(
     assert "it is the run of another scene" in capsys.readouterr().err
     assert run(tmp_path, "--resume", str(part), "--accuracy", "1e-6") == 3
     assert "begun with accuracy 1e-08, and this is accuracy 1e-06" in capsys.readouterr().err
+    begun, another = ("native", "xla") if engines.installed() else ("xla", "native")
+    assert json.loads(str(other["resume"]))["engine"] == begun
+    assert run(tmp_path, "--resume", str(part), "--engine", another) == 3
+    assert f"begun with the engine {begun}, and this is the engine {another}" in capsys.readouterr().err
+    if begun == "native":
+        with monkeypatch.context() as patched:
+            patched.setattr(engines, "installed", lambda: False)
+            assert run(tmp_path, "--resume", str(part)) == 3
+        assert "begun with the native engine" in capsys.readouterr().err
     write_arrays({**other, "resume": np.array("[")}, part)
     assert run(tmp_path, "--resume", str(part)) == 3
     assert "damaged" in capsys.readouterr().err

@@ -133,17 +133,27 @@ def is_positive(question: Question, node: Node, region: Region, *, strict: bool 
 
 
 def _affine_in_wave(question: Question, node: Node, region: Region, *, strict: bool) -> bool:
-    """Whether a node that is affine in one sine or cosine is positive where this is 1 and where it is −1."""
+    """Whether a node that is affine in one sine or cosine is positive where this is 1 and where it is −1; or one that
+    is affine in the squares of both, where the one and where the other is 0."""
     tape = question.tape
     waves = [i for i in tape.reach([node]) if tape.ops[i][:2] in (("f", "sin"), ("f", "cos"))]
-    if len(waves) != 1:
+    if not 0 < len(waves) <= 2 or len({tape.ops[i][2] for i in waves}) > 1:
         return False
-    place = tape.symbol(sp.Dummy(real=True))
-    plain = substitute(tape, node, {waves[0]: place})
-    slope = derivative(tape, plain, place)
-    if place in tape.support(slope):
+    places = [tape.symbol(sp.Dummy(real=True)) for _ in waves]
+    plain = substitute(tape, node, dict(zip(waves, places, strict=True)))
+    slopes = [derivative(tape, plain, x) for x in places]
+    if len(waves) == 1:
+        bent, corners = slopes, [(1,), (-1,)]
+    else:
+        flat = [substitute(tape, slope, dict.fromkeys(places, tape.zero)) for slope in slopes]
+        if any(tape.value(slope) != 0 for slope in (*flat, derivative(tape, slopes[0], places[1]))):
+            return False
+        bent, corners = [derivative(tape, slope, x) for slope, x in zip(slopes, places, strict=True)], [(1, 0), (0, 1)]
+    if any(tape.support(slope) & {*places} for slope in bent):
         return False
-    ends = (substitute(tape, plain, {place: tape.number(sign)}) for sign in (1, -1))
+    ends = (
+        substitute(tape, plain, {x: tape.number(v) for x, v in zip(places, corner, strict=True)}) for corner in corners
+    )
     return all(positive_by_signs(tape, end, region, question.budget.share(0.3), strict=strict) for end in ends)
 
 

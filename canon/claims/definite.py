@@ -6,14 +6,11 @@ import random
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import sympy as sp
-
 from canon.budget import Budget, BudgetExceeded
 from canon.claims.along_a_range import Range, Unproved, holds
 from canon.claims.approach import Limit, approaching, limit_of
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.to_infinity import over_infinity
-from canon.deadline import within
 from canon.decide.answer import Witness
 from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
 from canon.decide.derivative import derivative
@@ -24,7 +21,6 @@ from canon.decide.search import ball_point, samples
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError
 from canon.expression import Formula
-from canon.mechanics.formulas import as_formula
 from canon.verdict import Evidence
 
 if TYPE_CHECKING:
@@ -33,30 +29,6 @@ if TYPE_CHECKING:
 POINTS = 8
 COARSEST = 1e-6
 """The relative error above which an enclosure supports nothing."""
-FOUND_NONE = (
-    ArithmeticError, AttributeError, InputError, LookupError, NotImplementedError, RecursionError, TypeError,
-    ValueError,
-)  # fmt: skip
-"""What sympy raises where it has no rule, and what says that its answer has no place in the language."""
-LONGEST = 60
-"""Operations of an integrand of which an antiderivative is looked for."""
-
-
-def antiderivative(question: Question, f: Formula, x: sp.Symbol) -> Formula | None:
-    """An antiderivative that sympy's rules find; it is verified afterwards. **Raises:** `BudgetExceeded`."""
-    expression: Any = f.expr
-    if sp.count_ops(expression) > LONGEST or expression.has(sp.Derivative, sp.Subs):
-        return None
-    from sympy.integrals.manualintegrate import manualintegrate
-
-    plain = sp.Symbol(x.name, real=True)
-    try:
-        found: Any = within(question.budget.share(0.5), lambda: manualintegrate(expression.subs(x, plain), plain))
-        if found.has(sp.Integral) or found.has(sp.Piecewise):
-            return None
-        return as_formula(found.subs(plain, x))
-    except FOUND_NONE:
-        return None
 
 
 def exact_value(question: Question, span: Range, f: Node, F: Formula) -> tuple[Limit, Limit, Outcome]:
@@ -137,7 +109,7 @@ def at_points(question: Question, span: Range, f: Node, equals: Node, budget: Bu
         pass
     if not worst:
         return Outcome("undecided", note="the integral could not be enclosed at any point")
-    if infinite and open_places:  # it may diverge there
+    if open_places:  # it may diverge there
         return Outcome("undecided", note=f"at {open_places} points the integral could not be enclosed")
     gap = max(worst, key=lambda ball: float(abs(ball.mid()) + ball.rad()))
     evidence = Evidence(len(worst), float(abs(gap.mid())), float(gap.rad()), BITS)

@@ -9,8 +9,9 @@ import sympy as sp
 
 from canon.budget import BudgetExceeded
 from canon.claims.along_a_range import Range, Unproved, range_of
+from canon.claims.antiderivatives import antiderivatives
 from canon.claims.approach import Limit
-from canon.claims.definite import antiderivative, at_points, exact_value
+from canon.claims.definite import at_points, exact_value
 from canon.claims.gaussian import gauss
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.show import with_value
@@ -52,16 +53,34 @@ def integral_is(
             known = gauss(question, span, f, node, claimed) if given is None else None
             if known is not None and known.status in ("proved", "refuted"):
                 return with_value(question, known)
-            F = given or antiderivative(question, f, span.x)
-            if F is None:
-                raise Unproved("no antiderivative was given or found")
-            return _by_ends(question, span, claimed, F, *exact_value(question, span, node, F))
+            if given is not None:
+                return _by_ends(question, span, claimed, given, *exact_value(question, span, node, given))
+            return _by_one_found(question, span, f, node, claimed)
         except Unproved as reason:
             note = str(reason)
         except BudgetExceeded:
             note = "no argument was found in time"
     found = at_points(question, span, node, claimed, question.budget.share(0.8))
     return replace(found, note="; ".join(part for part in (note, found.note) if part))
+
+
+def _by_one_found(question: Question, span: Range, f: Formula, node: Node, claimed: Node) -> Outcome:
+    """By the first antiderivative, of those that rules find, that tells. **Raises:** `Unproved`."""
+    reason, left = "no antiderivative was given or found", None
+    for F in antiderivatives(question, f, span.x):
+        try:
+            found = _by_ends(question, span, claimed, F, *exact_value(question, span, node, F))
+        except Unproved as unproved:
+            reason = str(unproved)
+            continue
+        except InputError:  # the rule was wrong
+            continue
+        if found.status in ("proved", "refuted"):
+            return found
+        left = left or found
+    if left is None:
+        raise Unproved(reason)
+    return left
 
 
 def _by_ends(

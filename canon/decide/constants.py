@@ -9,6 +9,7 @@ from fractions import Fraction
 from flint import arb, fmpq, fmpq_mat
 
 from canon.budget import Budget
+from canon.decide.derivative import substitute
 from canon.decide.enclosure import OutOfDomain, evaluate, excludes_zero, precision
 from canon.decide.fraction_field import FractionField
 from canon.decide.generator_values import GeneratorBalls
@@ -19,6 +20,8 @@ from canon.decide.tower import NeedSlots, Tower
 
 MOST_DIMENSIONS = 96
 BITS = (128, 1024, 8192)
+SIMPLEST = 60
+"""The largest denominator of a fraction of π that is looked for."""
 
 
 def number_is_zero(tape: Tape, node: Node, budget: Budget) -> bool | None:
@@ -30,6 +33,9 @@ def number_is_zero(tape: Tape, node: Node, budget: Budget) -> bool | None:
         return value == 0
     if _excluded(tape, node, BITS[0]):
         return False
+    node = _with_known_angles(tape, node, budget)
+    if tape.value(node) == 0:
+        return True
     for argument in (_algebraic, _by_exponential, _by_turning):
         known = argument(tape, node, budget)
         if known is not None:
@@ -144,6 +150,41 @@ def _by_turning(tape: Tape, node: Node, budget: Budget) -> bool | None:
         if _algebraic(tape, turned, budget) and _smaller_than(tape, tape.scaled(node, k), circle, 128):
             return True
     return None
+
+
+def _with_known_angles(tape: Tape, node: Node, budget: Budget) -> Node:
+    """The number with rational multiples of π in place of the inverse functions that are such, as atan(√3/3) is π/6.
+
+    What is within the principal branch, and has that tangent, sine or cosine, is the angle.
+    """
+    for i in tape.reach([node]):
+        op = tape.ops[i]
+        if op[:2] not in (("f", "atan"), ("f", "asin"), ("f", "acos")) or tape.value(op[2][0]) is not None:
+            continue
+        part = _part_of_pi(tape, i)
+        low, high = (Fraction(0), Fraction(1)) if op[1] == "acos" else (Fraction(-1, 2), Fraction(1, 2))
+        if part is None or not low < part < high:
+            continue
+        angle = tape.scaled(tape.constant("pi"), part)
+        sine, cosine = tape.call("sin", angle), tape.call("cos", angle)
+        back = {"atan": tape.minus(sine, tape.times(op[2][0], cosine)), "asin": tape.minus(sine, op[2][0]),
+                "acos": tape.minus(cosine, op[2][0])}[op[1]]  # fmt: skip
+        if _algebraic(tape, back, budget):
+            return _with_known_angles(tape, substitute(tape, node, {i: angle}), budget)
+    return node
+
+
+def _part_of_pi(tape: Tape, node: Node) -> Fraction | None:
+    """The simple fraction of π that a number seems to be."""
+    with precision(128):
+        try:
+            ratio = evaluate(tape, tape.reach([node]), {})[node] / arb.pi()
+        except (OutOfDomain, Unsupported, ZeroDivisionError):
+            return None
+        if not isinstance(ratio, arb) or not ratio.is_finite():
+            return None
+        part = Fraction(float(ratio.mid())).limit_denominator(SIMPLEST)
+        return part if bool(abs(ratio - arb(fmpq(part.numerator, part.denominator))) < arb(2) ** -80) else None
 
 
 def multiples(tape: Tape, node: Node) -> tuple[Fraction, ...]:

@@ -101,6 +101,23 @@ def test_exact_constants(number: sp.Expr, zero: bool):
     assert number_is_zero(tape, tape.load(number), Budget(20)) is zero
 
 
+@pytest.mark.parametrize(
+    ("name", "argument", "angle"),
+    [
+        ("atan", sp.sqrt(3) / 3, sp.pi / 6),
+        ("asin", (sp.sqrt(5) - 1) / 4, sp.pi / 10),
+        ("acos", -sp.sqrt(2) / 2, 3 * sp.pi / 4),
+    ],
+)
+@pytest.mark.parametrize("off", [0, sp.Rational(1, 10**30)])
+def test_inverse_functions_that_are_fractions_of_pi(name, argument, angle, off):
+    """Times a root, so that no whole number of them is a turn."""
+    tape = Tape()
+    call = tape.times(tape.call(name, tape.load(argument)), tape.load(sp.sqrt(2)))
+    rest = tape.minus(call, tape.load(sp.sqrt(2) * angle + off))
+    assert number_is_zero(tape, rest, Budget(20)) is (off == 0)
+
+
 NEAR = sp.pi * sp.log(2)
 
 

@@ -50,8 +50,8 @@ def enclosed(
                 integrand,
                 acb(ends[0]),
                 acb(ends[1]),
-                rel_tol=arb(2) ** -48,
-                abs_tol=arb(2) ** -64,
+                rel_tol=RELATIVE,
+                abs_tol=ABSOLUTE,
                 eval_limit=EVALUATIONS,
             )
         except FAILURES:

@@ -141,6 +141,42 @@ def test_a_choice_needs_a_certain_comparison() -> None:
                 run_series(chosen(comparison), [space.variable(0, arb(0), arb(1))], space)
 
 
+@pytest.mark.parametrize("place", [-0.5, 0.25, 0.5, 1.5])
+def test_a_choice_takes_what_its_condition_says(place: float) -> None:
+    """x² or x by every comparison with 3/8 and 1, and by what connects them; by none that is uncertain."""
+    builder = Builder(1, 60)
+    argument, near, far = builder.input(0), builder.number(0.375), builder.number(1.0)
+    first, second = builder.apply("less", argument, near), builder.apply("less_equal", far, argument)
+    unsure = builder.apply("less", argument, builder.number(place))
+    a, b = place < 0.375, place >= 1.0
+    conditions = [
+        (first, a), (second, b), (builder.apply("not", first), not a), (builder.apply("and", first, second), a and b),
+        (builder.apply("or", first, second), a or b), (builder.apply("equal", first, second), a == b),
+        (builder.apply("equal", near, builder.number(0.375)), True), (builder.apply("equal", near, far), False),
+        (builder.apply("less", near, builder.number(0.375)), False), (builder.apply("less", near, far), True),
+        (builder.apply("less_equal", near, builder.number(0.375)), True), (builder.apply("less", far, near), False),
+        (builder.apply("equal", argument, far), False),
+        (builder.apply("or", unsure, builder.apply("less", near, far)), True),
+        (builder.apply("and", unsure, builder.apply("less", far, near)), False),
+    ]  # fmt: skip
+    square = builder.power(argument, 2)
+    program = builder.program(tuple(builder.apply("select", test, square, argument) for test, _ in conditions))
+    space = algebra(1, 2)
+    with working(64, 2):
+        found = run_series(program, [space.variable(0, arb(place), arb(1))], space)
+        for series, (_, truth) in zip(found, conditions, strict=True):
+            assert constant_term(series) == (place**2 if truth else place)
+            assert series[1] == (2 * place if truth else 1)
+        for name, other in (("not", ()), ("and", (builder.apply("less", near, far),)), ("equal", (first,))):
+            test = builder.apply(name, unsure, *other)
+            with pytest.raises(Unenclosed):
+                run_series(
+                    builder.program((builder.apply("select", test, square, argument),)),
+                    [space.variable(0, arb(place), arb(1))],
+                    space,
+                )
+
+
 def product_map() -> Program:
     """Q = q p², P = p: det M = p²."""
     builder = Builder(2, 20)

@@ -1,31 +1,46 @@
 """A claim decided in a process of its own, which is killed where it overstays its budget of time or of memory.
 
-The workers of an executor that isn't ours (Dask's, or those of `concurrent.futures`) can't be killed by who asks them.
-So each of them keeps a process beside it, in which the claims are decided one after the other: a call into C that looks
-at no clock, or memory that runs out, costs one answer and not the worker. The process is kept for the next claims, as
-importing takes a second; it ends when the worker does.
+A program that calls `verify` has nobody who could kill it, and the workers of an executor that isn't ours (Dask's, or
+those of `concurrent.futures`) can't be killed by who asks them. So each of them keeps a process beside it, in which the
+claims are decided one after the other: a call into C that looks at no clock, or memory that runs out, costs one answer
+and not the worker. The process is kept for the next claims, as importing takes a second; it ends when the worker does.
 """
 
 from __future__ import annotations
 
+import atexit
+import os
 import subprocess
 import sys
 import threading
+from dataclasses import replace
 from multiprocessing.connection import Connection, Pipe
 from pickle import PicklingError
 from typing import Final
 
 from canon.claim import Claim
-from canon.claims.worker import Settings, alarm, cause_of_death, isolate, without_verdict
+from canon.claims.worker import CERTIFICATE_SECONDS, Settings, alarm, cause_of_death, isolate, without_verdict
 from canon.errors import InputError
 from canon.verdict import Verdict
 
 Answer = Verdict | InputError
 START: Final = 60.0
 """Seconds in which a process has to have imported what it needs."""
+MOST_IDLE: Final = 16
+"""Processes that may wait for claims of other limits of memory."""
+LONGEST: Final = 1e6
+"""Seconds that are waited for an answer, whatever the budget: a clock of the system's has no more."""
 _PROGRAM: Final = "import sys; sys.path[:] = {path!r}; from canon.claims.apart import serve; serve({fd}, {memory})"
 _IDLE: Final[dict[int | None, list[Companion]]] = {}
-_LOCK: Final = threading.Lock()
+_LOCK = threading.Lock()
+_OF_PARENTS: Final[list[Companion]] = []
+"""What a fork has copied: it belongs to another process, and is neither asked nor waited for here."""
+UNSENT: Final = (PicklingError, AttributeError, TypeError, RecursionError)
+"""What is raised where something can't be made a message."""
+
+
+class NotApart(Exception):
+    """A claim can't be decided in another process, with the reason."""
 
 
 class Companion:
@@ -59,19 +74,33 @@ class Companion:
         except OSError:  # it was ended while it waited
             self.end()
             return None
-        except (PicklingError, AttributeError, TypeError):
+        except UNSENT:
             return None
         try:
-            if not self.connection.poll(seconds + settings.grace_of(seconds)):
+            if not self.connection.poll(min(seconds + settings.grace_of(seconds), LONGEST)):
                 self.end()
                 return without_verdict(claim, f"stopped: still busy well past its budget of {seconds:g} s", seconds)
-            return self.connection.recv()
+            answer = self.connection.recv()
+            if _is_out_of_memory(answer):
+                self.end()  # as it does itself, a moment later
+            return self._with_certificate(answer) if certificates and isinstance(answer, Verdict) else answer
         except (EOFError, OSError):
             self.connection.close()
             return without_verdict(claim, cause_of_death(self.process.wait(START)), 0.0)
         except BaseException:
             self.end()
             raise
+
+    def _with_certificate(self, answer: Verdict) -> Verdict:
+        """The verdict with its certificate, which comes after it, and may take its own time but no more."""
+        if not self.connection.closed:
+            try:
+                if self.connection.poll(CERTIFICATE_SECONDS):
+                    return replace(answer, certificate=self.connection.recv())
+            except (EOFError, OSError):
+                pass
+            self.end()
+        return answer
 
     @property
     def alive(self) -> bool:
@@ -93,21 +122,72 @@ def decided_apart(claim: Claim, settings: Settings, certificates: bool) -> Answe
 
     **Returns:** a verdict, `undecided` with the reason where the process had to be killed; or an `InputError`.
     """
-    if sys.platform == "win32":
+    try:
+        return asked_apart(claim, settings, certificates)
+    except NotApart:
         return None
+
+
+def asked_apart(claim: Claim, settings: Settings, certificates: bool) -> Answer:
+    """The answer to a claim from a process of its own, as `decided_apart`. **Raises:** `NotApart`."""
+    if sys.platform == "win32":
+        raise NotApart("a process can't be given a limit of memory on this system")
     with _LOCK:
         idle = _IDLE.setdefault(settings.memory, [])
         companion = idle.pop() if idle else None
     if companion is None or not companion.alive:
+        _end_others(settings.memory)
         try:
             companion = Companion(settings.memory)
         except OSError:
-            return None
+            limit = "" if settings.memory is None else f" within {settings.memory} bytes"
+            raise NotApart(f"no process could be started{limit}") from None
     answer = companion.ask(claim, settings, certificates)
     if companion.alive:
         with _LOCK:
-            _IDLE[settings.memory].append(companion)
+            _IDLE.setdefault(settings.memory, []).append(companion)
+    if answer is None:
+        raise NotApart("something in the claim, or in the answer, can't be sent to another process")
     return answer
+
+
+def _end_others(memory: int | None) -> None:
+    """End what waits for claims of other limits, where that is many."""
+    with _LOCK:
+        others = [companion for limit, idle in _IDLE.items() if limit != memory for companion in idle]
+        if len(others) < MOST_IDLE:
+            return
+        kept = _IDLE.get(memory, [])
+        _IDLE.clear()
+        _IDLE[memory] = kept
+    for companion in others:
+        companion.end()
+
+
+def _forget() -> None:
+    """Leave what waits to the process that has started it: two that speak over one pipe would get each other's answers.
+
+    Called in a child after a fork, which may have been made while another thread held the lock.
+    """
+    global _LOCK
+    _LOCK = threading.Lock()
+    for waiting in _IDLE.values():
+        _OF_PARENTS.extend(waiting)
+        for companion in waiting:
+            companion.connection.close()
+    _IDLE.clear()
+
+
+@atexit.register
+def _end_all() -> None:
+    for waiting in _IDLE.values():
+        for companion in waiting:
+            companion.end()
+    _IDLE.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget)
 
 
 def serve(descriptor: int, memory: int | None) -> None:
@@ -129,11 +209,28 @@ def serve(descriptor: int, memory: int | None) -> None:
         alarm(seconds + 3 * settings.grace_of(seconds))
         answer = decided_here(claim, settings, certificates)
         alarm(0)
+        verdict = answer if isinstance(answer, Verdict) else None
         try:
-            connection.send(answer)
+            sent = _send(connection, answer if verdict is None else replace(verdict, certificate=None))
+            if certificates and sent and verdict is not None and not _is_out_of_memory(answer):
+                alarm(3 * CERTIFICATE_SECONDS)
+                _send(connection, verdict.certificate)  # it is made as it is sent
+                alarm(0)
         except OSError:
             return
-        except (PicklingError, AttributeError, TypeError):
-            connection.send(None)
-        if isinstance(answer, Verdict) and answer.detail.get("note") == "stopped: out of memory":
+        if _is_out_of_memory(answer):
             return
+
+
+def _send(connection: Connection, answer: object) -> bool:
+    """Send a message, or None in its place where it can't be sent; whether it was."""
+    try:
+        connection.send(answer)
+    except UNSENT:
+        connection.send(None)
+        return False
+    return True
+
+
+def _is_out_of_memory(answer: Answer | None) -> bool:
+    return isinstance(answer, Verdict) and answer.detail.get("note") == "stopped: out of memory"

@@ -14,6 +14,7 @@ from canon.claims.kinds import Kind, kind_named
 from canon.claims.no_numbers import sampled_only
 from canon.claims.outcome import Outcome
 from canon.claims.question import Question
+from canon.claims.worker import Settings
 from canon.decide.certificate import Certificate
 from canon.decide.ladder import Contradiction
 from canon.decide.tape import Unsupported
@@ -22,29 +23,42 @@ from canon.verdict import Verdict
 
 Method = Literal["symbolic", "numeric", "all"]
 METHODS: tuple[Method, ...] = ("symbolic", "numeric", "all")
+LEAST_MEMORY = 1 << 29
+"""Bytes: what the libraries themselves take, and a little."""
 EXACT_SHARE = 0.7
 """The part of a budget that the exact deciders may spend where sampling is asked for too."""
 
 
 def verify(
-    claim: Claim, *, budget: float = 10.0, seed: int = 0, method: Method = "symbolic", accuracy: float | None = None
+    claim: Claim,
+    *,
+    budget: float = 10.0,
+    seed: int = 0,
+    method: Method = "symbolic",
+    accuracy: float | None = None,
+    memory: int | None = None,
 ) -> Verdict:
     """The verdict on a claim.
 
     **Arguments:** `claim`; `budget` in seconds (the claim's own wins); `seed` of the points that are tried; `method`:
     "symbolic" decides exactly, "numeric" samples the residuals (at most `supported`, or `refuted` by a ball), "all"
     does both, one beside the other; `accuracy`: what sampled residuals are to be bounded by, in balls of as many bits
-    as that takes, in place of what double precision shows.
+    as that takes, in place of what double precision shows; `memory`: decide in a process beside this one, which may
+    have so many bytes (of address space, at least 2²⁹) and is killed where the claim needs more or is still busy well
+    past its budget, which is `undecided` then. It is kept for the next claims; the first one waits for it, about a
+    second. Without `memory` the claim is decided here, where the deciders look at the clock, but nothing limits memory.
 
     **Returns:** a `Verdict`: `proved` and `refuted` rest on exact arguments or certified witnesses, never on floats.
     Should an exact and a numerical answer contradict each other, it is `undecided`, with both in `detail["alarm"]`.
 
-    **Raises:** `InputError` where the claim is ill-posed.
+    **Raises:** `InputError` where the claim is ill-posed, or where it can't be decided in another process.
     """
     if method not in METHODS:
         raise InputError(f"a method is one of {', '.join(METHODS)}, not {method!r}")
     if not isinstance(claim, Claim) or claim.subject is None:
         raise InputError(f"a claim about something is expected, as transformation.canonical() makes one, not {claim!r}")
+    if memory is not None:
+        return _apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy))
     decide = kind_named(claim.kind)
     start = time.monotonic()
     whole = Budget(claim.budget if claim.budget is not None else budget)
@@ -54,6 +68,20 @@ def verify(
     symbolic = _answer(decide, replace(question, budget=whole.share(EXACT_SHARE)))
     numeric = _answer(decide, replace(question, method="numeric"))
     return _verdict(question, compared(symbolic, numeric), time.monotonic() - start)
+
+
+def _apart(claim: Claim, settings: Settings) -> Verdict:
+    from canon.claims.apart import NotApart, asked_apart
+
+    if type(settings.memory) is not int or settings.memory < LEAST_MEMORY:
+        raise InputError(f"a limit of memory is a whole number of bytes, at least {LEAST_MEMORY}: {settings.memory!r}")
+    try:
+        answer = asked_apart(claim, settings, certificates=True)
+    except NotApart as reason:
+        raise InputError(f"this claim can't be decided with a limit of memory: {reason}; leave `memory` out") from None
+    if isinstance(answer, InputError):
+        raise answer
+    return answer
 
 
 def _answer(decide: Kind, question: Question) -> Outcome:

@@ -171,6 +171,9 @@ def setting_of(question: Question, *also: Formula) -> Setting:
             f"H depends on {symbol}, so that {q} alone has no action: separate the variables first, or fix {symbol}",
             "key 'coordinate'",
         )
+    unreal = any(not symbol.is_real for symbol in moved.free_symbols)
+    if unreal or (moved.has(sp.I) and sp.expand(moved).has(sp.I)):
+        raise InputError(f"H is complex: {_what(question)} is one of a real Hamiltonian", "[hamiltonian]")
     energy, level = question.key("energy"), None
     if question.claim.kind in ("frequency", "average"):
         level = rules.get(energy)

@@ -65,7 +65,7 @@ def constraint(question: Question) -> Outcome:
     rank = _independent(question, jets, forms, region)
     loose = question.key("determined") is False and sum(question.key(word) is not None for word in ASKED) == 1
     if rank.status == "refuted" and not loose:
-        raise InputError("the constraints depend on each other: leave out those that follow", f"key {written[0]!r}")
+        raise InputError(_dependence(rank), f"key {written[0]!r}")
     if written == ["functions"] and not loose and _independent(question, jets, forms, there).status == "refuted":
         raise InputError(
             "where the constraints hold their differentials depend on each other, as that of x**2 is 0 at x = 0: "
@@ -74,6 +74,17 @@ def constraint(question: Question) -> Outcome:
         )
     parts = [rank] if question.key("holonomic") is not None or question.key("integrals") is not None else []
     return combined([*parts, *_answers(question, jets, forms, region), *_motions(question, jets, forms, lines, there)])
+
+
+def _dependence(rank: Outcome) -> str:
+    """Why constraints that depend on each other, for some parameters or functions at least, are none."""
+    at = rank.detail.get("dependent_at") or rank.detail.get("dependent_for")
+    if not isinstance(at, dict):
+        return "the constraints depend on each other, or say nothing: leave out those that follow"
+    where = " and ".join(f"{name} = {value}" for name, value in at.items())
+    return (
+        f"where {where} the constraints depend on each other, or say nothing: exclude that under [symbols] or [domain]"
+    )
 
 
 def _others(question: Question) -> Iterator[Formula]:

@@ -18,6 +18,7 @@ from canon.decide.certificate import Certificate, of_tower
 from canon.decide.constants import number_is_zero
 from canon.decide.continuity import vanishes_by_cells
 from canon.decide.enclosure import Ball, OutOfDomain, excludes_zero
+from canon.decide.equal_on_surface import by_equal_arguments, solved_for
 from canon.decide.intervals import intervals_of
 from canon.decide.normal_form import FIRST, LARGER, reduce_to_zero
 from canon.decide.on_surface import vanishes_on_surface
@@ -27,6 +28,7 @@ from canon.decide.search import Sample, deeply_zero, evaluate_again, extended, s
 from canon.decide.slivers import points_between_zeros
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
+from canon.errors import InputError
 
 DEEPER = (256, 1024, 4096)
 
@@ -256,6 +258,8 @@ class _Ladder:
                 certificate = vanishes_on_surface(tape, node, self.region, self.budget)
                 if certificate is not None:
                     self.prove(node, answers, "reduction on the surface", certificate)
+                else:
+                    self._by_what_a_surface_gives(node, answers)
                 return
             if not tape.support(node):
                 self.tried.append("exact constants")
@@ -271,6 +275,22 @@ class _Ladder:
                 self.prove(node, answers, argument, Certificate(lambda: data))
         except (Unsupported, TooCostly, ZeroDivisionError, OutOfDomain, ArithmeticError) as reason:
             self.tried.append(f"stopped: {reason}")
+
+    def _by_what_a_surface_gives(self, node: Node, answers: Answers) -> None:
+        """Coordinates that its equations give, and calls whose arguments they make equal."""
+        self.tried.append("equal arguments on the surface")
+        certificate = by_equal_arguments(self.tape, node, self.region, self.budget)
+        if certificate is not None:
+            self.prove(node, answers, "equal arguments on the surface", certificate)
+            return
+        plain = solved_for(self.tape, node, self.region)
+        if plain is None:
+            return
+        with contextlib.suppress(InputError):
+            (answer,) = vanish(self.tape, [plain[0]], plain[1], budget=self.budget.share(0.5))
+            if answer.status == "proved":
+                data = {"argument": f"on the surface, solved for coordinates: {answer.method}"}
+                self.prove(node, answers, f"{answer.method}, on the surface", Certificate(lambda: data))
 
     def prove(self, node: Node, answers: Answers, method: str, certificate: Certificate) -> None:
         """Record a proof, after looking that no ball contradicts it."""

@@ -430,3 +430,15 @@ def test_a_pole_whose_coefficient_may_be_0_is_no_crash(status):
     claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"'
     hamiltonian = f'H = "p**2/2 + q**2/2 + {nought}/q**2"'
     assert status(claim, symbols='E = "positive"', hamiltonian=hamiltonian) in ("undecided", "supported", "proved")
+
+
+@pytest.mark.parametrize("H", ["p**2/2 + q**2/2 + 1j*q", "p**2/2 + c*q**2/2"])
+def test_a_complex_hamiltonian_has_no_action(ask, H):
+    claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"'
+    with pytest.raises(InputError, match="H is complex"):
+        ask(claim, symbols='E = "positive"\nc = "complex"', hamiltonian=f'H = "{H}"')
+
+
+def test_a_real_hamiltonian_in_complex_words(status):
+    claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"'
+    assert status(claim, symbols='E = "positive"', hamiltonian='H = "(p - 1j*q)*(p + 1j*q)/2"') == "proved"

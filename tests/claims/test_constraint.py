@@ -99,6 +99,12 @@ def test_functions_whose_differentials_depend_on_each_other_where_they_vanish(as
         ask(_claim(functions, 'virtual = ["1", "0", "0"]', word="functions"), space=SKATE)
 
 
+@pytest.mark.parametrize(("form", "where"), [("V(x)*vx", "V = 0"), ("k*vx", "k = 0")])
+def test_a_form_that_may_be_0_is_named(ask, form, where):
+    with pytest.raises(InputError, match=where):
+        ask(_claim(form, "holonomic = true"), space=SKATE, symbols=SYMBOLS)
+
+
 @pytest.mark.parametrize(("step", "expected"), [('["1", "0", "0"]', "proved"), ('["0", "1", "0"]', "refuted")])
 def test_a_surface_is_left_out_where_its_differential_is_0(status, step, expected):
     claim = _claim("x**2*(y - 1)", f"virtual = {step}", word="functions")

@@ -4,6 +4,8 @@ import pytest
 import sympy as sp
 
 from canon.budget import Budget
+from canon.claims.reader import read_text
+from canon.claims.verify import verify
 from canon.decide import ladder
 from canon.decide.region import Region
 from canon.decide.tape import Tape
@@ -20,3 +22,29 @@ def test_a_multiple_of_the_equation_vanishes_on_it(factor, equation):
     region = Region.of(tape, Domain((), (equation,)), [x, y])
     (answer,) = ladder.vanish(tape, [node], region, budget=Budget(20))
     assert answer.status == "proved"
+
+
+RELATED = [
+    ("x - y", "V(x)", "V(y)", "proved"),
+    ("x**2 - y**2", "V(x**2)", "V(y**2)", "proved"),
+    ("x**2 - y**2", "V(x)", "V(y)", "refuted"),
+    ("x**2 + y**2 - 1", "V(x**2 + y**2)", "V(1)", "proved"),
+    ("x**2 + y**2 - 1", "V(x**2 + y**2)", "V(2)", "refuted"),
+    ("x - y", "V(x)*V(y)", "V(x)**2", "proved"),
+    ("x + y", "V(x)*V(y)", "V(x)**2", "refuted"),
+    ("x - y**2", "log(x)", "2*log(abs(y))", "proved"),
+    ("x - y**2", "log(x)", "2*log(y) + 1e-12", "refuted"),
+    ("x + y - pi/2", "sin(x)", "cos(y)", "proved"),
+    ("x + y", "exp(x)*exp(y)", "1", "proved"),
+    ("x - y", "atan(x) + atan(1/y)", "pi/2*sign(x)", "proved"),
+    ("x - y", "atan(x) + atan(1/y)", "pi/2", "refuted"),
+    ("2*x - y - 1", "sin(2*x - 1)", "sin(y)", "proved"),
+]
+
+
+@pytest.mark.parametrize(("on", "left", "right", "expected"), RELATED)
+def test_functions_whose_arguments_the_surface_relates(on, left, right, expected):
+    text = f'''[phase_space]\nq = ["x"]\np = ["y"]\n[symbols]\nV = "function"\n[domain]\non = ["{on}"]
+[[claim]]\nkind = "identity"\nlhs = "{left}"\nrhs = "{right}"\n'''
+    (claim,) = read_text(text).claims
+    assert verify(claim).status == expected

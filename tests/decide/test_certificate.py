@@ -12,6 +12,7 @@ from canon.decide.answer import Witness, show_ball
 from canon.decide.certificate import Certificate, of_tower
 from canon.decide.enclosure import evaluate, precision
 from canon.decide.generator_values import GeneratorBalls
+from canon.decide.kernel_text import KernelText, cofactors, denominator_of
 from canon.decide.region import Region, Requirement
 from canon.decide.search import Sample
 from canon.decide.tape import Tape
@@ -55,6 +56,74 @@ def test_kernels_are_what_they_are_said_to_stand_for(formula: sp.Expr):
         if made.degree:
             left, right = kernel["relation"].replace("^", "**").split(" = ")
             assert eval(left, names) == pytest.approx(eval(right, names))  # noqa: S307
+
+
+def value(text: str, names: dict) -> float:
+    return eval(text.replace("^", "**"), names)  # noqa: S307 - our own text
+
+
+def value_of_table(table: dict[str, str], names: dict) -> float:
+    return sum(float(Fraction(c)) * math.prod(value(f, names) for f in m.split()) for m, c in table.items())
+
+
+@pytest.mark.parametrize("formula", FORMULAS, ids=str)
+def test_formulas_of_kernels_have_their_values(formula: sp.Expr):
+    """The texts that the checker reads: each kernel from those before, relations, numerators and their cofactors."""
+    tape = Tape()
+    node = tape.load(formula)
+    tower = tower_of(tape, node, [])
+    text = KernelText(tower, ["x", "y", "a", "b", "g1", "g_0"])
+    assert set(text.names) & {"x", "y", "a", "b"} == {str(s) for s in formula.free_symbols}
+    assert all(name.startswith("g__") for name in set(text.names) - {"x", "y", "a", "b"})
+    place = {x: Fraction(2, 7), y: Fraction(-5, 4), a: Fraction(9, 5), b: Fraction(2, 3)}
+    with precision(128):
+        balls = {tape.symbol(s): arb(v.numerator) / v.denominator for s, v in place.items()}
+        values = GeneratorBalls(tower, balls)
+        of = [float(values.generator(k).mid()) for k in range(len(tower.generators))]
+        exact = {kernel: float(values.element(e).mid()) for kernel, e in tower.kernels.items()}
+    names = KNOWN | dict(zip(text.names, of, strict=True))
+    for kernel, element in tower.kernels.items():
+        assert value(text.fraction(element), names) == pytest.approx(exact[kernel])
+        assert value_of_table(text.table(element[0]), names) == pytest.approx(value(text.formula(element[0]), names))
+        below = denominator_of(tower.field, element)
+        assert value(text.formula(element[0]), names) == pytest.approx(
+            exact[kernel] * value(text.formula(below), names)
+        )
+    everything = [text.fraction(e) for e in tower.kernels.values()]
+    listed = {entry["name"]: entry for entry in text.kernels(everything)}
+    kinds = {text.names[g.index]: g for g in tower.generators if g.kind not in ("symbol", "full")}
+    assert set(listed) <= set(kinds)
+    for name, entry in listed.items():
+        assert entry["sign"] == kinds[name].sign
+        assert value(entry["stands for"], names) == pytest.approx(names[name])
+        assert ("relation" in entry) == bool(kinds[name].degree)
+        if "relation" in entry:
+            assert value_of_table(entry["relation"], names) == pytest.approx(0, abs=1e-9)
+    assert [e["name"] for e in text.kernels(everything)] == sorted(listed, key=text.names.index)
+    assert text.kernels([]) == []
+
+
+def test_cofactors_make_up_what_is_zero_and_nothing_else():
+    tape = Tape()
+    tower = tower_of(tape, tape.load(sp.sqrt(a + x**2) * sp.sqrt(a) + sp.sin(x) * sp.cos(x)), [])
+    field, ring = tower.field, tower.ring
+    relations = {generator: relation for generator, *_, relation in field.relations}
+    assert len(relations) >= 3
+    g = ring.generators
+    surface = [g[1] - g[0] - ring.one, g[0] ** 2 - ring.one]
+    total = ring.zero
+    for k, relation in relations.items():
+        total = total + relation * (g[k] + g[0] + ring.one)
+    for k, p in enumerate(surface):
+        total = total + p * (g[0] ** k + ring.constant(2))
+    for equations in ([], surface):
+        whole = total if equations else sum((r * (g[k] + g[0]) for k, r in relations.items()), ring.zero)
+        found = cofactors(field, whole, equations)
+        assert found is not None
+        made = sum((c * (relations[k] if k >= 0 else equations[-k - 1]) for k, c in found.items()), ring.zero)
+        assert made == whole
+        assert cofactors(field, whole + ring.constant(Fraction(1, 1000)), equations) is None
+    assert cofactors(field, ring.zero) == {}
 
 
 def test_special_kernels_are_named():

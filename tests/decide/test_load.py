@@ -10,7 +10,10 @@ from flint import acb, arb
 from canon.decide.arbitrary import choose_functions, rational
 from canon.decide.derivative import derivative
 from canon.decide.enclosure import evaluate, precision
+from canon.decide.series import algebra, constant_term
+from canon.decide.series_program import run_series, working
 from canon.decide.tape import Tape, Unsupported
+from canon.decide.tape_program import program_of
 from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
 
 x, y, m = sp.symbols("x y m", real=True)
@@ -109,3 +112,30 @@ REFUSED = [
 def test_what_there_is_no_exact_operation_for_is_refused(formula):
     with pytest.raises(Unsupported):
         Tape().load(formula)
+
+
+PROGRAMS = [
+    (x**2 / y - 3 * x * m + 2, sp.sqrt(x) * sp.exp(-x * y) ** 3), (sp.sin(x) * sp.cos(y) + sp.pi * m, sp.log(x) / 7),
+    (sp.atan2(y, x) - sp.Abs(y) ** sp.Rational(5, 3), sp.asin(x) - sp.acos(m) + sp.atan(y)),
+    (sp.sinh(x) + x ** sp.Rational(-2, 3), sp.Integer(5)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("formulas", PROGRAMS, ids=str)
+def test_a_program_of_formulas_has_their_values(formulas: tuple[sp.Expr, ...]):
+    """As series in balls of degree 0, with a number in the place of m."""
+    tape = Tape()
+    values = {tape.symbol(m): Fraction(2, 5)}
+    program = program_of(tape, [tape.load(f) for f in formulas], [tape.symbol(y), tape.symbol(x)], values)
+    space = algebra(2, 1)
+    with working(96, 1):
+        inputs = [space.variable(k, arb(rational_of(POINT[s])), arb(1)) for k, s in enumerate((y, x))]
+        found = [float(constant_term(value).mid()) for value in run_series(program, inputs, space)]
+    assert found == pytest.approx([float(f.subs(POINT)) for f in formulas], rel=1e-13)
+
+
+@pytest.mark.parametrize("formula", [x + z, sp.I * x, sp.Function("V")(x), sp.gamma(x), sp.elliptic_k(x)], ids=str)
+def test_what_has_no_program_is_refused(formula: sp.Expr):
+    tape = Tape()
+    with pytest.raises(Unsupported):
+        program_of(tape, [tape.load(formula)], [tape.symbol(x)], {})

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from canon.checker.case import Case
-from canon.checker.expansions import Series, towards
+from canon.checker.expansions import Series, fades, towards
 from canon.checker.functions import Unknown
 from canon.checker.intervals import Intervals
 from canon.checker.points import Numbers, Outside
@@ -28,23 +28,62 @@ def _end(s: Statement, text: Any) -> int | str:
     return text if text in ("infinity", "-infinity") else s.f.read(text, s.names)
 
 
-def by_antiderivative(s: Statement, inside: int, x: str, ends: list[int], total: int) -> Case | None:
+def by_antiderivative(s: Statement, inside: int, x: str, ends: Sequence[int | str], total: int) -> Case | None:
     """F' = f, and F between the ends is the total, where the claim or the certificate states an F that is smooth.
 
-    Against the claim speaks an F that is an antiderivative, and another total.
+    Against the claim speaks an F that is an antiderivative, and another total. An F that is smooth between the ends
+    alone counts by its limits there.
     """
     f, text = s.f, s.claim.get("antiderivative", s.known.get("antiderivative"))
     if text is None:
         return None
     F = f.read(text, s.names)
-    low, high = (f.substitute(F, {x: end}) for end in ends)
+    finite = [end for end in ends if isinstance(end, int)]
+    if len(finite) == 2 and is_smooth(s, F, x):
+        low, high = (f.substitute(F, {x: end}) for end in finite)
+    else:
+        kept = s.conditions, s.words
+        limits = _limits(s, F, x, ends)
+        if limits is None or s.verdict == "refuted":  # of a proof the rest is looked at between the ends alone
+            s.conditions, s.words = kept
+        if limits is None:
+            return None
+        low, high = limits
     slope, whole = f.sub(f.slope(F, x), inside), f.sub(f.sub(high, low), total)
-    if not is_smooth(s, F, x):
-        return None
     if s.verdict == "refuted":
         return Case([whole], granted=[slope])
     s.added.append(F)
     return Case([slope, whole])
+
+
+def _limits(s: Statement, F: int, x: str, ends: Sequence[int | str]) -> tuple[int, int] | None:
+    """What F tends to at the ends, if it is smooth between; the domain must say no more of x than that it is there."""
+    f, t = s.f, s.f.node("s", x)
+    if any(f.ops[b] == ("s", x) for a, _ in s.conditions for b in f.reach(a)) or s.surface:
+        return None
+    low, high = ends
+    words = {*s.words.get(x, ())} - {"real"}
+    if not isinstance(low, int) or not words <= {"positive", "nonnegative"}:
+        return None
+    walls = [f.sub(t, low), *([f.sub(high, t)] if isinstance(high, int) else [])]
+    ordered = not isinstance(high, int) or is_positive(s, f.sub(high, low), strict=True, real=True)
+    above = is_positive(s, low, strict=False, real=True)
+    if not ordered or (words and not above):
+        return None
+    s.conditions = [*s.conditions, *((wall, "positive") for wall in walls)]
+    s.words = {**s.words, x: ["positive" if above else "real"]}
+    if not is_smooth(s, F, x, anywhere=False):
+        return None
+    found = list[int]()
+    for end, side in ((low, 1), (high, -1)):
+        if end == "infinity" and fades(s, F, x):
+            found.append(f.number(0))
+            continue
+        series = towards(s, F, x, end, side)
+        if series is None or series.low < 0 or series.end < 1:
+            return None
+        found.append(series.terms[0] if series.low == 0 else f.number(0))
+    return found[0], found[1]
 
 
 def integral(s: Statement) -> Case:
@@ -84,7 +123,7 @@ def integral(s: Statement) -> Case:
             yield total * (b - a) / n - found[equals]
 
     bounded = [end for end in ends if isinstance(end, int)]
-    case = by_antiderivative(s, inside, x, bounded, equals) if len(bounded) == 2 else None
+    case = by_antiderivative(s, inside, x, ends, equals)
     if case is None:
         case = Case([], measured=measured, digits=DIGITS)
         case.enclosed = enclosed if len(bounded) == 2 else None

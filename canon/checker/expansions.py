@@ -135,11 +135,16 @@ class Expansion:
         if name == "atan" and x.low < 0:
             return self._far(self.stripped(x))
         c, rest = self._parted(x)
+        c = self._plain(c)
         if name in ("elliptic_k", "elliptic_e") and self.is_zero(c):
             return self._composed(rest, [self._complete(name, k) for k in range(self.order)])
         inside = name in EDGED and is_positive(self.s, self._below_one(c), strict=True, real=True)
         if name in EDGED[:2] and not inside and self.is_zero(self._below_one(c)):
-            return Series(0, (self.f.node("f", name, (), (c,)),))  # continuous there, and no more
+            turns = {"asin": {1: 1, -1: -1}, "acos": {1: 0, -1: 2}}[name].get(self.f.value(c))
+            if turns is None:
+                raise NoSeries
+            turn = self.f.mul(self.f.number(Fraction(turns, 2)), self.f.node("s", "pi"))
+            return Series(0, (turn,))  # continuous there, and no more
         if not inside and name not in SMOOTH:
             raise NoSeries
         slopes, node = [], self.f.node("f", name, (), (self.f.node("s", "#y"),))
@@ -306,3 +311,30 @@ def _expansions(s: Statement, inside: int, x: str, to: Any, side: int) -> Iterat
             pace = f.mul(f.number(sign), slope)
             if is_positive(s, f.mul(f.number(1 if to == "infinity" else -1), pace), strict=True, real=True):
                 yield Expansion(s, x, None, ORDERS[0], pace)
+
+
+def fades(s: Statement, a: int, x: str) -> bool:
+    """Whether a formula tends to 0 at infinity: a sum of exponentials that fall, times what is bounded."""
+    f, op = s.f, s.f.ops[a]
+    if op[0] == "+":
+        return all(fades(s, b, x) for b in f.parts(a))
+    if op[0] == "*":
+        first, other = f.parts(a)
+        return any(fades(s, b, x) and is_bounded(s, c, x) for b, c in ((first, other), (other, first)))
+    return op[:2] == ("f", "exp") and _falls(s, op[3][0], x)
+
+
+def _falls(s: Statement, exponent: int, x: str) -> bool:
+    slope = s.f.slope(exponent, x)
+    constant = all(s.f.ops[b] != ("s", x) for b in s.f.reach(slope))
+    return constant and is_positive(s, s.f.mul(s.f.number(-1), slope), strict=True, real=True)
+
+
+def is_bounded(s: Statement, a: int, x: str) -> bool:
+    """Whether a formula is seen to be bounded for all large values of a name."""
+    f, op = s.f, s.f.ops[a]
+    if all(f.ops[b] != ("s", x) for b in f.reach(a)) or fades(s, a, x):
+        return True
+    if op[0] in "+*":
+        return all(is_bounded(s, b, x) for b in f.parts(a))
+    return op[0] == "f" and op[1] in ("sin", "cos")

@@ -32,9 +32,10 @@ class Open(ValueError):
 
 
 class Intervals:
-    """Values of real formulas in intervals, with so many digits."""
+    """Values of formulas in intervals, with so many digits; not `real`, in rectangles of the complex plane."""
 
-    def __init__(self, digits: int) -> None:
+    def __init__(self, digits: int, *, real: bool = True) -> None:
+        self.is_real = real
         self.iv: Any = MPIntervalContext()
         self.iv.dps = digits
         self.mp: Any = mpmath.MPContext()
@@ -43,7 +44,23 @@ class Intervals:
 
     def number(self, x: Fraction) -> Any:
         """A rational number."""
-        return self.iv.mpf(x.numerator) / self.iv.mpf(x.denominator)
+        value = self.iv.mpf(x.numerator) / self.iv.mpf(x.denominator)
+        return value if self.is_real else self.iv.mpc(value, 0)
+
+    def parts(self, x: Any) -> tuple[Any, ...]:
+        """The real part, and the imaginary one where there may be one."""
+        return (x,) if self.is_real else (x.real, x.imag)
+
+    def is_nonzero(self, x: Any) -> bool:
+        """Whether it is seen not to be 0."""
+        return any(0 not in part for part in self.parts(x))
+
+    def real(self, x: Any) -> Any:
+        """A value that is seen to be real. Raises Open for any other."""
+        first, *rest = self.parts(x)
+        if any(part != 0 for part in rest):
+            raise Open
+        return first
 
     def values(self, f: Formulas, targets: Sequence[int], of: Mapping[str, Any]) -> dict[int, Any]:
         """Intervals of the targets and of all below them; `of` has those of names, and formulas of declared functions.
@@ -57,13 +74,14 @@ class Intervals:
                 if op[0] == "f" and op[1] in f.functions:
                     body = f.body(of[op[1]], op[2])
                     out[a] = self.values(f, [body], {f"#{k}": x for k, x in enumerate(parts, 1)})[body]
-                    if not any(op[2]) and not is_allowed(self.signs.get(op[1], ()), out[a]):
+                    words = self.signs.get(op[1], ())
+                    if not any(op[2]) and {*words} - {"function"} and not is_allowed(words, self.real(out[a])):
                         raise Open
                 else:
                     out[a] = self._value(op, parts, of)
             except (ValueError, ZeroDivisionError, OverflowError, TypeError, KeyError, NotImplementedError):
                 raise Open from None
-            if not (self.mp.isfinite(self.mp.mpf(out[a].a)) and self.mp.isfinite(self.mp.mpf(out[a].b))):
+            if not all(self.mp.isfinite(self.mp.mpf(end)) for x in self.parts(out[a]) for end in (x.a, x.b)):
                 raise Open
         return out
 
@@ -72,14 +90,36 @@ class Intervals:
         if op[0] == "n":
             return self.number(op[1])
         if op[0] == "s":
-            return iv.pi if op[1] == "pi" and "pi" not in of else of[op[1]]
+            if op[1] in of or op[1] not in ("pi", "1j"):
+                return of[op[1]]
+            return iv.mpc(0, 1) if op[1] == "1j" else iv.pi if self.is_real else iv.mpc(+iv.pi, 0)
         if op[0] in "+*":
             return x[0] + x[1] if op[0] == "+" else x[0] * x[1]
         if op[0] == "^":
-            if op[2] < 0 and 0 in x[0]:
+            if op[2] < 0 and not self.is_nonzero(x[0]):
                 raise Open
-            return x[0] ** op[2]
-        return self._function(str(op[1]), x)
+            if self.is_real:
+                return x[0] ** op[2]
+            power = iv.mpc(1, 0)
+            for _ in range(abs(op[2])):
+                power = power * x[0]
+            return power if op[2] > 0 else 1 / power
+        if self.is_real:
+            return self._function(str(op[1]), x)
+        if op[1] in ("exp", "sin", "cos") and x[0].imag != 0:
+            return self._entire(str(op[1]), x[0].real, x[0].imag)
+        return iv.mpc(self._function(str(op[1]), [self.real(part) for part in x]), 0)
+
+    def _entire(self, name: str, x: Any, y: Any) -> Any:
+        """exp, sine and cosine of x + iy."""
+        iv = self.iv
+        if name == "exp":
+            return iv.mpc(iv.exp(x) * iv.cos(y), iv.exp(x) * iv.sin(y))
+        up, down = iv.exp(y), iv.exp(-y)
+        cosh, sinh = (up + down) / 2, (up - down) / 2
+        if name == "sin":
+            return iv.mpc(iv.sin(x) * cosh, iv.cos(x) * sinh)
+        return iv.mpc(iv.cos(x) * cosh, -iv.sin(x) * sinh)
 
     def _function(self, name: str, x: list[Any]) -> Any:
         iv = self.iv

@@ -24,11 +24,12 @@ def is_algebraic(s: Statement, a: int) -> bool:
     return all(op[0] != "f" or (op[1] == "power" and s.f.value(op[3][1]) is not None) for op in ops)
 
 
-def is_smooth(s: Statement, a: int, x: str) -> bool:
+def is_smooth(s: Statement, a: int, x: str, *, anywhere: bool = True) -> bool:
     """Whether a formula is seen to be smooth for all real values of a name: its operations have no pole or edge.
 
     Declared functions are smooth, where they are called, by what they are declared to be. What is divided by must have
-    a sign, and so must what stands under a root: for every value of the name, of which nothing may be assumed.
+    a sign, and so must what stands under a root: for every value of the name, of which nothing may be assumed; or not
+    `anywhere`, but where the conditions hold.
     """
     f, moving = s.f, set[int]()
     assumed = s.words.get(x, ["real"]) not in (["real"], []) or any(
@@ -41,12 +42,12 @@ def is_smooth(s: Statement, a: int, x: str) -> bool:
         moving.add(b)
         if op[0] in "s+*" or (op[0] == "^" and op[2] > 0) or (op[0] == "f" and op[1] in (*SMOOTH, *f.functions)):
             continue
-        if assumed or "complex" in {word for words in s.words.values() for word in words}:
+        if (anywhere and assumed) or "complex" in {word for words in s.words.values() for word in words}:
             return False
         inner = f.ops[op[3][0]] if op[0] == "f" and len(op[3]) == 1 else ("", "")
         if op[:2] == ("f", "tan") and inner[:2] in (("f", "asin"), ("f", "atan")):
             continue  # which are themselves asked to lie inside of a right angle
-        if op[:2] == ("f", "asin"):
+        if op[0] == "f" and op[1] in ("asin", "acos"):
             rest = f.sub(f.number(1), f.power(op[3][0], f.number(2)))
             if not Signs(s).is_positive(rest, strict=True):
                 return False

@@ -153,6 +153,11 @@ class Values:
         for sine, turns in QUARTERS.get(name, ()):
             if x[0] == t.constant(core.Fraction(sine)):
                 return t.mul(self._angles[0][0], t.constant(core.Fraction(turns)))
+        if name == "acos":
+            key = ("asin", (), _frozen(x[0]))
+            if key not in self._functions:
+                self._functions[key] = self._other("asin", x, None)
+            return t.add(self._angles[0][0], self._functions[key], -1)
         return self._log(x[0]) if name == "log" else t.free()
 
     def _times(self, claimed: Fraction_ | None, factor: int) -> Fraction_ | None:

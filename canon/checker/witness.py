@@ -33,8 +33,8 @@ from canon.checker.statement import Statement
 TRIES, FEW = 20, (0, 10, 20)
 PRECISIONS, NEARLY = (40, 120, 400), 1e-60
 """Digits of intervals; and what is less than can be a witness."""
-NEAR = (600, 20_000)
-"""Points are near to another within 99 parts of so many."""
+NEAR, NEAREST = (600, 20_000), 25
+"""Points are near to another within 99 parts of so many; and a point of a surface is known to so many digits."""
 
 
 def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, real: bool) -> list[str]:
@@ -43,9 +43,9 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
     Returns what is to be trusted.
     """
     enclosed = list[bool | None]()
-    for case in cases if real else ():
+    for case in cases:
         for k in FEW if case.enclosed is None else (*FEW, 1, 11, 21):  # what is left open may lie outside of the domain
-            enclosed.append(_enclosed(s, case, witness, k))
+            enclosed.append(_enclosed(s, case, witness, k, real=real))
             if enclosed[-1]:
                 return [case.against] if case.against else []
     if False in enclosed:
@@ -78,47 +78,44 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
     raise Rejected("at the witness the claim doesn't fail, or it isn't a point of the domain")
 
 
-def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int) -> bool | None:
+def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int, *, real: bool) -> bool | None:
     """Whether in intervals the point lies in the domain, and something there isn't 0, or isn't positive.
 
     False where all is nearly 0 that has to be 0; None where intervals don't tell.
     """
     f, rng, enclosed = s.f, random.Random(1 + k), case.enclosed
-    if s.surface or (case.measured is not None and enclosed is None):
-        return None
-    if any(isinstance(x, Mapping) for x in witness.values()):
+    if case.measured is not None and enclosed is None:
         return None
     positive = [a for a, _ in case.positive]
     written = [*domain_of(s), *(s.pull(image) for image in s.images.values()), *(a for a, _ in s.conditions)]
-    names = (names_in(s, [*case.zeros, *positive, *written, *case.mentions]) | {*witness}) - {*f.functions}
-    exact = {n: core.number(x) for n, x in witness.items() if n not in f.functions}
-    for name in sorted(names - exact.keys() - case.images.keys()):
-        value = anywhere(s.words.get(name, ()), rng, Fraction(1, 2**k))
-        if value is None:
-            return None
-        exact[name] = value
+    names = names_in(s, [*case.zeros, *positive, *written, *s.surface, *case.mentions]) | {*witness}
+    exact = {n: _exact(x) for n, x in witness.items() if n in names and n not in f.functions}
+    for name in sorted(names - exact.keys() - case.images.keys() - {*f.functions}):
+        words = s.words.get(name, ())
+        value = anywhere([word for word in words if word != "complex"], rng, Fraction(1, 2**k))
+        exact[name] = (value or Fraction(0), Fraction(rng.randint(1, 9), 7) if "complex" in words else Fraction(0))
     functions = {**functions_at_random(s, rng), **{n: x for n, x in witness.items() if n in f.functions}}
     for digits in PRECISIONS:
-        own = Intervals(digits)
-        of: dict[str, Any] = {**functions, **{n: own.number(x) for n, x in exact.items()}}
+        own = Intervals(digits, real=real)
         try:
             own.signs = {n: words for n, words in s.words.items() if n in f.functions}
+            of: dict[str, Any] = {**functions, **_point(s, own, exact, functions)}
             for name, image in case.images.items():
                 of[name] = own.values(f, [image], of)[image]
             found = own.values(f, [*case.zeros, *positive, *written], of)
-            if not _lies_inside(s, of, found):
+            if not _lies_inside(s, own, of, found):
                 continue
-            if any(0 not in found[a] for a in case.zeros):
+            if any(own.is_nonzero(found[a]) for a in case.zeros):
                 return True
-            if enclosed is not None and any(0 not in x for x in enclosed(own, of)):
+            if enclosed is not None and any(own.is_nonzero(x) for x in enclosed(own, of)):
                 return True
             enclosed = case.enclosed = None  # what it costs, it costs once
             for group, size in ((group, size) for group in case.outside for size in NEAR):
                 if _are_independent(s, case, group, own, exact, functions, size):
                     return True
-            if any(found[a].b < 0 or (strict and f.value(a) == 0) for a, strict in case.positive):
+            if any(own.real(found[a]).b < 0 or (strict and _is_zero(s, a, exact)) for a, strict in case.positive):
                 return True
-            nearly = [found[a].a > -NEARLY and found[a].b < NEARLY for a in case.zeros]
+            nearly = [x.a > -NEARLY and x.b < NEARLY for a in case.zeros for x in own.parts(found[a])]
             if nearly and all(nearly) and not (case.positive or case.outside or case.independent):
                 return False
         except Open:
@@ -126,13 +123,56 @@ def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int) -> b
     return None
 
 
-def _lies_inside(s: Statement, of: Mapping[str, Any], found: Mapping[int, Any]) -> bool:
+def _exact(x: Any) -> tuple[Fraction, Fraction]:
+    """The real and the imaginary part of a coordinate."""
+    first, second = (x["re"], x["im"]) if isinstance(x, Mapping) else (x, 0)
+    return core.number(first), core.number(second)
+
+
+def _at(s: Statement, a: int, exact: Mapping[str, tuple[Fraction, Fraction]]) -> Fraction | None:
+    """The rational number that a formula is at a rational point; None for any other."""
+    real = {n: s.f.number(x) for n, (x, y) in exact.items() if y == 0}
+    return s.f.value(s.f.substitute(a, real))
+
+
+def _is_zero(s: Statement, a: int, exact: Mapping[str, tuple[Fraction, Fraction]]) -> bool:
+    return s.f.value(a) == 0 or _at(s, a, exact) == 0
+
+
+def _point(
+    s: Statement, own: Intervals, exact: Mapping[str, tuple[Fraction, Fraction]], functions: Mapping[str, str]
+) -> dict[str, Any]:
+    """The point in intervals, which hold one of the surface: an equation that isn't 0 there exactly changes its sign
+    across one of its names, of which the others are free. Raises Open."""
+    f, free = s.f, [e for e in s.surface if not _is_zero(s, e, exact)]
+    of = {n: own.number(x) if y == 0 else own.iv.mpc(own.iv.mpf(x.numerator) / x.denominator,
+                                                     own.iv.mpf(y.numerator) / y.denominator)
+          for n, (x, y) in exact.items()}  # fmt: skip
+    used = [{f.ops[a][1] for a in f.reach(e) if f.ops[a][0] == "s"} for e in s.surface]
+    for e in free:
+        mine = {f.ops[a][1] for a in f.reach(e) if f.ops[a][0] == "s"} & exact.keys() - s.fixed
+        for name in sorted(n for n in mine if sum(n in others for others in used) == 1):
+            x = exact[name][0]
+            near = (1 + abs(x)) * Fraction(1, 10**NEAREST)
+            ends = [own.number(end) for end in (x - near, x + near)]
+            low, high = (own.real(own.values(f, [e], {**functions, **of, name: end})[e]) for end in ends)
+            if exact[name][1] == 0 and ((low.b < 0 < high.a) or (high.b < 0 < low.a)):
+                held = own.iv.mpf([own.real(ends[0]).a, own.real(ends[1]).b])
+                of[name] = held if own.is_real else own.iv.mpc(held, 0)
+                break
+        else:
+            raise Open
+    return of
+
+
+def _lies_inside(s: Statement, own: Intervals, of: Mapping[str, Any], found: Mapping[int, Any]) -> bool:
     """Whether the inequalities and the assumptions hold, of all names and of the variables that the map gives."""
     signs = [(found[a], kind) for a, kind in s.conditions]
-    if not all(x.a > 0 if kind == "positive" else 0 not in x for x, kind in signs):
+    if not all(own.real(x).a > 0 if kind == "positive" else own.is_nonzero(x) for x, kind in signs):
         return False
     moved = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}
-    return all(is_allowed(s.words.get(n, ()), x) for n, x in moved.items() if n not in s.f.functions)
+    assumed = ((x, [*s.words.get(n, ())]) for n, x in moved.items() if n not in s.f.functions)
+    return all(words == ["complex"] or is_allowed(words, own.real(x)) for x, words in assumed if words)
 
 
 def _are_independent(
@@ -140,20 +180,20 @@ def _are_independent(
     case: Case,
     group: Sequence[int],
     own: Intervals,
-    exact: Mapping[str, Fraction],
+    exact: Mapping[str, tuple[Fraction, Fraction]],
     functions: Mapping[str, str],
     size: int,
 ) -> bool:
     """Whether functions of the coordinates are linearly independent: their values near a point have a determinant."""
     rng, moving, rows = random.Random(2), {*s.coordinates, *s.bracketed} & exact.keys(), []
-    if case.images:
+    if case.images or s.surface or not own.is_real:
         return False
     for _ in group:
-        near = {n: x * (1 + Fraction(rng.randint(-99, 99), size)) if n in moving else x for n, x in exact.items()}
+        near = {n: x * (1 + Fraction(rng.randint(-99, 99), size)) if n in moving else x for n, (x, _) in exact.items()}
         of = {**functions, **{n: own.number(x) for n, x in near.items()}}
         images = (s.pull(image) for image in s.images.values())
         found = own.values(s.f, [*group, *domain_of(s), *images, *(a for a, _ in s.conditions)], of)
-        if not _lies_inside(s, of, found):
+        if not _lies_inside(s, own, of, found):
             return False
         rows.append([found[a] for a in group])
     return own.is_regular(rows)

@@ -43,6 +43,11 @@ def limit(f: str, equals: str, to: str = "0", **more: str) -> dict[str, Any]:
     return {"kind": "limit", "f": f, "variable": "x", "to": to, "equals": equals, **more}
 
 
+def integral(f: str, low: str, high: str, equals: str, antiderivative: str) -> dict[str, Any]:
+    ends = {"from": low, "to": high, "equals": equals, "antiderivative": antiderivative}
+    return {"kind": "integral", "f": f, "variable": "x", **ends}
+
+
 def map_of(q: str, p: str, H: str = "(p**2 + a**2*q**2)/2", **more: Any) -> dict[str, Any]:
     return {"transformation": {"q": [q], "p": [p]}, "hamiltonian": {"H": H}, **more}
 
@@ -120,6 +125,26 @@ FALSE |= {
     ),
 }  # fmt: skip
 
+FALSE |= {
+    "an integral's thousandth": (integral("1/sqrt(a - x)", "0", "a", "2001/1000*sqrt(a)", "-2*sqrt(a - x)"), {}),
+    "an integral to infinity": (integral("exp(-a*x)*cos(b*x)", "0", "infinity", "1/a",
+                                         "exp(-a*x)*(b*sin(b*x) - a*cos(b*x))/(a**2 + b**2)"), {}),
+    "an integral without an end": (integral("cos(x)", "0", "infinity", "0", "sin(x)"), {}),
+    "a growing exponential": (integral("exp(x*(a - b))", "0", "infinity", "1/(b - a)", "exp(x*(a - b))/(a - b)"), {}),
+    "another function's antiderivative": (integral("1/sqrt(a - x)", "0", "a", "2*sqrt(a)",
+                                                   "2*(sqrt(a) - sqrt(a - x)) + x*(a - x)"), {}),
+    "a jump inside": (integral("1/sqrt(1 - x**2)*0 + 1/(1 + x**2)", "0", "infinity", "-pi/2", "atan(-1/x)*0 + atan(x) "
+                               "- pi*(1 + (x - 1)/abs(x - 1))/2"), {}),
+    "an end beyond what is real": (integral("1/sqrt(a - x)", "0", "2*a", "2*sqrt(a)", "-2*sqrt(a - x)"), {}),
+    "a pole inside": (integral("1/(x - a)**2", "0", "2*a", "-2/a", "-1/(x - a)"), {}),
+    "a range that runs down": (integral("x/sqrt(x)", "a", "0", "-2/3*a**(3/2)", "2/3*x**(3/2)"), {}),
+    "an end of any order": (integral("1/sqrt(x - a)", "a", "b", "2*sqrt(b - a)", "2*sqrt(x - a)"), {}),
+    "a domain that is another": (
+        integral("sqrt(x**2)/sqrt(a + x)*sqrt(a + x)", "-a", "a", "0", "x*sqrt(x**2)/2*sqrt(a + x)/sqrt(a + x)"),
+        {"domain": {"where": ["x < 0"]}},
+    ),
+}  # fmt: skip
+
 ACTION = {"kind": "action", "coordinate": "q", "energy": "E", "equals": "2*pi*E/a"}
 TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = {
     "a limit": (limit("sin(a*x)/x", "a"), {}, {"a": "1/3"}),
@@ -146,6 +171,27 @@ TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = 
     "a minimum without a point": (*extremal(WAVE, PATH, "3", "minimum", field="cos(t - 3/2)"), None),
     "neither": (
         *extremal(WAVE, PATH, "4", "neither", field="sin(t - 1/10)", conjugate=["1/10", "1/10 + pi"]), {"q": "1"}
+    ),
+    "an integral with an edge": (integral("1/sqrt(a - x)", "0", "a", "2*sqrt(a)", "-2*sqrt(a - x)"), {}, {"a": "2"}),
+    "an integral to infinity": (
+        integral("exp(-a*x)*cos(b*x)", "0", "infinity", "a/(a**2 + b**2)",
+                 "exp(-a*x)*(b*sin(b*x) - a*cos(b*x))/(a**2 + b**2)"), {}, {"a": "2", "b": "1"},
+    ),
+    "a complex identity": (
+        {"kind": "identity", "lhs": "exp(1j*q)*exp(-1j*p)", "rhs": "cos(q - p) + 1j*sin(q - p)"}, {},
+        {"q": "1/3", "p": "2"},
+    ),
+    "on a surface": (
+        {"kind": "identity", "lhs": "q**2 + p**2", "rhs": "a"}, {"domain": {"on": ["q**2 + p**2 - a"]}},
+        {"q": "1/3", "p": "2", "a": "37/9"},
+    ),
+    "on a surface of roots": (
+        {"kind": "identity", "lhs": "q**2 + p**2", "rhs": "a"}, {"domain": {"on": ["q**2 + p**2 - a"]}},
+        {"q": "1/3", "p": "1.374368541872553448412713437", "a": "2"},
+    ),
+    "off a surface": (
+        {"kind": "identity", "lhs": "q**2 + p**2", "rhs": "a"}, {"domain": {"on": ["q**2 + p**2 - a"]}},
+        {"q": "1/3", "p": "1.374", "a": "2"},
     ),
     "turns that are combined": (
         ANGLE,

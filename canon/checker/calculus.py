@@ -86,6 +86,40 @@ def _limits(s: Statement, F: int, x: str, ends: Sequence[int | str]) -> tuple[in
     return found[0], found[1]
 
 
+def by_gauss(s: Statement, inside: int, x: str, ends: Sequence[int | str], total: int) -> Case | None:
+    """∫ A exp(u) cos(v) over all x, u quadratic and v linear in x, or sin(v), or neither: Gauss's integral.
+
+    With u = u(0) + b x − κ x²/2 and v = v(0) + w x it is A √(2π/κ) exp(u(0) + (b² − w²)/2κ) cos(v(0) + b w/κ).
+    """
+    f, nothing, factors = s.f, {x: s.f.number(0)}, [inside]
+    outer, waves, exponents = [f.number(1)], list[tuple[str, int]](), list[int]()
+    while factors and list(ends) == ["-infinity", "infinity"]:
+        a = factors.pop()
+        op = f.ops[a]
+        if all(f.ops[b] != ("s", x) for b in f.reach(a)):
+            outer.append(a)
+        elif op[0] == "*":
+            factors += f.parts(a)
+        elif op[:2] == ("f", "exp"):
+            exponents.append(op[3][0])
+        elif op[0] == "f" and op[1] in ("sin", "cos"):
+            waves.append((op[1], op[3][0]))
+        else:
+            return None
+    (name, v), u = waves[0] if waves else ("cos", f.number(0)), f.add(*exponents)
+    b, w = (f.slope(a, x) for a in (u, v))
+    kappa = f.mul(f.number(-1), f.slope(b, x))
+    moving = any(f.ops[c] == ("s", x) for a in (kappa, w) for c in f.reach(a))
+    if not exponents or len(waves) > 1 or moving or not is_positive(s, kappa, strict=True, real=True):
+        return None
+    u, b, v = (f.substitute(a, nothing) for a in (u, b, v))
+    turned = f.node("f", name, (), (f.add(v, f.over(f.mul(b, w), kappa)),))
+    half = f.over(f.sub(f.mul(b, b), f.mul(w, w)), f.mul(f.number(2), kappa))
+    root = f.power(f.over(f.mul(f.number(2), f.node("s", "pi")), kappa), f.read("1/2", {}))
+    value = f.mul(*outer, root, f.node("f", "exp", (), (f.add(u, half),)), turned)
+    return Case([f.sub(value, total)])
+
+
 def integral(s: Statement) -> Case:
     """∫ f over the variable between the ends is `equals`: by an antiderivative, where one is stated; or measured."""
     f, claim, x = s.f, s.claim, str(s.claim["variable"])
@@ -123,7 +157,7 @@ def integral(s: Statement) -> Case:
             yield total * (b - a) / n - found[equals]
 
     bounded = [end for end in ends if isinstance(end, int)]
-    case = by_antiderivative(s, inside, x, ends, equals)
+    case = by_antiderivative(s, inside, x, ends, equals) or by_gauss(s, inside, x, ends, equals)
     if case is None:
         case = Case([], measured=measured, digits=DIGITS)
         case.enclosed = enclosed if len(bounded) == 2 else None

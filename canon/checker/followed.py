@@ -8,6 +8,8 @@ from typing import Any
 
 from canon.checker import core
 from canon.checker.functions import Unknown
+from canon.checker.points import domain_of
+from canon.checker.polynomials import divided, parted
 from canon.checker.roots import Undecided, multiple
 from canon.checker.statement import Statement
 from canon.checker.terms import sign_of
@@ -20,7 +22,7 @@ class Followed:
     """What the rules say of kernels and of functions' values in them; False stands for what they don't reach."""
 
     def __init__(self, s: Statement, kernels: Mapping[str, int], atoms: Mapping[int, Any], values: Values) -> None:
-        self.s, self.atoms, self.values = s, atoms, values
+        self.s, self.atoms, self.values, self.kernels = s, atoms, values, kernels
         self.lost = set[str]()
         for name, a in kernels.items():
             try:
@@ -75,9 +77,30 @@ class Followed:
             return False
 
     def is_nowhere_zero(self, data: Any) -> bool:
-        """Whether a polynomial is seen to vanish nowhere: its terms have one sign, and one of them is never 0."""
-        sign, never = sign_of(self.values.roots.words, core.read(data))
-        return sign != 0 and never
+        """Whether a polynomial is seen to vanish nowhere: but for factors that the claim's formulas divide by, its
+        terms have one sign, and one of them is never 0."""
+        p, words, divisors = core.read(data), {**self.values.roots.words}, self._divisors()
+        for name, a in self.kernels.items():
+            op = self.s.f.ops[a]
+            if op[:2] == ("f", "power") and self.values.polynomial(op[3][0]) in divisors:
+                words[name] = (*words.get(name, ()), "nonzero")
+        for factor in divisors:
+            while len(p) > 1 and (quotient := divided(p, factor)) is not None:
+                p = quotient
+        monomial, rest = parted(p)
+        nonzero = all({*words.get(name, ())} & {"positive", "negative", "nonzero"} for name in core.names(monomial))
+        sign, never = sign_of(words, rest)
+        return bool(p) and nonzero and sign != 0 and never
+
+    def _divisors(self) -> list[core.Polynomial]:
+        """What the claim's formulas divide by, as it stands or under a root."""
+        f, found = self.s.f, list[core.Polynomial]()
+        for a in f.reach(*domain_of(self.s)):
+            if f.ops[a][0] == "^" and f.ops[a][2] < 0:
+                below = f.ops[f.ops[a][1]]
+                p = self.values.polynomial(below[3][0] if below[:2] == ("f", "power") else f.ops[a][1])
+                found += [p] if p is not None and len(p) > 1 else []
+        return found
 
 
 def is_identity(values: Values, a: int) -> bool:

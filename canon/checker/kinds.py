@@ -7,6 +7,7 @@ from collections.abc import Callable
 from canon.checker import actions, algebras, calculus, constraints, dimensions, matrices, normal_forms, variations
 from canon.checker import obligations as mechanics
 from canon.checker.case import Case
+from canon.checker.followed import at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.motion import Motion, formulas
 from canon.checker.positive import is_nowhere_zero
@@ -69,8 +70,28 @@ def hamilton_jacobi(s: Statement) -> Case:
     called = any(f.ops[a][1] in f.functions for a in f.reach(complete))
     whole = names <= {*s.q, *constants, s.time, "pi"} and not called
     trusted = "that the integral is complete for all values of the parameters, not only for those tried"
-    trusted = "" if whole or is_nowhere_zero(s, complete) else trusted
+    sure = whole or is_nowhere_zero(s, complete) or _is_complete(s, S, constants, energy, word)
+    trusted = "" if sure else trusted
     return Case([f.add(f.substitute(s.H, momenta), other)], [[complete]], momenta, trusted)
+
+
+def _is_complete(s: Statement, S: int, constants: list[str], energy: int, word: str) -> bool:
+    """Whether ∂²S/∂q∂α is regular by the equation itself: H_p · ∂(∂S/∂q)/∂α is the energy's slope by α, which is not 0.
+
+    In two degrees of freedom a column with one entry is then not 0 in it, and the rest of the determinant is the other.
+    """
+    f, values = s.f, at_random(s)
+    for k, a in enumerate(constants):
+        level = f.slope(energy if word == "W" else f.slope(S, s.time), a)
+        column = [f.slope(f.slope(S, q), a) for q in s.q]
+        left = [i for i, x in enumerate(column) if not is_identity(values, x)]
+        if not is_nowhere_zero(s, level) or len(left) != 1 or len(s.q) > 2:
+            continue
+        rest = [f.slope(f.slope(S, q), b) for i, q in enumerate(s.q) for j, b in enumerate(constants)
+                if i not in left and j != k]  # fmt: skip
+        if all(is_nowhere_zero(s, x) for x in rest):
+            return True
+    return False
 
 
 def solves(s: Statement) -> Case:

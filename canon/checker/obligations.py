@@ -137,6 +137,12 @@ def cartan_invariant(s: Statement) -> Case:
 
 def bracket_invariance(s: Statement) -> Case:
     """{f, g} in the old variables is {f, g} in the new ones."""
+    if (
+        s.direction == "backward" and len(s.q) == 1 and s.verdict == "proved"
+    ):  # {f, g} = {q, p} times what it is in the old variables
+        f, g, pairs = s.key("f"), s.key("g"), list(zip(s.Q, s.P, strict=True))
+        jacobian = s.f.bracket(s.old[0], s.old[1], pairs)
+        return Case([s.f.mul(s.f.bracket(f, g, pairs), s.f.sub(jacobian, s.f.number(1)))], [[jacobian]])
     if s.direction != "forward":
         raise Unknown("invariance of brackets for a map that isn't given forward")
     f, g, pairs = s.key("f"), s.key("g"), list(zip(s.Q, s.P, strict=True))

@@ -172,6 +172,8 @@ class Values:
             return {(): op[1]} if op[1] else {}
         if op[0] == "s":
             return {((op[1], 1),): core.Fraction(1)}
+        if op[0] == "^" and 1 < op[2] < 9:
+            return self.polynomial(self.f.mul(*[op[1]] * op[2]))
         parts = [self.polynomial(b) for b in self.f.parts(a)] if op[0] in "+*" else [None]
         if any(p is None for p in parts):
             return None

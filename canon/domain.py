@@ -18,6 +18,7 @@ from canon.errors import InputError
 from canon.sign import Reality, known_sign
 from canon.sign import is_complex as _is_complex
 from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
+from canon.substitution import replaced
 
 Test = Callable[[Any], bool]
 ConditionKind = Literal["positive", "nonzero", "uncut", "slit", "regular"]
@@ -48,8 +49,7 @@ class Condition:
 
     def substitute(self, mapping: Mapping[sp.Expr, sp.Expr]) -> Condition:
         """The condition pulled back: every key of `mapping` replaced by its value, all at once."""
-        rules: Any = dict(mapping)
-        terms: tuple[Any, ...] = tuple(term.xreplace(rules) for term in self.terms)
+        terms: tuple[Any, ...] = tuple(replaced(term, mapping) for term in self.terms)
         return self if terms == self.terms else Condition(self.kind, terms)
 
 
@@ -66,8 +66,7 @@ class Domain:
 
     def substitute(self, mapping: Mapping[sp.Expr, sp.Expr]) -> Domain:
         """The domain pulled back: every key of `mapping` replaced by its value, all at once."""
-        rules: Any = dict(mapping)
-        surface: tuple[Any, ...] = tuple(expression.xreplace(rules) for expression in self.surface)
+        surface: tuple[Any, ...] = tuple(replaced(expression, mapping) for expression in self.surface)
         return Domain(unique(condition.substitute(mapping) for condition in self.conditions), surface)
 
 

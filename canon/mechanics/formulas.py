@@ -10,6 +10,7 @@ from canon.domain import Condition, Domain, Smoothness
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.special import EllipticPi
+from canon.substitution import replaced
 
 Expression: TypeAlias = Formula | sp.Expr | int | Fraction
 
@@ -85,13 +86,6 @@ def _assumed(symbol: Any) -> str:
     if symbol.is_real:
         return "an integer" if symbol.is_integer else "nonnegative" if symbol.is_nonnegative else "real"
     return "complex" if symbol.is_complex else "a symbol without assumptions"
-
-
-def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
-    """`expression` with all symbols of `mapping` replaced at once, inside derivatives of arbitrary functions too."""
-    if expression.has(sp.Derivative, sp.Subs):
-        return expression.subs(dict(mapping), simultaneous=True)
-    return expression.xreplace(dict(mapping))
 
 
 def substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formula:

@@ -7,8 +7,10 @@ from canon.budget import Budget
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.decide import ladder
+from canon.decide.on_surface import _in_ideal, _in_radical, vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.tape import Tape
+from canon.decide.tower import Tower
 from canon.domain import Domain
 
 x, y = sp.symbols("x y", real=True)
@@ -48,3 +50,46 @@ def test_functions_whose_arguments_the_surface_relates(on, left, right, expected
 [[claim]]\nkind = "identity"\nlhs = "{left}"\nrhs = "{right}"\n'''
     (claim,) = read_text(text).claims
     assert verify(claim).status == expected
+
+
+def test_what_is_too_long_to_look_at_is_in_no_ideal():
+    """And what is short is looked at: 1 and x aren't in (x², xy), x is in its radical; y isn't."""
+    tape = Tape()
+    tower = Tower(tape, [tape.load(x * y)], budget=Budget(20))
+    ring, budget = tower.ring, Budget(20)
+    p, q = ring.generators[:2]
+    equations = [p**2, p * q]
+    assert [_in_ideal(tower, f, equations, budget) for f in (p * q * q, p, ring.one)] == [True, False, False]
+    assert [_in_radical(tower, f, equations, budget) for f in (p * q * q, p, q)] == [True, True, False]
+    long = sum((ring.constant(k + 1) * p**k * q for k in range(80)), ring.zero)
+    assert not _in_radical(tower, p, [*equations, long], budget)
+    longer = sum((ring.constant(k + 1) * p**k * q**j for k in range(30) for j in range(30)), ring.zero)
+    assert not _in_ideal(tower, p**2, [*equations, longer], budget)
+
+
+THIRD = sp.Rational(1, 3)
+ON = [  # equations, a function, whether it vanishes there
+    ((x**2 + y**2 - 1,), x**4 - y**4 + 2 * y**2 - 1, True),
+    ((x**2 + y**2 - 1,), x**4 - y**4 + 2 * y**2 - sp.Rational(1001, 1000), False),
+    ((x**2 - y**2, x - 1), y**2 - 1, True),
+    ((x**2 - y**2, x - 1), y - 1, False),
+    (((x - y) ** 2,), x - y, True),
+    ((x**2 * y, x * y**2), x * y, True),
+    ((x**2 * y, x * y**2), x, False),
+    ((x**2 - y - 1,), sp.sqrt(1 + y) - sp.Abs(x), True),
+    ((x**2 - y - 1,), sp.sqrt(1 + y) - x, False),
+    ((sp.exp(x) - y,), sp.exp(2 * x) - y**2, True),
+    ((sp.exp(x) - y,), sp.exp(2 * x) - y, False),
+    ((x**3 - y**3,), x - y, False),
+    ((sp.elliptic_k(x) - y,), 1 / x - 1 / x, True),
+]
+
+
+@pytest.mark.parametrize(("equations", "function", "vanishes"), ON, ids=str)
+def test_what_vanishes_on_a_surface(equations, function, vanishes):
+    tape = Tape()
+    region = Region.of(tape, Domain((), equations), [x, y])
+    found = vanishes_on_surface(tape, tape.load(function), region, Budget(20))
+    assert (found is not None) == vanishes
+    if found is not None:
+        assert "ideal" in found["argument"]

@@ -37,6 +37,18 @@ def test_factors_make_up_the_polynomial_and_fall_no_further(size: int):
         assert ring.square_root(ring.power(a, 2) + ring.generators[0]) is None
 
 
+@pytest.mark.parametrize("count", [10, 30, FEW + 5])
+def test_factors_in_many_generators(count: int):
+    ring = Ring(FEW + 5, 1e7, Budget(60))
+    first = sum(ring.generators[:count], ring.one)
+    second = ring.generators[1] * ring.generators[3] + ring.constant(2) * ring.generators[count - 1]
+    content, factors = ring.factor(ring.constant(Fraction(3, 4)) * first**2 * second)
+    assert {e: f for f, e in factors} in ({2: first, 1: second}, {2: first, 1: ring.scaled(second, Fraction(1, 2))})
+    assert prod((f**e for f, e in factors), start=ring.constant(content)) == ring.scaled(
+        first**2 * second, Fraction(3, 4)
+    )
+
+
 @pytest.mark.parametrize("size", SIZES)
 def test_terms_are_in_the_order_of_the_generators(size: int):
     ring = Ring(size, 1e7, Budget(60))

@@ -8,7 +8,7 @@ import sympy as sp
 
 from canon.budget import Budget
 from canon.decide.cells import cells_of
-from canon.decide.continuity import vanishes_by_cells, vanishes_on_cell
+from canon.decide.continuity import _conjugates, _reduce, vanishes_by_cells, vanishes_on_cell
 from canon.decide.derivative import substitute
 from canon.decide.region import Region, Requirement
 from canon.decide.search import samples
@@ -37,6 +37,21 @@ def test_what_is_zero_at_the_first_point_is_no_identity(function: sp.Expr):
         near = tape.minus(node, substitute(tape, node, values))
         assert not tape.value(near)
         assert vanishes_on_cell(tape, near, cell, random.Random(2), Budget(20), 3) is None
+
+
+def test_conjugates_that_are_too_costly_prove_nothing():
+    tape = Tape()
+    node = tape.load(sqrt(1 + x**2) - y)
+    (cell,) = cells_of(tape, Region((), (), ()), [node], Budget(20)) or ()
+    reduced = _reduce(tape, node, cell, Budget(20))
+    assert reduced is not None
+    zero, form, field, tower = reduced
+    assert not zero
+    assert form is not None
+    (point,) = samples(tape, [node], cell.region, random.Random(2), count=1, budget=Budget(20))
+    assert not _conjugates(form, field, tower, point)
+    field.ring.limit = 0.0
+    assert not _conjugates(form, field, tower, point)
 
 
 TRUE = [

@@ -65,7 +65,8 @@ INEXACT = 4 * MILLION * (sp.sin(x + sp.Rational(1, MILLION)) - sp.sin(x))
 @pytest.mark.parametrize(
     "expression",
     [
-        INEXACT**5, (INEXACT + 9) ** -3, sp.sqrt(INEXACT + 9), sp.exp(INEXACT), sp.log(INEXACT + 9), sp.sin(INEXACT) * y,
+        INEXACT**5, (INEXACT + 9) ** -3, sp.sqrt(INEXACT + 9), sp.exp(INEXACT), sp.log(INEXACT + 9),
+        sp.sin(INEXACT) * y,
         sp.atan(INEXACT), sp.asin(INEXACT / 5), sp.acos(INEXACT / 5), sp.Abs(INEXACT + 7) ** sp.Rational(7, 3),
         sp.atan2(INEXACT, 5 + y), INEXACT * sp.tan(INEXACT / 4),
         (INEXACT + 9) ** 4 / (INEXACT - 9) ** 3,

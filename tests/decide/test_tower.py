@@ -124,6 +124,7 @@ CASES += [  # what has no sign, though something like it has
     (JacobiSN(x, HALF) + JacobiCN(9 * x + y, HALF) * JacobiDN(x / 2, HALF) + JacobiSN(-3 * x, HALF),),
     (JacobiSN(x, -a) * JacobiCN(y, -a) + JacobiDN(x + 2 * y, -a) + sqrt(1 - a * JacobiSN(y, a) ** 2),),
     (sp.Abs(JacobiDN(x, a / d)) + sqrt(1 - a / d * JacobiSN(x, a / d) ** 2) + JacobiDN(x, a / (1 + a)) ** 3,),
+    (sqrt(x * (1 - HALF * JacobiSN(y, HALF) ** 2)) + sqrt((y - x) * (1 - JacobiSN(x, HALF) ** 2)),),
     (sp.Abs(x**3 + a**2) + sp.Abs(x * y + a**2) + sp.Abs(a**2 * x**2 + y) + sp.Abs(u * x**2 + v * y),),
 ]
 

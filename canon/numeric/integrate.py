@@ -19,7 +19,7 @@ from canon.numeric.compiled import compiled, compiled_soon
 from canon.numeric.devices import spread
 from canon.numeric.engines import Engine, settled
 from canon.numeric.integrators.problem import State
-from canon.numeric.integrators.stepper import Method, Time
+from canon.numeric.integrators.stepper import Method, Time, stepper_of
 from canon.numeric.precision import double
 
 LONGEST_CHUNK: Final = 65536
@@ -156,7 +156,7 @@ def start(
 
     with double():
         state = jax.tree.map(lambda x: np.asarray(x, dtype=float), state)
-        carry = method.stepper(problem, compensated=keeps).initial(state)
+        carry = stepper_of(method, problem, keeps).initial(state)
     stored = jax.tree.map(rows, state)
     step = duration / (per_chunk * per_sample * (samples - 1))
     return Run(t0, duration, step, samples, per_sample, per_chunk, 0, keeps, carry, stored, engine=engine)
@@ -243,7 +243,7 @@ def _program(problem: Any, method: Method, compensated: bool, batched: bool, wid
     import jax.numpy as jnp
     from jax import lax
 
-    stepper = method.stepper(problem, compensated=compensated)
+    stepper = stepper_of(method, problem, compensated)
 
     def alive(state: State) -> Any:
         finite = [jnp.isfinite(x) for x in jax.tree.leaves(state)]

@@ -16,6 +16,7 @@ from canon.numeric.integrators import Field, Splitting, clock_part, separable
 from canon.numeric.integrators.catalogue import method
 from canon.numeric.integrators.gauss import METHODS as GAUSS
 from canon.numeric.integrators.problem import Shear
+from canon.numeric.native import engine
 
 pytest.importorskip("llvmlite", reason="the optional extra `native` is not installed")
 
@@ -47,9 +48,14 @@ def apart(a: Any, b: Any) -> float:
     return max(float(np.max(np.abs(np.asarray(x, float) - np.asarray(y, float)))) for x, y in pairs)
 
 
-@pytest.mark.parametrize("compensated", [False, True])
-@pytest.mark.parametrize("name", ["nystrom6", "stormer8"])
-@pytest.mark.parametrize("orbits", [1, COUNT])
+CASES = [
+    *(("nystrom6", compensated, orbits) for compensated in (False, True) for orbits in (1, COUNT)),
+    ("stormer8", True, 1),
+    *(pytest.param(*each, marks=pytest.mark.slow) for each in [("stormer8", True, COUNT), ("stormer12", False, 1)]),
+]
+
+
+@pytest.mark.parametrize(("name", "compensated", "orbits"), CASES)
 def test_states_and_carries_are_those_of_xla(name: str, compensated: bool, orbits: int) -> None:
     state = ONE if orbits == 1 else MANY
     mine, other = both(HENON_HEILES, name, state, compensated=compensated, batched=orbits > 1)
@@ -61,10 +67,11 @@ def test_states_and_carries_are_those_of_xla(name: str, compensated: bool, orbit
 
 
 @pytest.mark.parametrize("orbits", [1, 7, 8, 9, 1000])
-def test_each_of_many_orbits_is_the_single_one_bit_for_bit(orbits: int) -> None:
-    """The lanes that are left over, and how many orbits are interleaved, change nothing."""
+def test_each_of_many_orbits_is_the_single_one_bit_for_bit(orbits: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The lanes that are left over, how many orbits are interleaved, and in how many threads, change nothing."""
     q, p = RANDOM.uniform(-0.2, 0.2, (2, 2, orbits))
     run = partial(integrate, HENON_HEILES, method("nystrom6"), duration=3.0, steps=30, engine="native")
+    monkeypatch.setattr(engine, "WORTH_A_THREAD", 1.0)
     found = run(((q[0], q[1]), (p[0], p[1])), batched=True)
     for k in {0, orbits // 2, orbits - 1}:
         alone = run((q[:, k], p[:, k]))

@@ -28,7 +28,7 @@ from canon.numeric.integrators.compositions import SOFRONIOU_SPALETTA_10
 from canon.numeric.integrators.nystrom_8 import NYSTROM_8
 from canon.numeric.integrators.problem import Shear, Splitting, State
 from canon.numeric.integrators.splitting import SplittingMethod
-from canon.numeric.integrators.stepper import Stepper, Time
+from canon.numeric.integrators.stepper import Past, Stepper, Time
 from canon.numeric.integrators.traits import Traits
 
 GRID: Final = 2**44
@@ -153,26 +153,25 @@ def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
         more = (zero, zero, (zero, zero)) if compensated else (None, None, None)
         return _Carry(state, np.asarray(False), np.asarray(0), q, p, ring, *more)
 
-    def past(state: State, tables: Any, time: Time) -> Any:
-        """The forces F_0, F_{−1}, … before a state."""
+    def past(state: State, tables: Any, time: Time) -> State:
+        """The states before a state (terms, …), itself first."""
         first, begun, back = starter(), time.at(0.0), -time.h
 
-        def at(forces: Any, j: Any, state: State) -> Any:
-            new = force(_components(state[0]), state, Time(begun, back, j * 1.0), 0.0)
-            return each(lambda rows, x: rows.at[j].set(x), forces, new)
-
         def earlier(j: Any, loop: Any) -> Any:
-            carry, forces = loop
+            carry, states = loop
             before, after = Time(begun, back, j * 1.0), Time(begun, back, j + 1.0)
             carry = first.end(first.step(first.begin(carry, tables, before), tables, before), tables, after)
-            return carry, at(forces, j + 1, first.read(carry))
+            return carry, each(lambda rows, x: rows.at[j + 1].set(x), states, first.read(carry))
 
-        empty = each(lambda x: jnp.zeros((method.terms, *jnp.shape(x))), _components(state[0]))
-        loop = (first.initial(state), at(empty, 0, state))
-        return lax.fori_loop(0, method.terms - 1, earlier, loop)[1]
+        rows = each(lambda x: jnp.zeros((method.terms, *jnp.shape(x))).at[0].set(x), state)
+        return lax.fori_loop(0, method.terms - 1, earlier, (first.initial(state), rows))[1]
 
-    def started(carry: _Carry, tables: Any, time: Time) -> _Carry:
-        forces = past(carry.shown, tables, time)
+    def started(carry: _Carry, states: State, time: Time) -> _Carry:
+        def at(j: int) -> Any:
+            state = each(lambda rows: rows[j], states)
+            return force(_components(state[0]), state, Time(time.at(0.0), -time.h, j * 1.0), 0.0)
+
+        forces = each(lambda *rows: jnp.stack(rows), *(at(j) for j in range(method.terms)))
         slopes = each(lambda rows: rows[:-1] - rows[1:], forces)
         values = each(lambda rows: rows[:-1] - rows[1:], slopes) if compensated else forces
         made = carry._replace(
@@ -224,7 +223,7 @@ def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
         return carry._replace(ring=ring, place=jnp.zeros_like(carry.place))
 
     def begin(carry: _Carry, tables: Any, time: Time) -> _Carry:
-        return lax.cond(carry.started, lambda c: c, lambda c: started(c, tables, time), carry)
+        return lax.cond(carry.started, lambda c: c, lambda c: started(c, past(c.shown, tables, time), time), carry)
 
     def step(carry: _Carry, tables: Any, time: Time) -> _Carry:
         place = jnp.where(carry.place == kept - 1, 0, carry.place + 1)
@@ -263,7 +262,8 @@ def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
         return carry.shown
 
     # in registers what is remembered moves on at no cost, and its newest value is waited for by one product alone
-    straight = Stepper(prepare, initial, begun, shifted, end, read)
+    history = Past(starter(), method.terms - 1, started, lambda carry: not carry.started)
+    straight = Stepper(prepare, initial, begun, shifted, end, read, past=history)
     return Stepper(prepare, initial, begin, step, end, read, straight)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple, Protocol
 
 from canon.numeric.integrators.problem import State
@@ -19,6 +20,17 @@ class Time(NamedTuple):
     def at(self, fraction: Any) -> Any:
         """The time at a fraction of this step."""
         return self.t0 + (self.k + fraction) * self.h
+
+
+class Past(NamedTuple):
+    """So many `steps` into the past, of length −h, by another `stepper`; then `begin` takes a carry, the states there
+    (steps + 1, …), the present one first, and the time to the carry that has begun. `wanted` says whether one has not.
+    """
+
+    stepper: Stepper
+    steps: int
+    begin: Callable[[Any, State, Time], Any]
+    wanted: Callable[[Any], bool]
 
 
 class Stepper(NamedTuple):
@@ -40,6 +52,8 @@ class Stepper(NamedTuple):
     """A carry, after `end`, to its state."""
     straight: Stepper | None = None
     """The same for native code, where that is better off with another order of what is remembered."""
+    past: Past | None = None
+    """How `begin` finds what it needs to know of the past, where that can be done apart."""
 
 
 class Method(Protocol):
@@ -54,6 +68,12 @@ class Method(Protocol):
     def stepper(self, problem: Any, *, compensated: bool = False) -> Stepper:
         """The method set up for a problem. **Raises:** `InputError` where it cannot solve such a problem."""
         ...
+
+
+@lru_cache(maxsize=128)
+def stepper_of(method: Method, problem: Any, compensated: bool) -> Stepper:
+    """The method's stepper for a problem, made once."""
+    return method.stepper(problem, compensated=compensated)
 
 
 def plain_stepper(step: Callable[[State, Any, Any], State]) -> Stepper:

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any, Final
 
 import numpy as np
 
-from canon.numeric.integrators.stepper import Method, Stepper, Time
+from canon.numeric.compiled import compiled_soon
+from canon.numeric.integrators.stepper import Method, Past, Stepper, Time, stepper_of
 from canon.numeric.native.compile import Code, compiled, processor
 from canon.numeric.native.loop import source_text
 from canon.numeric.native.straight import Layout, Straight, layout_of, straight
@@ -18,6 +22,10 @@ from canon.numeric.scalar_arrays import Unscalar
 
 MOST_BLOCKS: Final = 4
 """Blocks of orbits that are interleaved, at most: operations wait for four to five others."""
+
+
+WORTH_A_THREAD: Final = 2e7
+"""Operations for which a thread is begun: some milliseconds."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +64,7 @@ class Native:
         programs = self.programs
         leaves = [np.asarray(x) for x in jax.tree.leaves(carry)]
         if not programs.fits(_statics(leaves, programs.carry)):
-            with double():
-                carry = _begun(self.stepper)(carry, chunks.h, chunks.t0, float(chunks.first * chunks.per_chunk))
+            carry = self.begun(carry, stored, chunks, batched)
             leaves = [np.asarray(x) for x in jax.tree.leaves(carry)]
         orbits = leaves[programs.carry.floats[0]].shape[-1] if batched else 1
         blocks = self.blocks(orbits) if batched else 1
@@ -73,6 +80,24 @@ class Native:
         stored = _rows_stored(stored, rows[:count, :, :orbits], first + 1)
         return done, carry, stored
 
+    def begun(self, carry: Any, stored: Any, chunks: Chunks, batched: bool) -> Any:
+        """The carry of a method that begins in a way of its own."""
+        import jax
+
+        past, k = self.stepper.past, float(chunks.first * chunks.per_chunk)
+        with double():
+            if past is not None and past.wanted(carry):
+                state = self.stepper.read(carry)
+                other = _made(past.stepper, batched, form_of(past.stepper.initial(state), batched))
+                if other is not None:
+                    rows = jax.tree.map(lambda x: np.full((past.steps + 1, *np.shape(x)), np.nan), state)
+                    for row, x in zip(jax.tree.leaves(rows), jax.tree.leaves(state), strict=True):
+                        row[0] = x
+                    back = Chunks(0, past.steps, 1, 1, -chunks.h, chunks.t0 + k * chunks.h)
+                    _, _, states = other.run(past.stepper.initial(state), rows, back, batched)
+                    return _joined(past)(carry, states, chunks.h, chunks.t0, k)
+            return _begun(self.stepper)(carry, chunks.h, chunks.t0, k)
+
     def called(
         self, packed: np.ndarray, chunks: Chunks, blocks: int, together: int, batched: bool
     ) -> tuple[int, np.ndarray, np.ndarray]:
@@ -85,16 +110,33 @@ class Native:
         last = chunks.last
         while True:
             carry, rows = packed.copy(), np.empty((count, size, stride))
-            alive = np.zeros(max(last - chunks.first, 1), dtype=np.int8)
-            done = code.run(
-                carry.ctypes.data, rows.ctypes.data, tables.ctypes.data, alive.ctypes.data, chunks.first, last,
-                chunks.per_sample, chunks.per_chunk, chunks.h, chunks.t0, stride, 0, stride // together,
-            )  # fmt: skip
-            dead = np.flatnonzero(alive[: last - chunks.first] == 0)
+            shares = self.shares(stride // together, (last - chunks.first) * chunks.per_chunk * together)
+            alive = np.zeros((len(shares), max(last - chunks.first, 1)), dtype=np.int8)
+
+            def part(share: tuple[int, int], flags: Any, carry: Any = carry, rows: Any = rows, last: int = last) -> int:
+                return code.run(
+                    carry.ctypes.data, rows.ctypes.data, tables.ctypes.data, flags.ctypes.data, chunks.first, last,
+                    chunks.per_sample, chunks.per_chunk, chunks.h, chunks.t0, stride, *share,
+                )  # fmt: skip
+
+            if len(shares) == 1:
+                done = part(shares[0], alive[0])
+            else:
+                with ThreadPoolExecutor(len(shares)) as pool:
+                    done = max(pool.map(part, shares, alive))
+            dead = np.flatnonzero(alive.any(axis=0)[: last - chunks.first] == 0)
             if not batched or not len(dead):
                 return done, carry, rows
             # the carry is wanted as it was before every orbit was lost: the same run, that far
             last = chunks.first + int(dead[0])
+
+    def shares(self, blocks: int, steps: int) -> list[tuple[int, int]]:
+        """From which block to which each thread computes, where a block takes so many steps of an orbit."""
+        work = blocks * steps * len(self.programs.step.operations)
+        present = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        threads = max(min(present, blocks, int(work / WORTH_A_THREAD)), 1)
+        ends = [blocks * k // threads for k in range(threads + 1)]
+        return [*pairwise(ends)]
 
     def code(self, blocks: int, batched: bool) -> Code:
         if blocks not in self.codes:
@@ -113,22 +155,26 @@ class Native:
 
 def native(problem: Any, method: Method, compensated: bool, batched: bool, carry: Any) -> Native | None:
     """The compiled method for carries of this form; None where it can't be made native."""
+    with double():
+        stepper = stepper_of(method, problem, compensated)
+    return _made(stepper.straight or stepper, batched, form_of(carry, batched))
+
+
+def form_of(carry: Any, batched: bool) -> Form:
+    """The form of a carry, whose last axis counts orbits if it is of a batch."""
     import jax
 
     leaves, structure = jax.tree.flatten(carry)
     shapes = [np.shape(x) for x in leaves]
     kinds = [np.asarray(x).dtype.str for x in leaves]
     single = [s[:-1] if batched and s else s for s in shapes]
-    return _native(problem, method, compensated, batched, Form(structure, tuple(zip(kinds, single, strict=True))))
+    return Form(structure, tuple(zip(kinds, single, strict=True)))
 
 
 @lru_cache(maxsize=64)
-def _native(problem: Any, method: Method, compensated: bool, batched: bool, form: Form) -> Native | None:
+def _made(stepper: Stepper, batched: bool, form: Form) -> Native | None:
     import jax
 
-    with double():
-        stepper = method.stepper(problem, compensated=compensated)
-    stepper = stepper.straight or stepper
     zeros = [np.zeros((*shape, 1) if batched and kind == "<f8" else shape, kind) for kind, shape in form.leaves]
     carry = jax.tree.unflatten(form.structure, zeros)
     try:
@@ -143,6 +189,12 @@ def _native(problem: Any, method: Method, compensated: bool, batched: bool, form
         return made
     except Unscalar:
         return None
+
+
+@lru_cache(maxsize=64)
+def _joined(past: Past) -> Any:
+    """What makes a carry of states of the past, by jax."""
+    return compiled_soon(lambda carry, states, h, t0, k: past.begin(carry, states, Time(t0, h, k)))
 
 
 @lru_cache(maxsize=64)

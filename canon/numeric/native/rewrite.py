@@ -147,25 +147,40 @@ def _product_errors(program: Program) -> Program:
                                 return a, b, product
         return None
 
+    increments: dict[Node, Node] = {}
     for node, operation in enumerate(operations):
-        if operation.name != "add":
-            continue
-        if (found := matched(node)) is not None:
+        if operation.name == "add" and (found := matched(node)) is not None:
             operations[node] = Operation("fms", found)
-        else:
-            operations[node] = _increment(operations, node)
+        elif operation.name == "add":
+            operations[node] = _increment(operations, node, increments)
+        elif operation.name == "sub":
+            _increment_error(operations, node, increments)
     return Program(program.inputs, tuple(operations), program.outputs).select(program.outputs)
 
 
-def _increment(operations: Sequence[Operation], node: Node) -> Operation:
-    """a·b + (its error + c) as fma(a, b, c): the sum of the three rounded once, as it is meant."""
+def _increment(operations: Sequence[Operation], node: Node, increments: dict[Node, Node]) -> Operation:
+    """a·b + (its error + c) as fma(a, b, c), the sum of the three rounded once, as it is meant: one of `increments`."""
     for product, rest in (operations[node].operands, operations[node].operands[::-1]):
         if operations[product].name == "mul" and operations[rest].name == "add":
             for error, other in (operations[rest].operands, operations[rest].operands[::-1]):
                 name, operands, _ = operations[error]
                 if name == "fms" and operands[2] == product:
+                    increments[node] = rest
                     return Operation("fma", (operands[0], operands[1], other))
     return operations[node]
+
+
+def _increment_error(operations: list[Operation], node: Node, increments: dict[Node, Node]) -> None:
+    """What rounding took from such an increment i, (error + c) − (i − ab), as (ab − i) + c: of these the first is exact
+    but for a rounding of its own small size.
+    """
+    rest, below = operations[node].operands
+    name, operands, _ = operations[below]
+    if name == "sub" and increments.get(operands[0]) == rest:
+        a, b, c = operations[operands[0]].operands
+        if operations[operands[1]] == Operation("mul", (min(a, b), max(a, b))):
+            operations[below] = Operation("fms", (a, b, operands[0]))
+            operations[node] = Operation("add", (below, c))
 
 
 def _halves(operations: Sequence[Operation]) -> dict[Node, tuple[Node, str]]:

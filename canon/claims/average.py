@@ -18,7 +18,7 @@ from canon.decide.region import Region, Requirement
 from canon.decide.tape import Node
 from canon.errors import InputError
 from canon.expression import Formula
-from canon.mechanics.formulas import as_formula
+from canon.mechanics.formulas import as_formula, replaced
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -129,8 +129,7 @@ def _along(question: Question) -> Outcome:
         return Outcome("undecided", note=f"it isn't shown that {space.t} grows with {u} all along the stretch")
     solved = _solves(question, motion, u, span.inside)
     images = {s: m.expr for s, m in motion.items()}
-    written: Any = f.expr
-    integrand = as_formula(written.subs(images, simultaneous=True) * sp.diff(clock, u))
+    integrand = as_formula(replaced(f.expr, images) * sp.diff(clock, u))
     ends = [question.key(word) for word in ("from", "to")]
     if any(isinstance(end, str) for end in ends):
         raise InputError("an average is one over a bounded stretch", "key 'to'")
@@ -154,8 +153,7 @@ def _solves(question: Question, motion: Mapping[sp.Symbol, Formula], u: sp.Symbo
     residuals = []
     for x, other, sign in (*((a, b, 1) for a, b in zip(space.q, space.p, strict=True)),
                            *((b, a, -1) for a, b in zip(space.q, space.p, strict=True))):  # fmt: skip
-        partial: Any = sp.diff(H, other)
-        slope = partial.subs(images, simultaneous=True)
+        slope = replaced(sp.diff(H, other), images)
         rest = sp.diff(motion[x].expr, u) - sign * slope * sp.diff(clock, u)
         residuals.append(Residual(f"motion of {x}", question.load(rest)))
     found = question.decide(residuals, region)

@@ -25,7 +25,13 @@ def elements(tower: Tower, rng: random.Random, count: int) -> list[Element]:
     """Random combinations of a few elements with several denominators."""
     field = tower.field
     a, b, c = (field.generator(k) for k in range(3))
-    basis = [a, b, field.product([a, field.power(b, -1)]), field.product([c, field.power(b, -2)]), field.power(c, -1)]
+    basis = [
+        a,
+        b,
+        field.product([a, field.power(b, -1)]),
+        field.product([c, field.power(b, -2)]),
+        field.product([a, b]),
+    ]
     return [
         field.combine([(Fraction(rng.randint(-4, 4) or 1, rng.choice((1, 2, 3))), rng.choice(basis)) for _ in range(2)])
         for _ in range(count)

@@ -75,7 +75,19 @@ def test_integrals_round_a_loop(centre, first, second, round_origin):
     assert shown == [sp.Rational(v.numerator, v.denominator) for v in wanted]
 
 
+def test_a_modulus_of_complex_numbers_is_not_integrated():
+    """It isn't analytic, as the enclosure's error needs it."""
+    tape = Tape()
+    way = loop(tape, *LOOPS[0][:3])
+    name = sp.Symbol("w")
+    place = Sample({**way.place.point, tape.symbol(name): (Fraction(5), Fraction(1))}, {}, {}, {})
+    slopes = form(tape, x**0 * 0, sp.Abs(name + x))
+    assert integral(tape, slopes, Ellipse(place, way.plane, way.centre, way.first, way.second)) is None
+
+
 CONDITIONS = [
+    ((x - 1) ** 2 + y**2 - sp.Rational(1, 100),),
+    ((x - sp.Rational(499, 500)) ** 2 + (y + sp.Rational(157, 2500)) ** 2 - sp.Rational(1, 400),),
     (x**2 + y**2 - sp.Rational(1, 4),),
     (x + sp.Rational(6, 5), 4 - x),
     (9 - x**2 - y**2, y + sp.Rational(11, 10)),

@@ -121,7 +121,7 @@ CASES += [  # what has no sign, though something like it has
     (sp.Abs(LONG) + sqrt(LONG**2 * a) + log(OTHER**2), LONG * OTHER),
     (sqrt(y + 5 - 2 * (y + 4) ** THIRD) + sqrt(x + 5 - 2 * (x + 4) ** (HALF / 2)),),
     (sqrt(a * (1 - HALF * JacobiSN(x, HALF) ** 2)) + sqrt((1 - JacobiSN(x, HALF) ** 2) * b) + JacobiDN(x, HALF),),
-    (JacobiSN(x, HALF) + JacobiCN(9 * x + y, HALF) * JacobiDN(x / 2, HALF) + JacobiSN(-3 * x, HALF),),
+    (JacobiSN(x, HALF) + JacobiCN(9 * x, HALF) * JacobiDN(x / 2, HALF) + JacobiSN(-3 * x, HALF),),
     (JacobiSN(x, -a) * JacobiCN(y, -a) + JacobiDN(x + 2 * y, -a) + sqrt(1 - a * JacobiSN(y, a) ** 2),),
     (sp.Abs(JacobiDN(x, a / d)) + sqrt(1 - a / d * JacobiSN(x, a / d) ** 2) + JacobiDN(x, a / (1 + a)) ** 3,),
     (sqrt(x * (1 - HALF * JacobiSN(y, HALF) ** 2)) + sqrt((y - x) * (1 - JacobiSN(x, HALF) ** 2)),),

@@ -109,7 +109,9 @@ def answered(words: list[str]) -> tuple[Any, str, str]:
         wrong = err.getvalue()
     elif time.process_time() - start > SLOWEST:
         wrong = "slow"
-    elif "--json" in words and out.getvalue() and not {"--help", "-h", "--list"} & {*words}:
+    elif "--json" in (asked := words[: words.index("--")] if "--" in words else words) and (
+        out.getvalue() and not {"--help", "-h", "--list"} & {*asked}
+    ):
         try:
             json.loads(out.getvalue())
         except ValueError:

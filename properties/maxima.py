@@ -45,8 +45,9 @@ at(r,conds,s):=block([v,w,x:rounded(s),out:"vanishes"],
  for e in r do (v:number(subst(x,e)), w:finer(e,s),
   if v=false or w=false or not numberp(realpart(v)) or not numberp(imagpart(v)) then (out:"unknown",return(done)),
   if small(w) then false else if is(cabs(v-w)<cabs(w)/100) then out:"differs" else (out:"unknown",return(done))), out)$
+simplified(e):=block([simp:true],expand(e,0,0))$
 inside(e):=if atom(e) then [] else block([o:op(e),a:args(e),r], r:apply(append,map(inside,a)),
- if o="^" and not integerp(second(a)) or member(o,[log,c_root]) then cons(first(a),r)
+ if o="^" and not integerp(simplified(second(a))) or member(o,[log,c_root,sqrt]) then cons(first(a),r)
  else if member(o,[asin,acos,atanh]) then cons(1-first(a)^2,r) else if o=acosh then cons(first(a)-1,r) else r)$
 pb(f,g,q,p):=sum(diff(f,q[i])*diff(g,p[i])-diff(f,p[i])*diff(g,q[i]),i,1,length(q))$
 """
@@ -196,7 +197,9 @@ def ask(questions: Sequence[tuple[Question, list[dict[str, Any]]]], seconds: flo
     lines = [HEAD]
     for k, (found, places) in enumerate(questions):
         lines.append(f"r:errcatch([{','.join(found.residuals)}])$ c:[{','.join(found.conditions)}]$")
-        lines.append(f"w:errcatch(apply(append,map(inside,[{','.join(found.written)}])))$")
+        # as it is written: exp(2*log(u)) would be u^2 as soon as it is read
+        lines.append(f"w:block([simp:false],errcatch(apply(append,map(inside,[{','.join(found.written)}]))))$")
+        lines.append("w:map(simplified,w)$")
         lines.append("c:append(c,if w=[] then [] else first(w))$")
         for place in places:
             value = f'block([v:errcatch(at(first(r),c,{substitution(place)}))],if v=[] then "unknown" else first(v))'

@@ -14,6 +14,7 @@ CLAIMS = [
     (SPACE | RIGHT, {"kind": "canonical"}, "vanishes"),
     (SPACE | WRONG, {"kind": "canonical"}, "differs"),
     (SPACE, {"kind": "identity", "lhs": "log(q**2)", "rhs": "2*log(q)"}, "vanishes"),
+    (SPACE, {"kind": "identity", "lhs": "exp(2*log(q)) + (q**4)**(1/4)", "rhs": "q + q**2"}, "vanishes"),
     (SPACE, {"kind": "identity", "lhs": "sqrt(q**2)", "rhs": "q"}, "differs"),
     (SPACE, {"kind": "bracket", "f": "q**2", "g": "p", "equals": "2*q"}, "vanishes"),
     (SPACE, {"kind": "bracket", "f": "q**2", "g": "p", "equals": "2*q + 1/10**12"}, "differs"),

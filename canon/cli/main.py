@@ -94,8 +94,26 @@ def _say(text: str) -> int:
     return 0
 
 
+def _open_what_is_closed() -> None:
+    """Give the system's nowhere to standard streams that are closed.
+
+    Else the next file that is opened, as a journal, would be one of them, and get what a library in C prints.
+    """
+    for number, name, mode in ((0, "stdin", "r"), (1, "stdout", "w"), (2, "stderr", "w")):
+        try:
+            os.fstat(number)
+        except OSError:
+            nowhere = os.open(os.devnull, os.O_RDWR)
+            if nowhere != number:
+                os.dup2(nowhere, number)
+                os.close(nowhere)
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(number, mode, encoding="utf-8", closefd=False))  # noqa: SIM115
+
+
 def entry() -> None:
     """Run as a program: the exit status goes to the shell; Ctrl-C, and a reader that hangs up, are no errors."""
+    _open_what_is_closed()
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")

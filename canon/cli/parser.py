@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 import math
 import re
-from typing import NoReturn
+import sys
+from typing import Any, NoReturn
 
 BAD_INPUT = 3
 NOT_WRITTEN = 74
@@ -19,6 +20,10 @@ class Parser(argparse.ArgumentParser):
         super().__init__(**{"allow_abbrev": False, **settings})  # type: ignore[arg-type]
         # a value that begins as a negative number does is no option: -1/4, as -0.25
         self._negative_number_matcher = re.compile(r"-[\d.]")
+
+    def print_help(self, file: Any = None) -> None:
+        """Print the help; where that can't be written, it is an error, which argparse would keep to itself."""
+        (sys.stdout if file is None else file).write(self.format_help())
 
     def error(self, message: str) -> NoReturn:
         """Print the usage, the error and the nearest thing that exists, and exit with status 3."""

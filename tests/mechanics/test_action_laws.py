@@ -9,15 +9,15 @@ import pytest
 import sympy as sp
 
 from canon.domain import Condition
-from canon.mechanics.action_angle import ClosedAction, NotQuadratic, OneDegree, one_degree
+from canon.mechanics.action_angle import ClosedAction, NotQuadratic, OneDegree, at_most, one_degree
 from canon.mechanics.elliptic_actions import elliptic
 from canon.mechanics.legendre import S, decomposed
 from canon.mechanics.quartic_wells import quartic_wells
 from canon.mechanics.residues import by_residues
 from canon.mechanics.separatrix_actions import separatrix
 from canon.mechanics.solved_momentum import solved_momentum
-from canon.mechanics.standard_actions import pendulum_like, power_well
-from canon.mechanics.substitutions import integrands
+from canon.mechanics.standard_actions import pendulum_like, power_well, rotation
+from canon.mechanics.substitutions import U, integrands
 
 q, p, E = sp.symbols("q p E", real=True)
 r = sp.Symbol("r", positive=True)
@@ -64,6 +64,9 @@ def test_both_branches_lie_on_the_orbit() -> None:
         assert sp.simplify(on_it) == 0
 
 
+FAR = sp.sqrt(1 + r**2)
+
+
 @pytest.mark.parametrize(
     ("square", "low", "high"),
     [
@@ -74,13 +77,22 @@ def test_both_branches_lie_on_the_orbit() -> None:
         ((3 - r) * (r - 1) * (r + 2) ** 2 / r**6, 1, 3),
         ((3 - r) * (r - 1) / ((r + 1) ** 4 * (r + 2) ** 2), 1, 3),
         ((3 - r) * (r - 1) / (5 - r) ** 2, 1, 3),
+        (3 * (3 - r) * (r - 1) * (r + 1) ** 4, 1, 3),
+        (5 * (3 - r) * (r - 1) / ((2 * r + 3) ** 4 * (11 - 2 * r) ** 2), 1, 3),
+        ((5 - sp.exp(r)) * (sp.exp(r) - 2), sp.log(2), sp.log(5)),
+        ((HALF - sp.exp(-3 * r)) * (sp.exp(-3 * r) - sp.Rational(1, 5)), sp.log(2) / 3, sp.log(5) / 3),
+        ((3 - FAR) * (FAR - sp.Rational(3, 2)) * r**2 / FAR**2, sp.sqrt(5) / 2, sp.sqrt(8)),
     ],
 )
 def test_residues_give_the_area(square: Any, low: Any, high: Any) -> None:
     """Moments up to the second, poles up to the third order, on either side of the range."""
     (x,) = square.free_symbols
-    motion = orbit(square, x, 0, 5)
-    assert same(next(by_residues(motion)).value, area(square, x, low, high))
+    closed = next(by_residues(orbit(square, x, 0, sp.oo if square.has(sp.exp) else 5)))
+    assert same(closed.value, area(square, x, low, high))
+    at = {name: sp.Rational(5, 3) for name in (x, U)}
+    for _, zero in closed.vanishes:
+        assert abs(sp.N(zero.xreplace(at), 30)) < 1e-25
+    assert abs(sp.N((closed.vanishes[0][1] + square / 1000).xreplace(at), 30)) > 1e-12
 
 
 def test_a_motion_exists_where_both_turning_points_lie_in_the_range() -> None:
@@ -94,6 +106,49 @@ def test_a_motion_exists_where_both_turning_points_lie_in_the_range() -> None:
         if low in (place - radius,) or high in (place + radius,):
             continue
         assert all(e.xreplace(at) > 0 for e in closed.exists) == fits, (radius, place)
+        passes = abs(min(max(place, low), high) - place) < radius  # p² > 0 somewhere in the range
+        assert (passes and all(e.xreplace(at) > 0 for e in closed.through or ())) == fits, (radius, place)
+
+
+RATE = sp.sqrt(2)
+LESS = sp.Rational(1, 9)
+WAVES: list[tuple[Any, Any, Any, Any, Any]] = [
+    # p² in a wave s of this rate, its range, and where s is 1/9 (or −1/9) and 1/2
+    (lambda s: (s - LESS) * (HALF - s) / (s * (1 - s)), sp.sin(RATE * q) ** 2, (0, sp.pi / 2), sp.asin(sp.sqrt(LESS)),
+     sp.pi / 4),
+    (lambda s: (s + LESS) * (HALF - s) / (1 - s**2), sp.sin(RATE * q), (-sp.pi / 2, sp.pi / 2), -sp.asin(LESS),
+     sp.pi / 6),
+    (lambda s: (s + LESS) * (HALF - s) / (1 - s**2), sp.cos(RATE * q), (0, sp.pi), sp.pi / 3, sp.acos(-LESS)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("square", "wave", "span", "left", "right"), WAVES)
+def test_waves_of_any_rate_give_the_area(square: Any, wave: Any, span: Any, left: Any, right: Any) -> None:
+    low, high = (end / RATE for end in span)
+    closed = next(by_residues(orbit(square(wave), q, low, high)))
+    assert same(closed.value, area(square(wave), q, left / RATE, right / RATE))
+
+
+def test_a_pendulum_of_any_rate_at_its_separatrix() -> None:
+    """8 √(2b)/κ, and half of it for a turn; near it the values on either side come close."""
+    b, rate = sp.Rational(5, 2), 3
+    motion = orbit(b + b * sp.cos(rate * q))
+    (closed,) = pendulum_like(motion)
+    wanted = area(b + b * sp.cos(rate * q), q, -sp.pi / rate, sp.pi / rate)
+    assert same(closed.value, wanted)
+    (turn,) = rotation(motion, None)
+    assert same(2 * turn.value, wanted)
+    near = next(pendulum_like(orbit(b - sp.Rational(1, 10**9) + b * sp.cos(rate * q))))
+    assert abs(number(near.value) - wanted) < 1e-6
+    beyond = next(rotation(orbit(b + sp.Rational(1, 10**9) + b * sp.cos(rate * q)), None))
+    assert abs(2 * number(beyond.value) - wanted) < 1e-6
+
+
+def test_what_is_at_most_what() -> None:
+    for low, high in ((-sp.oo, 3), (3, sp.oo), (-sp.oo, sp.oo), (3, 3), (3, sp.pi), (0, c), (-c, 0), (c, c + 1)):
+        assert at_most(sp.sympify(low), sp.sympify(high))
+    for low, high in ((sp.oo, 3), (3, -sp.oo), (sp.pi, 3), (c, 0), (q, q**2), (sp.oo, -sp.oo)):
+        assert not at_most(sp.sympify(low), sp.sympify(high))
 
 
 WELLS: list[tuple[Any, Any, Any, Any, Any]] = [

@@ -4,7 +4,7 @@ import pytest
 import sympy as sp
 
 from canon.errors import InputError
-from canon.mechanics.birkhoff import NoNormalForm, birkhoff_gustavson, resonances
+from canon.mechanics.birkhoff import NoNormalForm, birkhoff_gustavson, exponential, lie_transformed, resonances
 from canon.mechanics.graded_algebra import algebra_over
 from canon.mechanics.homological import semisimple, split
 from canon.mechanics.phase_space import PhaseSpace
@@ -53,6 +53,59 @@ def test_the_homological_equation_is_solved_inside_the_image_of_ad():
         assert N + algebra.bracket(chi, H2) == R
         assert split(algebra, H2, chi)[0] == 0
     assert max(max(map(sum, sp.Poly(image, *PLANE.old).monoms())) for image in found.transformation()) == 3
+
+
+def test_a_part_in_the_kernel_is_split_off_where_the_spectrum_is_lopsided():
+    """{qᵃpᵇ, qp} = (a − b) qᵃpᵇ: of q²p² + q³p + q⁴ the first part is N, and χ has none of it."""
+    algebra, (parts,) = homogeneous_parts(Q * P, (Q, P), 2)
+    x, y = algebra.generators
+    R = x**2 * y**2 * 3 + x**3 * y + x**4
+    N, chi = split(algebra, parts[2], R)
+    assert x**2 * y**2 * 3 == N
+    assert chi * 4 == x**3 * y * 2 + x**4
+
+
+def test_taylor_polynomials_are_those_of_the_series():
+    """Products, compositions, negative and broken powers, each beside the derivatives at 0."""
+    for f in (
+        1 / (1 + Q) ** 2, sp.sqrt(4 + Q - P), (2 + Q * P) ** sp.Rational(-3, 2), sp.exp(Q) / (1 - P), sp.cos(Q + P**2),
+        (1 + Q) ** 3 * sp.log(1 + P), sp.tan(Q) * OMEGA + OMEGA**2 * P, 1 / (sp.cosh(Q) + P),
+    ):  # fmt: skip
+        algebra, (parts,) = homogeneous_parts(f, (Q, P), 4)
+        found = sum(algebra.expression(part) for part in parts.values())
+        s = sp.Dummy("s")
+        along = f.xreplace({Q: 2 * s / 3, P: 3 * s / 5})
+        for k in range(5):
+            wanted = along.diff(s, k).subs(s, 0) / sp.factorial(k)
+            value = sp.expand(found.xreplace({Q: 2 * s / 3, P: 3 * s / 5})).coeff(s, k)
+            assert abs(sp.N((value - wanted).xreplace({OMEGA: sp.Rational(7, 5)}), 20)) < 1e-15
+
+
+def test_exponentials_of_a_bracket_are_the_lie_series():
+    """Of a χ of one degree and of one with several; applied to a bracket it is that of the images."""
+    algebra, (f, g, chi) = homogeneous_parts(Q**2 + P**3, (Q, P), 7, Q * P + Q**2, Q**3 - Q * P**2)
+    c = sum(chi.values(), start=algebra.zero)
+    several = c + algebra.generators[1] ** 4
+    assert exponential(algebra, f, c, 7) == lie_transformed(algebra, f, c, 3, 7)
+    total, term = algebra.zero, sum(f.values(), start=algebra.zero)
+    for k in range(8):
+        total = total + term
+        term = algebra.bracket(term, several) * algebra.constant(sp.Rational(1, k + 1))
+    found = exponential(algebra, f, several, 7)
+    assert found == {d: part for d, part in algebra.parts(total).items() if d <= 7}
+    images = [sum(exponential(algebra, h, several, 7).values(), start=algebra.zero) for h in (f, g)]
+    product = algebra.parts(algebra.bracket(*(sum(h.values(), start=algebra.zero) for h in (f, g))))
+    both = algebra.parts(algebra.bracket(*images))
+    assert {d: both[d] for d in both if d <= 6} == {
+        d: e for d, e in exponential(algebra, product, several, 6).items() if e
+    }
+
+
+def test_generators_are_shown_as_formulas():
+    found = birkhoff_gustavson(PLANE, HENON_HEILES, 4)
+    for degree in (3, 4):
+        assert found.generator(degree) == found.algebra.expression(found.generators[degree]) != 0
+    assert found.generator(5) == 0
 
 
 def test_the_linear_flow_is_semisimple_where_no_root_is_double():

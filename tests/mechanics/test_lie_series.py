@@ -48,6 +48,26 @@ def test_what_has_no_closed_form_is_none():
     assert closed_lie_series(q, p**2 / 2 + q**4, s, SPACE) is None
 
 
+def test_what_moves_with_something_unknown_has_no_closed_form():
+    """Beside a free coordinate one in a quartic well; a function of both is no sum, and none of one alone."""
+    space = PhaseSpace("x y", "px py", real="s")
+    (x, y), (px, py), t = space.q, space.p, space.symbols("s")
+    G = px**2 / 2 + py**2 / 2 + y**4
+    assert closed_lie_series(x**2, G, t, space) == sp.expand((x + t * px) ** 2)
+    assert closed_lie_series(x * sp.sin(y), G, t, space, depth=1) is None
+
+
+def test_coupled_oscillators(vanishes):
+    """ẍ = −x − y/2, ÿ = −y − x/2: a recurrence of four terms, frequencies √(3/2) and √(1/2)."""
+    space = PhaseSpace("x y", "px py", real="s")
+    (x, y), (px, py), t = space.q, space.p, space.symbols("s")
+    H = (px**2 + py**2 + x**2 + y**2 + x * y) / 2
+    closed = closed_lie_series(x, H, t, space)
+    assert closed is not None
+    series = truncated_lie_series(x, H, t, space, 5)
+    assert vanishes((closed - series).diff(t, k).subs(t, 0) for k in range(6))
+
+
 def test_a_magnetic_field(vanishes):
     space = PhaseSpace("x y", "px py", real="B s")
     (x, y), (px, py), (B, t) = space.q, space.p, space.symbols("B s")

@@ -1,9 +1,13 @@
 import pickle
 
+import pytest
 import sympy as sp
 
 import canon
-from canon import PhaseSpace, Transformation
+from canon import InputError, PhaseSpace, Transformation
+from canon.domain import Domain
+from canon.mechanics.assumptions import symbol_with
+from canon.mechanics.relations import region_of
 
 SPACE = PhaseSpace("q", "p", new=("Q", "P"), real="a eps")
 q, p, Q, P, a, eps = SPACE.symbols("q p Q P a eps")
@@ -52,6 +56,57 @@ def test_scale_and_order_are_keys_only_where_given():
     assert TURN.canonical().keys == {}
     assert TURN.canonical(2).keys["scale"].expr == 2
     assert TURN.canonical(order=(eps, 2)).keys["order"] == (eps, 2)
+
+
+def test_statements_of_orbits_have_the_keys_that_are_given():
+    """`action` and `frequency`; a series has an order only where one is given."""
+    plain = canon.action(SPACE, H, q, a, 2 * sp.pi * a)
+    assert plain.kind == "action"
+    assert {name: str(value) for name, value in plain.keys.items()} == {
+        "coordinate": "q", "energy": "a", "equals": "2*pi*a",
+    }  # fmt: skip
+    options = {"branch": "rotation", "period": sp.pi, "well": sp.S.One, "fixed": {eps: sp.S.Half}}
+    whole = canon.frequency(SPACE, H, q, a, 1 / (2 * sp.pi), **options)
+    assert whole.kind == "frequency"
+    assert whole.subject.hamiltonian.expr == H
+    assert (whole.keys["branch"], whole.keys["period"].expr, whole.keys["well"].expr) == ("rotation", sp.pi, 1)
+    assert whole.keys["fixed"][eps].expr == sp.S.Half
+    ordered = canon.lie_series(SPACE, H, eps, q, q + eps * p, order=1)
+    assert ordered.keys["order"] == 1
+    assert "order" not in canon.lie_series(SPACE, H, eps, q, q).keys
+
+
+def test_words_of_assumptions_mean_what_they_say():
+    facts = {
+        "real": ("real", True), "complex": ("complex", True), "positive": ("positive", True),
+        "negative": ("negative", True), "nonnegative": ("nonnegative", True), "nonzero": ("zero", False),
+        "integer": ("integer", True),
+    }  # fmt: skip
+    for word, (fact, value) in facts.items():
+        symbol = symbol_with("s", word)
+        assert symbol.assumptions0[fact] is value
+        assert symbol.is_real is (None if word == "complex" else True)
+    assert symbol_with("s").assumptions0 == sp.Symbol("s", real=True).assumptions0
+    assert symbol_with("s", "integer positive") == sp.Symbol("s", integer=True, positive=True)
+    assert symbol_with("s", "complex nonzero").is_real is None
+    with pytest.raises(InputError, match="did you mean 'positive'"):
+        symbol_with("s", "positiv")
+    with pytest.raises(InputError, match="contradict"):
+        symbol_with("s", "positive negative")
+
+
+def test_relations_are_regions():
+    both = region_of(sp.And(q > 1, sp.Ne(p, 0), q**2 + p**2 < 9))
+    assert {(c.kind, sp.expand(c.terms[0])) for c in both.conditions} == {
+        ("positive", q - 1), ("nonzero", p), ("positive", 9 - q**2 - p**2),
+    }  # fmt: skip
+    assert region_of(sp.true) == Domain()
+    assert region_of(sp.Eq(q**2, p)).surface == (q**2 - p,)
+    assert {c.terms for c in region_of(sp.log(q) > 1 / p).conditions} == {(q,), (p,), (sp.log(q) - 1 / p,)}
+    with pytest.raises(InputError, match="never hold"):
+        region_of(sp.false)
+    with pytest.raises(InputError, match="is expected"):
+        region_of(q)
 
 
 def test_an_implicit_map_is_left_to_its_generating_function():

@@ -25,6 +25,7 @@ root = sp.sqrt
         sp.sin(x) ** 2 + sp.cos(x) ** 2 - 1,
         sp.cosh(x) ** 2 - sp.sinh(x) ** 2 - 1,
         sp.CRootOf(w**5 - w - 1, 0) ** 5 - sp.CRootOf(w**5 - w - 1, 0) - 1,
+        sp.CRootOf(w**3 - w - 1, 1) ** 3 - sp.CRootOf(w**3 - w - 1, 1) - 1,  # a complex one
     ],
 )
 def test_zeros(expression):
@@ -64,3 +65,7 @@ def test_signs_are_certified():
     assert sign_at_a_point(root(2) + root(3) - sp.Rational(31462643699419723423, 10**19)) == 1
     assert sign_at_a_point(root(3 + 2 * root(2)) - 1 - root(2)) is None
     assert sign_at_a_point(-a) == -1
+    for number, low in ((sp.E, "2.718281828"), (sp.pi, "3.141592653")):
+        assert sign_at_a_point(number - sp.Rational(low)) == 1
+        assert sign_at_a_point(number - sp.Rational(low) - sp.Rational(1, 10**8)) == -1
+    assert sign_at_a_point(2 + sp.I) is None

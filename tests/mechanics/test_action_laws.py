@@ -10,11 +10,12 @@ import sympy as sp
 
 from canon.domain import Condition
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, OneDegree, at_most, one_degree
+from canon.mechanics.closed_actions import librations
 from canon.mechanics.elliptic_actions import elliptic
 from canon.mechanics.legendre import S, decomposed
 from canon.mechanics.quartic_wells import quartic_wells
 from canon.mechanics.residues import by_residues
-from canon.mechanics.separatrix_actions import separatrix
+from canon.mechanics.separatrix_actions import SEPARATRIX, separatrix
 from canon.mechanics.solved_momentum import solved_momentum
 from canon.mechanics.standard_actions import pendulum_like, power_well, rotation
 from canon.mechanics.substitutions import U, integrands
@@ -142,6 +143,21 @@ def test_a_pendulum_of_any_rate_at_its_separatrix() -> None:
     assert abs(number(near.value) - wanted) < 1e-6
     beyond = next(rotation(orbit(b + sp.Rational(1, 10**9) + b * sp.cos(rate * q)), None))
     assert abs(2 * number(beyond.value) - wanted) < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("square", "well", "method"),
+    [
+        ((3 - q) * (q + 1), None, "residues"),
+        (2 + sp.cos(3 * q) * 5, None, "complete elliptic"),
+        (2 - sp.Abs(q), None, "beta function"),
+        (3 + 2 * q**2 - q**4, sp.Integer(1), "even quartic"),
+        ((q - 1) * (q - 2) * (q - 4), None, "elliptic integrals"),
+        ((q - 2) ** 2 * (q + 1), None, SEPARATRIX),
+    ],
+)
+def test_every_kind_of_libration_is_tried(square: Any, well: Any, method: str) -> None:
+    assert method in next(librations(orbit(square), allowed, well)).method
 
 
 def test_what_is_at_most_what() -> None:
@@ -284,6 +300,8 @@ LOOPS: list[tuple[Any, Any, Any, Any, Any, Any]] = [
     ((q - 1) ** 2 * (4 - q) * (q + 2), -sp.oo, sp.oo, -1, -2, 1),
     ((q - 1) ** 2 * (4 - q) * (q + 2), 1, sp.oo, None, 1, 4),
     ((q - 1) ** 2 * (4 - q) * (q + 2), -3, 1, None, -2, 1),
+    ((q - 2) ** 2 * (4 - q) * (q + 2), -sp.oo, sp.oo, 3, 2, 4),
+    (3 * (q - 2) ** 2 * (4 - q) * (q + 2), -sp.oo, sp.oo, 0, -2, 2),
     ((q - 1) ** 4 * (4 - q) * (q + 2), 1, sp.oo, None, 1, 4),
     ((q - 1) ** 6 * (4 - q), -sp.oo, sp.oo, None, 1, 4),
 ]
@@ -316,6 +334,7 @@ def allowed(expression: Any) -> bool:
     ("square", "low", "high", "well"),
     [
         ((q - 1) ** 2 * (4 - q) * (q + 2), -sp.oo, sp.oo, None),  # two loops
+        ((q - 1) ** 2 * (4 - q) * (q + 2), -3, 5, None),
         ((q - 1) ** 2 * (4 - q) * (q + 2), 1, 3, None),  # the range cuts it
         ((q - 1) ** 2 * (4 - q) * (q + 2), -1, 1, None),
         ((q - 2) ** 2 * (q + 1), 0, sp.oo, None),
@@ -345,6 +364,7 @@ def test_no_loop_where_the_point_lies_beyond_the_other_root() -> None:
         sp.exp(p**2 / 2) / 3 + q**4,
         p**4 / 4 + c * p**2 + q**2,
         2 * p**4 + q**2,
+        (c * p**2 + 2 * p**2) / 3 + q,
         c * (p**2 + 1) ** sp.Rational(3, 2) + q**2,
         3 * sp.cosh(sp.sqrt(2) * p) * c + q**2,
         sp.sqrt(1 + sp.exp(p**2)) + sp.Abs(q),
@@ -369,7 +389,9 @@ def test_a_guard_that_fails_says_that_there_is_no_motion() -> None:
         assert any(guard <= 0 for guard in found.guards)
 
 
-@pytest.mark.parametrize("H", [p**3 + q, p**4 - p**2 + q**2, p**4 + p**2 * q, p**6 + p**2, sp.cos(p), -(p**4), c - p])
+@pytest.mark.parametrize(
+    "H", [p**3 + q, p**4 - p**2 + q**2, p**4 + p**2 * q, p**6 + p**2, p**6 + p**4 + p**2, sp.cos(p), -(p**4), c - p]
+)
 def test_momenta_that_are_not_solved_for(H: Any) -> None:
     """Odd in p, several branches, or none that is known to be one."""
     with pytest.raises(NotQuadratic):

@@ -37,6 +37,7 @@ def test_a_fall_by_its_characteristic_function() -> None:
     assert zero(beta + momentum / (m * g) + t)  # dW/dalpha = -p/(m g)
     assert zero(made.hessian()[0, 0] - m / momentum)
     assert made.complete().kind == "hamilton_jacobi"
+    assert set(made.complete().keys) == {"W", "constants", "energy"}
 
 
 def test_its_orbit_falls() -> None:
@@ -58,6 +59,7 @@ def test_a_principal_function_has_the_time_in_it() -> None:
         assert zero(made.residual())
         assert made.S == S
         assert made.energy is None
+        assert set(made.complete().keys) == {"S", "constants"}
         assert not zero(made.hessian().det())
     F = CompleteIntegral(SPACE, free, alpha * q - alpha**2 * t / (2 * m), alpha).generating_function("beta")
     assert [str(x) for x in F.space.new] == ["beta", "alpha"]

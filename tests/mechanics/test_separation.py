@@ -169,6 +169,15 @@ def test_levi_civitas_conditions() -> None:
     assert not is_zero(levi_civita(space, H + x * y / 1000)[x, y], point)
     assert is_zero(levi_civita(space, a**2 * x + sp.exp(b) * y)[x, y], point)
     assert not is_zero(levi_civita(space, a * b + x * y**2)[x, y], point)
+    for one in ((a**2 + x**2) * (b**2 + sp.sin(y)), sp.sqrt(a * x + sp.exp(b) / y), (a + x) / (b + y**2)):
+        assert is_zero(levi_civita(space, one)[x, y], point)
+        assert not is_zero(levi_civita(space, one + a * y / 1000)[x, y], point)
+    three = NAMES[3]
+    assert set(levi_civita(three, sum(p**2 for p in three.p))) == {
+        (three.q[0], three.q[1]), (three.q[0], three.q[2]), (three.q[1], three.q[2]),
+    }  # fmt: skip
+    assert systems_of(2) == ("cartesian", "polar", "parabolic", "elliptic")
+    assert systems_of(3) == ("cartesian", "cylindrical", "spherical", "parabolic", "prolate spheroidal")
 
 
 def test_degrees_inside_one_another() -> None:

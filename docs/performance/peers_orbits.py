@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cache
+from itertools import product
 
 import numpy as np
 import sympy as sp
@@ -17,6 +18,8 @@ METHODS = ("nystrom6", "nystrom6a", "nystrom8", "sofroniou_spaletta10")
 MULTISTEP = ("stormer8", "stormer10", "stormer12")
 FORCES = np.geomspace(8, 180, 28)
 """Forces in a unit of time that are tried."""
+FEW_FORCES = np.geomspace(24, 60, 14)
+"""The same with compensated sums, by multistep methods: what they reach beyond the rounding of plain sums."""
 x, y, px, py = sp.symbols("x y p_x p_y", real=True)
 H = (px**2 + py**2) / 2 + (x**2 + y**2) / 2 + x**2 * y - y**3 / 3
 
@@ -68,16 +71,20 @@ def by_canon(time: float, count: int) -> Iterator[Setting]:
         problem = split.splitting()
         for name in (*METHODS, *(MULTISTEP if split.kind == "T(p) + V(q)" else ())):
             chosen = method(name)
-            for forces in FORCES:
+            for forces, kept in [
+                *product(FORCES, [False]),
+                *(product(FEW_FORCES, [True]) if name in MULTISTEP else ()),
+            ]:
                 steps = max(round(forces * time / chosen.stages), 1)
 
-                def run(problem=problem, chosen=chosen, steps=steps) -> np.ndarray:
-                    shared = {"duration": time, "steps": steps, "compensated": False}
+                def run(problem=problem, chosen=chosen, steps=steps, kept=kept) -> np.ndarray:
+                    shared = {"duration": time, "steps": steps, "compensated": kept}
                     if count == FEW:
                         return np.array([integrate(problem, chosen, one, **shared).state[0] for one in few])
                     return np.array(integrate(problem, chosen, many, batched=True, **shared).state[0]).T
 
-                yield Setting(f"{name}, {split.kind}, {steps} steps", run)
+                sums = ", compensated sums" if kept else ""
+                yield Setting(f"{name}, {split.kind}, {steps} steps{sums}", run)
 
 
 def by_heyoka(time: float, count: int) -> Iterator[Setting]:

@@ -88,7 +88,7 @@ class Native:
         with double():
             if past is not None and past.wanted(carry):
                 state = self.stepper.read(carry)
-                other = _made(past.stepper, batched, form_of(past.stepper.initial(state), batched))
+                other = made_native(past.stepper, batched, form_of(past.stepper.initial(state), batched))
                 if other is not None:
                     rows = jax.tree.map(lambda x: np.full((past.steps + 1, *np.shape(x)), np.nan), state)
                     for row, x in zip(jax.tree.leaves(rows), jax.tree.leaves(state), strict=True):
@@ -157,7 +157,7 @@ def native(problem: Any, method: Method, compensated: bool, batched: bool, carry
     """The compiled method for carries of this form; None where it can't be made native."""
     with double():
         stepper = stepper_of(method, problem, compensated)
-    return _made(stepper.straight or stepper, batched, form_of(carry, batched))
+    return made_native(stepper.straight or stepper, batched, form_of(carry, batched))
 
 
 def form_of(carry: Any, batched: bool) -> Form:
@@ -172,7 +172,8 @@ def form_of(carry: Any, batched: bool) -> Form:
 
 
 @lru_cache(maxsize=64)
-def _made(stepper: Stepper, batched: bool, form: Form) -> Native | None:
+def made_native(stepper: Stepper, batched: bool, form: Form) -> Native | None:
+    """The compiled steps for carries of this form; None where they can't be made native."""
     import jax
 
     zeros = [np.zeros((*shape, 1) if batched and kind == "<f8" else shape, kind) for kind, shape in form.leaves]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Final
 
 import numpy as np
@@ -35,7 +36,7 @@ class Layout:
     shapes: tuple[tuple[int, ...], ...]
     leaves: int
 
-    @property
+    @cached_property
     def size(self) -> int:
         """Doubles of one orbit."""
         return sum(int(np.prod(shape)) for shape in self.shapes)

@@ -142,6 +142,10 @@ def test_there_are_as_many_real_forms_as_cartan_found(kind: tuple[str, int], cou
     assert len(characters) == count
     assert (min(characters), max(characters)) == (-type_.dimension, type_.rank)
     assert [characters.count(c) for c in (-type_.dimension, type_.rank)] == [1, 1]
+    if kind[0] in "EFG":  # named by their characters
+        for compact, character in zip(compact_dimensions(type_), characters, strict=True):
+            assert real_form_names(type_, False, compact) == (f"{kind[0].lower()}{kind[1]}({character})",)
+        assert real_form_names(type_, True, type_.dimension) == (f"{kind[0].lower()}{kind[1]}(C)",)
 
 
 @pytest.mark.parametrize(

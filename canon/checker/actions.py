@@ -14,9 +14,10 @@ from fractions import Fraction
 from typing import Any
 
 from canon.checker.case import Case
+from canon.checker.closed_actions import closed, constant
 from canon.checker.enclosures import Enclosure, refined
 from canon.checker.followed import at_random, is_identity
-from canon.checker.formulas import ZERO
+from canon.checker.formulas import ONE, ZERO
 from canon.checker.functions import Unknown
 from canon.checker.intervals import Intervals, Open
 from canon.checker.orbits import Ends, Form, Momenta, Orbit
@@ -84,6 +85,14 @@ def action(s: Statement) -> Case:
             values = [(1 / value if rate else value) - found[equals] for value in several]
             yield next((value for value in values if 0 in value), values[0])
 
+    if s.verdict == "proved" and form.quadratic and "well" not in claim:
+        g, signs = form.integrand(level, rate=rate, rotates=rotates)
+        known = constant(s, g, signs[0][0], period) if rotates else None
+        zeros = None if rotates else closed(s, g, equals, rate=rate)
+        if known is not None:
+            zeros = [f.sub(f.mul(equals, known), ONE) if rate else f.sub(known, equals)]
+        if zeros is not None:
+            return Case(zeros)
     return Case([], measured=measured, digits=DIGITS, enclosed=enclosed if form.quadratic else None)
 
 

@@ -146,11 +146,50 @@ FALSE |= {
 }  # fmt: skip
 
 ACTION = {"kind": "action", "coordinate": "q", "energy": "E", "equals": "2*pi*E/a"}
+RADIAL = {"hamiltonian": {"H": "p**2/2 + b**2/(2*q**2) - a/q"}, "symbols": {
+    "a": "positive", "b": "positive", "q": "positive", "E": "negative"}}  # fmt: skip
+KEPLER = "2*pi*(a/sqrt(-2*E) - b)"
+MORSE = {"hamiltonian": {"H": "p**2/2 + b*(1 - exp(-a*q))**2"}}
+
+
+def quartic(H: str) -> dict[str, Any]:
+    return OSCILLATOR | {"hamiltonian": {"H": H}}
+
+
+FALSE |= {
+    "an action's thousandth": ({**ACTION, "equals": "2001/1000*pi*E/a"}, OSCILLATOR),
+    "a frequency's thousandth": ({**ACTION, "kind": "frequency", "equals": "1001/2000*a/pi"}, OSCILLATOR),
+    "a small quartic": (ACTION, quartic("(p**2 + a**2*q**2)/2 + q**4/10**12")),
+    "a small quartic's frequency": (
+        {**ACTION, "kind": "frequency", "equals": "a/(2*pi)"}, quartic("(p**2 + a**2*q**2)/2 + q**4/10**12")),
+    "a wall": (ACTION, OSCILLATOR | {"domain": {"where": ["q > -1"]}}),
+    "a positive coordinate": (ACTION, OSCILLATOR | {"symbols": {"a": "positive", "q": "positive"}}),
+    "a radial action's sign": ({**ACTION, "equals": "2*pi*(a/sqrt(-2*E) + b)"}, RADIAL),
+    "a radial action's thousandth": ({**ACTION, "equals": "2*pi*(a/sqrt(-2*E) - 1001/1000*b)"}, RADIAL),
+    "a radial action of any coordinate": (
+        {**ACTION, "equals": KEPLER}, RADIAL | {"symbols": {**RADIAL["symbols"], "q": "real", "a": "real"}}),
+    "an oscillator's half": (
+        {**ACTION, "equals": "pi*(E/a + b)"},
+        {"hamiltonian": {"H": "(p**2 + b**2/q**2 + a**2*q**2)/2"}, "symbols": {
+            "a": "positive", "b": "positive", "q": "positive"}}),
+    "an exponential's rate": ({**ACTION, "equals": "2*pi*sqrt(2)*(sqrt(b) - sqrt(b - E))/(2*a)"}, MORSE),
+    "an exponential's height": ({**ACTION, "equals": "2*pi*sqrt(2)*(sqrt(b) - sqrt(b - 1001/1000*E))/a"}, MORSE),
+    "a mass that moves": (ACTION, quartic("p**2/(2*(1 + q**2/10**9)) + a**2*q**2/2")),
+    "a rotation backwards": (
+        {**ACTION, "equals": "-2*pi*sqrt(2*E)", "branch": "rotation", "period": "2*pi"}, quartic("p**2/2")),
+    "a rotation's period": (
+        {**ACTION, "equals": "2*pi*sqrt(2*E)", "branch": "rotation", "period": "pi"}, quartic("p**2/2")),
+}  # fmt: skip
+
 TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = {
     "a limit": (limit("sin(a*x)/x", "a"), {}, {"a": "1/3"}),
     "a limit of nested roots": (limit("(sqrt(1 + a*x) - 1)/x", "a/2"), {}, {"a": "3"}),
     "a limit at infinity": (limit("tanh(a*x)", "1", to="infinity"), {}, {"a": "2"}),
     "an action": (ACTION, OSCILLATOR, {"a": "2", "E": "3"}),
+    "a radial action": ({**ACTION, "equals": KEPLER}, RADIAL, {"a": "2", "b": "1", "E": "-1/3"}),
+    "an action in exponentials": (
+        {**ACTION, "equals": "2*pi*sqrt(2)*(sqrt(b) - sqrt(b - E))/a"}, MORSE, {"a": "2", "b": "2", "E": "1/3"}
+    ),
     "a frequency": ({**ACTION, "kind": "frequency", "equals": "a/(2*pi)"}, OSCILLATOR, {"a": "2", "E": "3"}),
     "an action about a well": (
         {**ACTION, "equals": "1/3*2*pi*E/a + 2/3*2*pi*E/a", "well": "1/100"}, OSCILLATOR, {"a": "1/2", "E": "5"}

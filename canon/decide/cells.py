@@ -19,7 +19,7 @@ from canon.decide.components import pieces
 from canon.decide.connected import is_connected
 from canon.decide.defined_functions import conjugate
 from canon.decide.derivative import derivative, substitute
-from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
+from canon.decide.intervals import ORIGIN, Edge, Interval, declared, exact_affine, intervals_of, leaves_out_zero
 from canon.decide.region import Region, Requirement
 from canon.decide.regular_on_box import is_regular
 from canon.decide.sign_on_box import definite_sign
@@ -38,10 +38,11 @@ class Cell:
     whole: bool
     region: Region
 
-    def slice(self, tape: Tape, symbol: Node, value: Fraction) -> Cell:
-        """The box where one coordinate has a value inside its interval, of a cell that is whole."""
-        fixed = {symbol: tape.number(value)}
-        kept = [replace(r, nodes=tuple(substitute(tape, n, fixed) for n in r.nodes)) for r in self.region.requirements]
+    def slice(self, tape: Tape, symbol: Node, value: Node, *, inside: bool = True) -> Cell:
+        """The box where one coordinate has a value inside its interval (or at its end), of a cell that is whole."""
+        fixed = {symbol: value}
+        asked = [r for r in self.region.requirements if inside or not any(symbol in tape.support(n) for n in r.nodes)]
+        kept = [replace(r, nodes=tuple(substitute(tape, n, fixed) for n in r.nodes)) for r in asked]
         intervals = {node: interval for node, interval in self.intervals.items() if node != symbol}
         symbols = tuple(node for node in self.region.symbols if node != symbol)
         return Cell(intervals, True, True, Region(tuple(kept), (), symbols))
@@ -72,7 +73,7 @@ def cells_of(
         return None
     box = {n: declared(tape, n) for n in symbols}
     box.update({n: i for n, i in intervals_of(tape, region).items() if n in symbols})
-    cuts: dict[Node, list[Edge]] = {}
+    cuts: dict[Node, list[Edge]] = {n: [ORIGIN] for n in symbols if leaves_out_zero(tape, n, box[n])}
     for requirement in region.requirements:
         for node in _factors(tape, requirement):
             for symbol, edge in _zeros(tape, node):

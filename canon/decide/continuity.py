@@ -17,11 +17,12 @@ from canon.budget import Budget
 from canon.decide.arbitrary import rational
 from canon.decide.cells import Cell, cells_of
 from canon.decide.constants import multiples, number_is_zero
+from canon.decide.continuous_at import at_edge, is_continuous_at
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import OutOfDomain, excludes_zero, precision
 from canon.decide.fraction_field import Element, FractionField
 from canon.decide.generator_values import GeneratorBalls
-from canon.decide.intervals import Interval
+from canon.decide.intervals import Edge, Interval
 from canon.decide.normal_form import reduce_to_zero
 from canon.decide.region import Region, admits
 from canon.decide.ring import TooCostly
@@ -32,7 +33,10 @@ from canon.errors import InputError
 
 INVERSE = ("atan", "asin", "acos", "atan2")
 DEEPEST = 3
-SIMPLE = (Fraction(0), Fraction(1), Fraction(-1))
+SIMPLE = (
+    *(Edge(Fraction(n)) for n in (0, 1, -1)),
+    *(Edge(Fraction(0), Fraction(n, 2)) for n in (1, -1, 2, -2, 3, -3)),
+)
 
 
 def vanishes_by_cells(
@@ -175,19 +179,29 @@ def _gradient(
 def _on_a_slice(
     tape: Tape, node: Node, symbol: Node, cell: Cell, rng: random.Random, budget: Budget, depth: int
 ) -> bool:
-    """Whether the node is 0 where the symbol is 0 or ±1, values at which functions are likely to be known."""
+    """Whether the node is 0 where the symbol has a value at which functions are likely to be known: 0, ±1, multiples of
+    π/2, or an end of its interval up to which the node is continuous."""
     interval = cell.intervals.get(symbol, Interval())
-    for value in SIMPLE:
-        if not interval.contains(value) or not admits(tape.symbol_at(symbol), arb(rational(value))):
+    for edge in _simple_places(interval):
+        inside = interval.contains(edge)
+        place = at_edge(tape, edge)
+        with precision(64):
+            there_is = admits(tape.symbol_at(symbol), arb(rational(edge.rational)) + arb.pi() * rational(edge.pi))
+        if not there_is or not (inside or is_continuous_at(tape, node, symbol, place, cell.intervals, budget)):
             continue
         try:
-            part = cell.slice(tape, symbol, value)
-            there = substitute(tape, node, {symbol: tape.number(value)})
+            part = cell.slice(tape, symbol, place, inside=inside)
+            there = substitute(tape, node, {symbol: place})
         except (InputError, ZeroDivisionError):
             continue
         if vanishes_on_cell(tape, there, part, rng, budget, depth - 1) is not None:
             return True
     return False
+
+
+def _simple_places(interval: Interval) -> list[Edge]:
+    inside = [edge for edge in SIMPLE if interval.contains(edge)]
+    return inside + [edge for edge in (interval.low, interval.high) if edge is not None]
 
 
 def _conjugates(form: Element, field: FractionField, tower: Tower, point: Sample) -> bool:

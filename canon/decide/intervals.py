@@ -81,9 +81,9 @@ class Interval:
         """True when no number lies inside."""
         return self.low is not None and self.high is not None and self.low.compare(self.high) >= 0
 
-    def contains(self, value: Fraction) -> bool:
+    def contains(self, value: Fraction | Edge) -> bool:
         """True for a number inside."""
-        edge = Edge(value)
+        edge = value if isinstance(value, Edge) else Edge(value)
         above = self.low is None or self.low.compare(edge) < 0
         return above and (self.high is None or self.high.compare(edge) > 0)
 
@@ -146,6 +146,12 @@ def declared(tape: Tape, node: Node) -> Interval:
     if facts.get("nonnegative"):
         return Interval(low=ORIGIN)
     return Interval(high=ORIGIN) if facts.get("nonpositive") else Interval()
+
+
+def leaves_out_zero(tape: Tape, node: Node, interval: Interval) -> bool:
+    """Whether 0 is inside a symbol's interval and its assumptions exclude it: then the interval is two, with a gap."""
+    symbol = tape.symbol_at(node)
+    return bool(symbol.is_real) and symbol.is_zero is False and interval.contains(ORIGIN)
 
 
 def intervals_of(tape: Tape, region: Region) -> dict[Node, Interval]:

@@ -14,9 +14,10 @@ from flint import arb
 from canon.budget import Budget
 from canon.decide.cells import state_on
 from canon.decide.constants import number_is_zero
+from canon.decide.continuous_at import at_edge, is_continuous_at
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, excludes_zero, precision
-from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
+from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of, leaves_out_zero
 from canon.decide.positivity import may_be_zero, positive_by_signs
 from canon.decide.region import Region, Requirement
 from canon.decide.search import samples
@@ -25,8 +26,6 @@ from canon.errors import InputError
 
 DEEPEST = 3
 SIMPLE = (Fraction(0), Fraction(1), Fraction(-1))
-ENTIRE = ("sin", "cos", "exp", "atan", "abs")
-"""Functions that are continuous at all real numbers."""
 
 
 def positive_by_slopes(
@@ -52,6 +51,8 @@ def _along(tape: Tape, node: Node, x: Node, region: Region, budget: Budget, stri
         return False
     box = {n: declared(tape, n) for n in set().union(*(tape.support(n) for n in [node, *region.nodes()]))}
     box.update(intervals_of(tape, region))
+    if leaves_out_zero(tape, x, box[x]):
+        return False
     moving = [r for r in region.requirements if any(x in tape.support(n) for n in r.nodes)]
     coupled = tuple(r for r in moving if r.kind != "positive" or exact_affine(tape, r.nodes[0]) is None)
     if coupled and state_on(tape, Region(coupled, (), ()), box, budget)[0] != "inside":
@@ -59,19 +60,50 @@ def _along(tape: Tape, node: Node, x: Node, region: Region, budget: Budget, stri
     others = Region(tuple(r for r in region.requirements if r not in moving), (), ())
     for c in _centres(box[x]):
         inside = box[x].contains(c.rational) if not c.pi else False
-        place = tape.add(((tape.constant("pi"), c.pi),), c.rational)
+        place = at_edge(tape, c)
         try:
             value = substitute(tape, node, {x: place})
         except (InputError, ZeroDivisionError):
             continue
-        if not inside and not _continuous(tape, node, x, place):
+        if not inside and not is_continuous_at(tape, node, x, place, box, budget):
             continue
         if not _is_positive(tape, value, others, budget, strict=strict and inside):
             continue
         sides = [side for side in (1, -1) if not box[x].meet(_half(c, side)).is_empty()]
         if all(_rises(tape, slope, x, place, side, region, budget, strict, depth) for side in sides):
             return True
-    return False
+    return _is_concave_between(tape, node, slope, x, box, region, others, budget, strict)
+
+
+def _is_concave_between(
+    tape: Tape,
+    node: Node,
+    slope: Node,
+    x: Node,
+    box: dict[Node, Interval],
+    region: Region,
+    others: Region,
+    budget: Budget,
+    strict: bool,
+) -> bool:
+    """Whether the node isn't negative at both ends of the symbol's interval, and (strictly) concave between them."""
+    for edge in (box[x].low, box[x].high):
+        if edge is None:
+            return False
+        place = at_edge(tape, edge)
+        try:
+            value = substitute(tape, node, {x: place})
+        except (InputError, ZeroDivisionError):
+            return False
+        if not is_continuous_at(tape, node, x, place, box, budget):
+            return False
+        if not _is_positive(tape, value, others, budget, strict=False):
+            return False
+    try:
+        bend = tape.negative(derivative(tape, slope, x))
+    except Unsupported:
+        return False
+    return _is_positive(tape, bend, region, budget, strict=strict)
 
 
 def _centres(interval: Interval) -> Iterator[Edge]:
@@ -122,27 +154,3 @@ def _ball(tape: Tape, node: Node, at: dict[Node, Ball]) -> arb | None:
         except (OutOfDomain, Unsupported, ZeroDivisionError, OverflowError):
             return None
     return ball if isinstance(ball, arb) and ball.is_finite() else None
-
-
-def _continuous(tape: Tape, node: Node, x: Node, place: Node) -> bool:
-    """Whether the node is continuous at an end of the interval, for all values of its other symbols."""
-
-    def positive(inner: Node) -> bool:
-        if tape.support(inner) != {x}:
-            return False
-        ball = _ball(tape, substitute(tape, inner, {x: place}), {})
-        return ball is not None and bool(ball > 0)
-
-    for i in tape.reach([node]):
-        op = tape.ops[i]
-        if x not in tape.support(i) or op[0] in ("s", "+"):
-            continue
-        if op[0] == "*":
-            fits = all(e > 0 or x not in tape.support(a) or positive(tape.power(a, 2)) for a, e in op[1])
-        elif op[0] == "r":
-            fits = positive(op[1])
-        else:
-            fits = op[0] == "f" and (op[1] in ENTIRE or (op[1] == "log" and positive(op[2][0])))
-        if not fits:
-            return False
-    return True

@@ -216,11 +216,33 @@ def point_below(
     if region.surface:
         return None
     finder = Finder(tape, [node], region, rng)
+    for sample in _near_ends(finder, node, starts, intervals_of(tape, region)):
+        if is_below(tape, node, sample, strict=strict):
+            return sample
     for sample in sorted(starts, key=lambda s: float(s.balls[node].mid()))[:STARTS]:
         for lower in _downhill(finder, node, sample, rng, budget):
             if is_below(tape, node, lower, strict=strict):
                 return lower
     return None
+
+
+def _near_ends(finder: Finder, node: Node, starts: Sequence[Sample], box: Mapping[Node, Interval]) -> Iterator[Sample]:
+    """Points of the region near the ends of its intervals."""
+    tape = finder.tape
+    for start in starts[:STARTS]:
+        for x in sorted(tape.support(node)):
+            interval, value = box.get(x, Interval()), start.point.get(x)
+            if not isinstance(value, Fraction) or tape.symbol_at(x).is_integer:
+                continue
+            for edge, side in ((interval.low, 1), (interval.high, -1)):
+                if edge is None:
+                    continue
+                end = _outward(edge, -side)
+                for near in (Fraction(1, 2**k) for k in (5, 10, 20, 40)):
+                    point: dict[Node, Coordinate] = {**start.point, x: end + (value - end) * near}
+                    found = finder.certify(point, {}, start.functions, 64)
+                    if found is not None:
+                        yield found
 
 
 def is_below(tape: Tape, node: Node, sample: Sample, *, strict: bool) -> bool:

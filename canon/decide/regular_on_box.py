@@ -30,6 +30,8 @@ QUARTER: Final = Edge(Fraction(0), Fraction(1, 2))
 def is_regular(tape: Tape, call: Node, intervals: Mapping[Node, Interval], budget: Budget) -> bool:
     """True where the call is shown to be regular on the whole box, at real arguments."""
     op = tape.ops[call]
+    if op[0] == "+" and not op[1] and len(op[2]) == 1:  # a multiple, as 2 K(m) for F(π, m)
+        return is_regular(tape, op[2][0][0], intervals, budget)
     if op[0] != "f" or any(tape.is_complex(argument) for argument in op[2]):
         return False
     name, arguments = op[1], op[2]

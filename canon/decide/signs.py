@@ -60,6 +60,8 @@ def sign_at_sight(tower: Tower, p: Polynomial) -> str | None:
             if sign == "neg":
                 term = -term if e % 2 else term
                 continue
+            if e % 2 == 0 and _is_nonzero(tower, k):
+                continue
             certain = False
             if sign == "nonneg" or (e % 2 == 0 and sign != "cplx"):
                 continue
@@ -73,6 +75,15 @@ def sign_at_sight(tower: Tower, p: Polynomial) -> str | None:
     if not total:
         return None
     return ("pos" if strict else "nonneg") if total > 0 else ("neg" if strict else "nonpos")
+
+
+def _is_nonzero(tower: Tower, k: int) -> bool:
+    """Whether a generator is a real symbol that is declared not to be 0."""
+    made = tower.generators[k]
+    if made.kind != "symbol" or made.sign == "cplx":
+        return False
+    symbol = tower.tape.symbol_at(made.data)
+    return bool(symbol.is_real) and symbol.is_zero is False
 
 
 def add_fact(tower: Tower, p: Polynomial, sign: str) -> None:
@@ -158,8 +169,13 @@ def sign_of_rest(tower: Tower, unknown: Sequence[tuple[Polynomial, int]]) -> str
         known = sign_at_sight(tower, product)
     if known is None:
         return None
-    strict = known in ("pos", "neg") and all(e % 2 or e < 0 for _, e in unknown)
+    strict = known in ("pos", "neg") and all(e % 2 or e < 0 or _vanishes_nowhere(tower, f) for f, e in unknown)
     return known if strict else ("nonneg" if known in UP else "nonpos")
+
+
+def _vanishes_nowhere(tower: Tower, f: Polynomial) -> bool:
+    made = tower.bare(f) or tower.bare(-f)
+    return made is not None and _is_nonzero(tower, made.index)
 
 
 def _product(factors: Sequence[Polynomial]) -> Polynomial | None:

@@ -56,7 +56,7 @@ def test_on_the_plane(status, lhs, relation, rhs, expected):
         ("tan(x)", ">", "x", "0 < x < pi/2", "proved"),
         ("tan(x)", ">", "1001/1000*x", "0 < x < pi/2", "refuted"),
         ("-sign(x)", ">=", "0", "x > 0", "refuted"),  # its slope is 0, but it jumps at 0
-        ("sign(x - 1e-9)", ">=", "0", "x > 0", "supported"),
+        ("sign(x - 1e-9)", ">=", "0", "x > 0", "refuted"),
         ("-abs(x)/x", ">=", "0", "x > 0", "refuted"),
     ],
 )
@@ -105,8 +105,45 @@ def test_the_cover_reaches_an_edge_that_is_a_large_multiple_of_pi(status):
     ],
 )
 def test_a_jump_within_a_box_is_not_passed_over(status, lhs, rhs):
-    assert status(_claim(lhs, ">", rhs), space=PLANE, domain=UNIT) == "supported"  # false for x < 1/10**12
+    assert status(_claim(lhs, ">", rhs), space=PLANE, domain=UNIT) == "refuted"  # false for x < 1/10**12
     assert status(_claim(lhs.replace("- 1/10**12", "+ 1/10**12"), ">", rhs), space=PLANE, domain=UNIT) == "proved"
+
+
+@pytest.mark.parametrize("high", ["1e-9", "1e-40"])
+@pytest.mark.parametrize(("lhs", "rhs"), [("-1/x", "0"), ("-1/x - 1", "-1/2"), ("-atan(1/x)", "0")])
+def test_a_slope_does_not_lead_across_what_is_left_out(status, lhs, rhs, high):
+    """x is declared not to be 0, so that no condition says so; beyond 0 the inequalities fail."""
+    plane = 'q = ["x"]\np = ["p"]\n'
+    where = f'where = ["-1 < x < {high}"]'
+    assert status(_claim(lhs, ">", rhs), space=plane, symbols='x = "nonzero"', domain=where) != "proved"
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "where", "expected"),
+    [
+        ("sin(x)", "2*x/pi", "0 < x < pi/2", "proved"),  # concave, and 0 at both ends
+        ("sin(x)", "2*x/pi", "0 < x < 1.5708", "refuted"),  # beyond π/2 by 4e-6
+        ("sin(x)", "2*x/pi + 1e-9", "0 < x < pi/2", "refuted"),
+        ("sqrt(x)", "x", "0 < x < 1", "proved"),
+        ("log(x)", "(x - 1)*log(2)", "1 < x < 2", "proved"),
+        ("log(x)", "(x - 1)*log(2)", "1 < x < 2.001", "refuted"),
+        ("sin(a*x)", "2*a*x/pi", "0 < x < 1", "refuted"),
+    ],
+)
+def test_concave_between_two_zeros(status, lhs, rhs, where, expected):
+    plane = 'q = ["x"]\np = ["p"]\n'
+    assert status(_claim(lhs, ">", rhs), space=plane, symbols=SYMBOLS, domain=f'where = ["{where}"]') == expected
+
+
+@pytest.mark.parametrize(
+    ("lhs", "expected"),
+    [("x**2", "proved"), ("y**2", "refuted"), ("x**2*y**2", "refuted"), ("x**2 + n", "proved"), ("x**3", "refuted"),
+     ("1/x**2", "proved"), ("x**2*n", "refuted"), ("x**4*(1 + y**2)", "proved")],
+)  # fmt: skip
+def test_squares_of_what_is_not_0(status, lhs, expected):
+    plane = 'q = ["x", "y"]\np = ["p", "r"]\n'
+    symbols = 'x = "nonzero"\nn = "nonnegative"'
+    assert status(_claim(lhs, ">", "0"), space=plane, symbols=symbols) == expected
 
 
 def test_the_cover_leaves_out_what_the_domain_does(status):

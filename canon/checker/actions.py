@@ -179,9 +179,9 @@ def _not_closed(s: Statement, zeros: list[int], period: int) -> Case:
         if all(is_identity(values, x) for x in part):
             return Case(part, found=False)
     for angle in s.Q:
-        for name, change in zip((*s.q, *s.p), _changes(s, angle, period), strict=True):
-            half = f.mul(f.number(Fraction(1, 2)), change)
-            zeros.append(f.node("f", "sin", (), (half,)) if name in s.q and half != ZERO else change)
+        for change in _changes(s, angle, period):
+            half = f.mul(f.number(Fraction(1, 2)), change)  # whole turns may be none, of what H is periodic in
+            zeros.append(f.node("f", "sin", (), (half,)) if half != ZERO else half)
     return Case(zeros)
 
 

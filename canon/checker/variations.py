@@ -87,6 +87,9 @@ class Second:
     def kinds(self) -> tuple[set[str], list[int]]:
         """What the second variation is seen to be, and what must be 0 for it."""
         s, kept = self.s, self.s.conditions
+        low, high = self.ends
+        if low is not None and high is not None and not self._positive(self.f.sub(high, low), strict=True):
+            return set(), []
         s.conditions = self.between
         try:
             for word, sign in SIGNS.items():

@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 from sympy.physics.matrices import msigma
 
+import canon
 from canon import (
     InputError,
     PhaseSpace,
@@ -125,3 +126,17 @@ def test_text_is_no_component_of_a_field():
     x = sp.Symbol("x", real=True)
     with pytest.raises(InputError, match=r"text is read by space.formula"):
         closure_of_fields({"X": ["x"]}, [x])  # type: ignore[list-item]
+
+
+def test_the_matrix_of_a_group_is_square():
+    space = canon.PhaseSpace("q", "p")
+    a = sp.Symbol("a", real=True)
+    claim = canon.group(space, None, [a], matrix=[[sp.exp(a), 0], [0, 1]], equals="u(1)")
+    assert [[entry.expr for entry in row] for row in claim.keys["matrix"]] == [[sp.exp(a), 0], [0, 1]]
+    for given in ([], [[1, a]], [[1, 0], [a]], sp.Matrix([[1, a]])):
+        with pytest.raises(InputError, match="a square matrix is expected"):
+            canon.group(space, None, [a], matrix=given)
+    with pytest.raises(InputError, match="composition with both sets"):
+        canon.group(space, [a], [a])
+    with pytest.raises(InputError, match="is no parameter of a group"):
+        canon.group(space, None, [space.q[0]], matrix=[[1]])

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import comb
+from math import comb, inf, nextafter
 from typing import Final
 
 from flint import arb
@@ -136,7 +136,7 @@ def _above(ball: Ball) -> float:
     upper = ball.upper()
     value = float(upper)
     while not arb(value) >= upper:
-        value = value * (1 + 2.0**-52) + 5e-324
+        value = nextafter(value, inf)
     return value
 
 
@@ -145,5 +145,5 @@ def _below(ball: Ball) -> float:
     lower = ball.lower()
     value = max(0.0, float(lower))
     while value and not arb(value) <= lower:
-        value = value * (1 - 2.0**-52)
+        value = nextafter(value, 0.0)
     return value

@@ -10,10 +10,23 @@ from canon.decide.factors import HARDEST, LONGEST, prime_factors
 from canon.decide.tape import Unsupported
 
 P, Q = 2**31 - 1, 65537
+LONG, OTHER = 2**50 - 27, 2**49 + 69
 
 
 @pytest.mark.parametrize(
-    "value", [1, 12, Fraction(9, 8), P, P**2, (P * Q) ** 2, Fraction((P * Q) ** 2 * 48, 49), Fraction(7, P * Q * 27)]
+    "value",
+    [
+        1,
+        12,
+        Fraction(9, 8),
+        P,
+        P**2,
+        (P * Q) ** 2,
+        Fraction((P * Q) ** 2 * 48, 49),
+        Fraction(7, P * Q * 27),
+        LONG**2 * OTHER**2,
+        LONG**2 * OTHER,
+    ],
 )
 def test_the_primes_make_up_the_number(value):
     found = prime_factors(Fraction(value))

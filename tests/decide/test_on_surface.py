@@ -7,6 +7,7 @@ from canon.budget import Budget
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.decide import ladder
+from canon.decide.derivative import derivative
 from canon.decide.on_surface import _in_ideal, _in_radical, vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.tape import Tape
@@ -93,3 +94,16 @@ def test_what_vanishes_on_a_surface(equations, function, vanishes):
     assert (found is not None) == vanishes
     if found is not None:
         assert "ideal" in found["argument"]
+
+
+def test_what_is_divided_by_on_the_surface_is_no_proof():
+    """y·K′(x) at x = y = 0: K′ is written with x below, though the singularity is removable."""
+    tape = Tape()
+    slope = derivative(tape, tape.load(sp.elliptic_k(x)), tape.symbol(x))
+    on = {equations: Region.of(tape, Domain((), equations), [x, y]) for equations in ((x, y), (y,), (x - 1, y))}
+    found = {e: vanishes_on_surface(tape, tape.times(tape.symbol(y), slope), r, Budget(20)) for e, r in on.items()}
+    assert found[(x, y)] is None
+    assert found[(y,)] is None, "x may be 0 there too"
+    assert found[(x - 1, y)] is None
+    beside = Region.of(tape, Domain((), (x + 1, y)), [x, y])
+    assert vanishes_on_surface(tape, tape.times(tape.symbol(y), slope), beside, Budget(20)) is not None

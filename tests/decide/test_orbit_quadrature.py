@@ -76,3 +76,15 @@ def test_rotations_and_conditions_along_an_orbit():
     for least, expected in ((-1.5, True), (-1.4, False)):
         found = stays(oscillator, orbit.left, orbit.right, Budget(10), lambda q, p, least=least: p > least)
         assert found is expected
+
+
+def test_the_time_of_a_rotation_is_the_derivative_of_its_action():
+    """By the energy, on which the mean of the momentum's branches may depend too."""
+    step = Fraction(1, 2**40)
+    whole = (Fraction(6), arb(0))
+    square, mean = 2 * (E + sp.cos(Q)), E / 3 + E**2 * sp.sin(Q) ** 2
+    below, above = (turn(_integrand(square, 2 + k * step, mean), Fraction(0), whole, Budget(10), None) for k in (-1, 1))
+    integrand = _integrand(square, 2, mean)
+    time = turn(integrand, Fraction(0), whole, Budget(10), integrand.tape.symbol(E))
+    with precision(BITS):
+        assert abs((above - below) / (2 * arb(2) ** -40) - time) < 1e-9

@@ -9,7 +9,7 @@ from flint import arb
 
 from canon.decide.series import algebra, constant_term
 from canon.decide.series_program import Unenclosed, run_series, working
-from canon.decide.symplectic_defect import Box, defect_at, defect_over, degree_for
+from canon.decide.symplectic_defect import Box, _above, _below, defect_at, defect_over, degree_for
 from canon.program import Builder, Program
 
 DEGREE = 5
@@ -211,3 +211,16 @@ def test_degrees_fall_with_the_number_of_variables() -> None:
     assert degrees[0] == 8
     assert degrees == sorted(degrees, reverse=True)
     assert degrees[-1] >= 1
+
+
+@pytest.mark.parametrize("value", ["0", "1e-400", "3e-320", "1", "0.1", "123456789.123456789", "1e300"])
+def test_floats_beside_a_ball(value: str) -> None:
+    """Rounded outward, also where a double has few digits or none."""
+    for radius in (0.0, 1e-20, 1e-3):
+        with working(128, 1):
+            ball = arb(value) * arb(1, radius)
+            above, below = _above(ball), _below(ball)
+            assert arb(above) >= ball.upper()
+            assert arb(below) <= ball.lower() or below == 0
+            assert above - float(ball.upper()) <= 4e-16 * above + 1e-322
+            assert float(ball.lower()) - below <= 4e-16 * above + 1e-322

@@ -10,6 +10,7 @@ from itertools import product
 import pytest
 import sympy as sp
 
+from canon.decide.squares import hidden_square
 from canon.decide.tape import Tape
 from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiSN
 from properties.towers import disagreement, tower_of
@@ -154,3 +155,27 @@ def test_a_denominator_that_is_a_number():
     inside = tape.plus(tape.times(tape.constant("I"), name), tape.power(below, -1))
     tower = tower_of(tape, tape.sqrt(tape.power(inside, 3)), [])
     assert disagreement(tower, [], {name: Fraction(3, 7)}) == ""
+
+
+def test_a_hidden_square_is_one():
+    """c · b² is what it was made from, by the relations; of what is no square, none is found."""
+    tape = Tape()
+    formula = JacobiDN(x, HALF) + JacobiCN(x, HALF) + sin(y) + sqrt(y + 4) + b * cos(y)
+    tower = tower_of(tape, tape.load(formula), [])
+    field, ring = tower.field, tower.ring
+    g = {made.kind: ring.generators[made.index] for made in tower.generators if made.kind != "symbol"}
+    symbols = {made.data: ring.generators[made.index] for made in tower.generators if made.kind == "symbol"}
+    X, Y, B = (symbols[tape.symbol(name)] for name in (x, y, b))
+    lowers = [made.lower for made in tower.generators if made.kind.startswith("jacobi_") and made.degree]
+    squares = [lower * factor for lower in lowers for factor in (ring.one, B**2, (X - Y) ** 2 * 3)]
+    squares += [1 - g["cos"] ** 2, 1 - 2 * g["sin"] * g["cos"], Y + 5 - 2 * g["root"], (Y + 5 + 2 * g["root"]) * B**2]
+    others = [lower * factor for lower in lowers for factor in (B, X, (X - Y) ** 2 * B, -(B**2))]
+    others += [2 - g["cos"] ** 2, 1 - g["sin"] * g["cos"], Y + 4 - 2 * g["root"], 1 - g["cos"], (1 - g["cos"] ** 2) * Y]
+    for p in squares:
+        found = hidden_square(tower, (p * ring.one, {}))
+        assert found is not None, str(p)
+        assert found[0] > 0
+        square = field.product([field.power(found[1], 2), field.constant(found[0])])
+        assert field.equal(square, (p * ring.one, {})), str(p)
+    for p in others:
+        assert hidden_square(tower, (p * ring.one, {})) is None, str(p)

@@ -16,6 +16,7 @@ from canon.decide.kernel_text import KernelText, cofactors, denominator_of
 from canon.decide.region import Region, Requirement
 from canon.decide.search import Sample
 from canon.decide.tape import Tape
+from canon.special import JacobiDN
 from properties.towers import tower_of
 
 x, y = sp.symbols("x y", real=True)
@@ -136,6 +137,20 @@ def test_special_kernels_are_named():
     assert any(text.startswith("log((g") and ")/(1)" in text for text in said)
     assert any(text.startswith("(1)*((g") and text.endswith("**(1/2)") for text in said)
     assert any(text.startswith("gamma(g") for text in said)
+
+
+def test_special_kernels_as_formulas():
+    tape = Tape()
+    formula = sp.Function("V")(x * y).diff(x) + JacobiDN(x, a / (1 + a)) + sp.I
+    tower = tower_of(tape, tape.load(formula), [])
+    text = KernelText(tower, [])
+    said = {e["name"]: e["stands for"] for e in text.kernels([text.fraction(e) for e in tower.kernels.values()])}
+    kinds = {text.names[g.index]: g.kind for g in tower.generators}
+    assert {said[name] for name, kind in kinds.items() if kind == "arbitrary"} == {"V[1](x*y)"}
+    assert {said[name] for name, kind in kinds.items() if kind == "I"} == {"1j"}
+    assert {said[name] for name, kind in kinds.items() if kind == "jacobi_dn over"} == {
+        "(a + 1)*jacobi_dn(x, (a)/((a + 1)**1))"
+    }
 
 
 def test_a_certificate_is_made_when_it_is_looked_at():

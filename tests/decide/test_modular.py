@@ -6,7 +6,10 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
+from canon.budget import Budget
+from canon.decide.ladder import _Ladder, look
 from canon.decide.modular import Evaluator, vanishing
+from canon.decide.region import Region
 from canon.decide.tape import Tape
 from properties.towers import tower_of
 
@@ -75,3 +78,24 @@ def test_the_error_bound_grows_with_degree_and_radicals():
     assert -158 < bounds[0] < -140
     assert bounds[0] + 10 < bounds[1] < bounds[0] + 13
     assert bounds[0] + 6 <= bounds[2] < bounds[0] + 12
+
+
+def test_the_ladder_supports_what_vanishes_and_gives_up_the_rest():
+    tape = Tape()
+    node = tape.load(ZERO[2])
+    other = tape.plus(node, tape.number(Fraction(1, 1000)))
+    region = Region((), (), tuple(tape.support(node)))
+    steps = _Ladder(tape, region, Budget(20), random.Random(1))
+    assert steps._modular_nonzero(tower_of(tape, tape.plus(node, other), []), [node, other]) == {other}
+    assert steps.evidence.keys() == {node}
+    assert steps.evidence[node] <= -100
+
+
+def test_a_look_that_has_no_time_sees_nothing():
+    tape = Tape()
+    node = tape.load(x + 1)
+    region = Region((), (), (tape.symbol(x),))
+    assert look(tape, [node], region, budget=Budget(0.0)) == ([], False)
+    points, refuted = look(tape, [node], region, budget=Budget(20))
+    assert points
+    assert refuted

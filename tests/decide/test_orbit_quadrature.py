@@ -8,6 +8,7 @@ from flint import arb
 
 from canon.budget import Budget
 from canon.decide.enclosure import precision
+from canon.decide.orbit_mean import _with_momentum
 from canon.decide.orbit_quadrature import BITS, Integrand, action, backward_too, libration, period, stays, turn
 from canon.decide.tape import Tape
 
@@ -88,3 +89,16 @@ def test_the_time_of_a_rotation_is_the_derivative_of_its_action():
     time = turn(integrand, Fraction(0), whole, Budget(10), integrand.tape.symbol(E))
     with precision(BITS):
         assert abs((above - below) / (2 * arb(2) ** -40) - time) < 1e-9
+
+
+def test_a_function_over_an_edge_has_all_its_values_there():
+    integrand = _integrand(2 * E - Q**2, 1)
+    momentum = integrand.tape.symbol(sp.Symbol("p", real=True))
+    with precision(BITS):
+        for near, far in ((-1, Fraction(6, 5)), (1, Fraction(7, 5))):
+            place = _with_momentum(integrand, integrand.coordinate, momentum, Fraction(near), Fraction(far))
+            assert place.contains(near)
+            assert place.contains(arb(Fraction(far).numerator) / Fraction(far).denominator - arb(2) ** -60)
+            both = _with_momentum(integrand, momentum, momentum, Fraction(near), Fraction(far))
+            assert both.contains(1)
+            assert both.contains(-1)

@@ -149,6 +149,16 @@ def test_what_is_no_straight_line_is_left_to_xla() -> None:
     assert len({*different.state[0][0].tolist()}) == 3
 
 
+def test_orbits_that_are_none_of_their_own_are_left_to_xla() -> None:
+    """A force that is made of all orbits, and one that can't be traced for another number of them."""
+    q, p = RANDOM.uniform(-0.2, 0.2, (2, 2, 3))
+    stacked = lambda q: jnp.stack([-q[0] * jnp.arange(3.0), -q[1]])
+    for rate in (lambda q: -(q - jnp.mean(q, axis=-1, keepdims=True)), stacked):
+        mine = integrate(separable(lambda p: p, rate), method("verlet"), (q, p), duration=1.0, steps=10, batched=True)
+        assert mine.engine == "xla"
+        assert np.isfinite(np.asarray(mine.state[0])).all()
+
+
 def test_an_engine_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
     shared = {"duration": 1.0, "steps": 10}
     with pytest.raises(InputError, match="no engine 'fast'"):

@@ -262,7 +262,8 @@ def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
         return carry.shown
 
     # in registers what is remembered moves on at no cost, and its newest value is waited for by one product alone
-    history = Past(starter(), method.terms - 1, started, lambda carry: not carry.started)
+    marked = lambda carry: carry._replace(started=np.asarray(True), place=np.asarray(0))
+    history = Past(starter(), method.terms - 1, started, lambda carry: not carry.started, marked)
     straight = Stepper(prepare, initial, begun, shifted, end, read, past=history)
     return Stepper(prepare, initial, begin, step, end, read, straight)
 

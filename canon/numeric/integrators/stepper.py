@@ -24,13 +24,15 @@ class Time(NamedTuple):
 
 class Past(NamedTuple):
     """So many `steps` into the past, of length −h, by another `stepper`; then `begin` takes a carry, the states there
-    (steps + 1, …), the present one first, and the time to the carry that has begun. `wanted` says whether one has not.
+    (steps + 1, …), the present one first, and the time to the carry that has begun. `wanted` says whether one has not,
+    and `marked` gives a carry the whole numbers of one that has.
     """
 
     stepper: Stepper
     steps: int
     begin: Callable[[Any, State, Time], Any]
     wanted: Callable[[Any], bool]
+    marked: Callable[[Any], Any]
 
 
 class Stepper(NamedTuple):

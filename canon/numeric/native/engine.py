@@ -183,7 +183,7 @@ def made_native(stepper: Stepper, batched: bool, form: Form) -> Native | None:
         first = None
         if len(layout.floats) < layout.leaves:
             with double():
-                begun = _begun(stepper)(carry, 1.0, 0.0, 0.0)
+                begun = stepper.past.marked(carry) if stepper.past else _begun(stepper)(carry, 1.0, 0.0, 0.0)
             first = _statics([np.asarray(x) for x in jax.tree.leaves(begun)], layout)
         made = Native(stepper, straight(stepper, carry, first, batched))
         made.code(made.blocks(1 << 20) if batched else 1, batched)

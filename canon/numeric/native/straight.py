@@ -82,16 +82,19 @@ def straight(stepper: Stepper, carry: Any, first: Sequence[np.ndarray] | None, b
     with double():
         layout = layout_of(carry, batched)
         statics = [np.asarray(x) for k, x in enumerate(jax.tree.leaves(carry)) if k not in layout.floats]
-        one = _one_orbit(carry, layout, batched)
+        one = _orbits(carry, layout, 1 if batched else None)
         tables = jax.eval_shape(stepper.prepare, 0.01)
         table_layout = layout_of(tables, False)
         if table_layout.leaves != len(table_layout.floats):
             raise Unscalar("tables of whole numbers")
         moment = jax.ShapeDtypeStruct((), np.float64)
 
-        def traced(function: Callable[[Any, Any, Time], Any]) -> Any:
+        def traced(function: Callable[[Any, Any, Time], Any], form: Any = one) -> Any:
             whole = lambda c, made, t0, h, k: function(c, made, Time(t0, h, k))
-            return jax.make_jaxpr(whole, return_shape=True)(one, tables, moment, moment, moment)
+            try:
+                return jax.make_jaxpr(whole, return_shape=True)(form, tables, moment, moment, moment)
+            except Exception as reason:  # a problem that isn't for so many orbits may raise anything
+                raise Unscalar(f"{type(reason).__name__}: {reason}") from reason
 
         step, shape = traced(stepper.step)
         if count_operations(step.jaxpr) > MOST_OPERATIONS:
@@ -109,6 +112,8 @@ def straight(stepper: Stepper, carry: Any, first: Sequence[np.ndarray] | None, b
         made = [parts.program(each, whole) for each in (begin, step, end)]
         if first is not None and not _is_identity(made[0]):
             raise Unscalar("a method that begins in two ways")
+        if batched:
+            _check_alone(parts, traced(stepper.step, _orbits(carry, layout, 2))[0], whole)
         prepare = _prepared(stepper)
     found = Straight(
         layout, state, table_layout.size, prepare, tuple(whole), made[0], made[1], made[2], _moves(made[1])
@@ -136,14 +141,14 @@ def layout_of(tree: Any, batched: bool) -> Layout:
     return Layout(structure, tuple(floats), tuple(shapes), len(leaves))
 
 
-def _one_orbit(carry: Any, layout: Layout, batched: bool) -> Any:
-    """The form of a carry, with one orbit."""
+def _orbits(carry: Any, layout: Layout, count: int | None) -> Any:
+    """The form of a carry, with so many orbits, or None for one without their axis."""
     import jax
 
     leaves = [np.asarray(x) for x in jax.tree.leaves(carry)]
     forms = [jax.ShapeDtypeStruct(x.shape, x.dtype) for x in leaves]
     for k, shape in zip(layout.floats, layout.shapes, strict=True):
-        forms[k] = jax.ShapeDtypeStruct((*shape, 1) if batched else shape, np.float64)
+        forms[k] = jax.ShapeDtypeStruct(shape if count is None else (*shape, count), np.float64)
     return jax.tree.unflatten(layout.structure, forms)
 
 
@@ -155,15 +160,27 @@ def _same_form(found: Any, wanted: Any) -> None:
         raise Unscalar("a carry that changes its form, or numbers of single orbits in the problem")
 
 
+def _check_alone(parts: _Parts, step: Any, statics: Sequence[np.ndarray]) -> None:
+    """Of two orbits, traced together, the first must not depend on the second. **Raises:** `Unscalar` if it does."""
+    program = parts.program(step, statics)
+    own = program.select(program.outputs[::2])
+    if any(o.name == "input" and int(o.datum) < parts.doubles(step) and int(o.datum) % 2 for o in own.operations):
+        raise Unscalar("an orbit that depends on another")
+
+
 class _Parts:
     """Programs of (carry, tables, t0, h, k), with what the carry holds of whole numbers known."""
 
     def __init__(self, carry: Layout, tables: Layout) -> None:
         self.carry, self.tables = carry, tables
 
+    def doubles(self, closed: Any) -> int:
+        """The numbers of the carry that a jaxpr takes."""
+        return sum(int(np.prod(closed.jaxpr.invars[k].aval.shape)) for k in self.carry.floats)
+
     def program(self, closed: Any, statics: Sequence[np.ndarray]) -> Program:
         """The program of a jaxpr, which leaves the whole numbers in the carry as they are."""
-        inputs = self.carry.size + self.tables.size + 3
+        inputs = self.doubles(closed) + self.tables.size + 3
         builder = Builder(inputs, 20 * MOST_OPERATIONS)
         position = iter(range(inputs))
         forms = [v.aval for v in closed.jaxpr.invars]

@@ -9,6 +9,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from canon.numeric.compiled import compiled_soon
 from canon.numeric.integrate import flow_map, integrate
 from canon.numeric.integrators.stepper import Method
 from canon.numeric.precision import double
@@ -34,7 +35,7 @@ def flow_jacobian(problem: Any, method: Method, q: Array, p: Array, *, steps: in
         def flat(z: Any) -> Any:
             return jnp.concatenate(mapped((z[:n], z[n:])))
 
-        return np.asarray(jax.jit(jax.jacfwd(flat))(jnp.concatenate([jnp.asarray(q), jnp.asarray(p)])))
+        return np.asarray(compiled_soon(jax.jacfwd(flat))(jnp.concatenate([jnp.asarray(q), jnp.asarray(p)])))
 
 
 def flow_differences(

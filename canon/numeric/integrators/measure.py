@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from canon.numeric.compiled import compiled_soon
 from canon.numeric.integrate import flow_map, integrate
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method
@@ -43,7 +44,7 @@ def jacobian(problem: Any, method: Method, state: State, *, h: float, steps: int
     with double():
         flat, restore = ravel_pytree(jax.tree.map(lambda x: jnp.asarray(x, dtype=float), state))
         mapped = flow_map(problem, method, steps=steps, h=h)
-        return np.asarray(jax.jit(jax.jacfwd(lambda z: ravel_pytree(mapped(restore(z)))[0]))(flat))
+        return np.asarray(compiled_soon(jax.jacfwd(lambda z: ravel_pytree(mapped(restore(z)))[0]))(flat))
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ def measure_step(problem: Any, method: Method, state: State, *, h: float, t0: fl
         there = flow_map(problem, method, steps=1, h=h, t0=t0)
         back = flow_map(problem, method, steps=1, h=-h, t0=t0 + h)
 
-        @jax.jit
+        @compiled_soon
         def measured(z: Any) -> Any:
             M, after = jax.jacfwd(lambda x: (ravel_pytree(there(restore(x)))[0],) * 2, has_aux=True)(z)
             return M, ravel_pytree(back(restore(after)))[0] - z
@@ -107,4 +108,4 @@ def _derivative(problem: Any, method: Method) -> Any:
         n = z.shape[0] // 2
         return jnp.concatenate(flow_map(problem, method, steps=1, h=h, t0=t0)((z[:n], z[n:])))
 
-    return jax.jit(jax.jacfwd(stepped))
+    return compiled_soon(jax.jacfwd(stepped))

@@ -8,6 +8,7 @@ import pytest
 from canon import InputError
 from canon.numeric.integrate import advance, flow_map, integrate, pieces, start
 from canon.numeric.integrators import ExactPart, Field, Splitting, separable
+from canon.numeric.integrators.catalogue import METHODS
 from canon.numeric.integrators.yoshida import VERLET, YOSHIDA_4, YOSHIDA_6
 from canon.numeric.precision import double
 
@@ -122,3 +123,17 @@ def test_the_energy_walks_and_does_not_drift_where_products_round_with_a_bias():
     drift = np.asarray((energy[-1] - energy[0]) / energy[0], dtype=float)
     assert abs(drift.mean()) < 3e-15
     assert np.sqrt(np.mean(drift**2)) < 8e-15
+
+
+@pytest.mark.parametrize("name", ["verlet", "nystrom6", "gauss6"])
+def test_every_step_is_made_at_its_own_time(name: str) -> None:
+    """ṗ = t from t0, in several chunks and samples: p gains (t² − t0²)/2, without any error of the method."""
+    method = next(each for each in METHODS if each.name == name)
+    pushed = separable(lambda p: p, lambda q, t: t + 0 * q, time_dependent=True)
+    run = integrate(pushed, method, (np.zeros(1), np.ones(1)), duration=3.0, steps=12, samples=4, t0=1.5)
+    p = run.states[1][:, 0]
+    assert np.allclose(p, 1 + (run.times**2 - 1.5**2) / 2, rtol=1e-14)
+    if name == "gauss6":
+        cubic = separable(lambda p: p, lambda q, t: t**3 + 0 * q, time_dependent=True)
+        end = integrate(cubic, method, (np.zeros(1), np.ones(1)), duration=3.0, steps=3, t0=1.5).state
+        assert end[1][0] == pytest.approx(1 + (4.5**4 - 1.5**4) / 4, rel=1e-14)

@@ -20,6 +20,7 @@ from canon.numeric.integrators.extended import extend, extended, project, separa
 from canon.numeric.integrators.fields import hamiltonian_field
 from canon.numeric.integrators.measure import errors, jacobian, measure_step
 from canon.numeric.integrators.parts import damping_part, rayleigh_part
+from canon.numeric.integrators.problem import ExactPart
 from canon.numeric.integrators.rattle import RATTLE
 from canon.numeric.integrators.rigid_body import rigid_body
 from canon.numeric.integrators.yoshida import VERLET, YOSHIDA_4
@@ -228,3 +229,15 @@ def test_rayleigh_dissipation() -> None:
     problem = Splitting((*drift, rayleigh_part(alpha, mass)))
     M = jacobian(problem, BLANES_MOAN_4, (np.array([1.0, 0.2]), np.array([0.1, 0.3])), h=0.2, steps=5)
     assert np.linalg.det(M) == pytest.approx(np.exp(-(0.4 + 0.2 / 2)), rel=1e-13)
+
+
+def test_copies_are_bound_by_their_spring() -> None:
+    """ω((q − x)² + (p − y)²)/2: q̇ = ω(p − y), ṗ = −ω(q − x), and the opposite of the copies."""
+    binding = extended(lambda q, p: jnp.sum(p * p), 3.0).parts[0]
+    before = [np.array([value]) for value in (0.4, -0.7, 0.1, 0.2)]
+    assert isinstance(binding, ExactPart)
+    assert binding.prepare is not None
+    with double():
+        after = binding.flow((*before,), binding.prepare(jnp.asarray(1e-7)), None)
+    rates = [float(np.asarray(new)[0] - old[0]) / 1e-7 for new, old in zip(after, before, strict=True)]
+    assert np.allclose(rates, [3 * -0.9, -3 * 0.3, 3 * 0.9, 3 * 0.3], atol=1e-5)

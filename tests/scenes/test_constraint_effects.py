@@ -1,12 +1,15 @@
 """Constraints with friction, magnetic fields, frames and relativity; the form that a flow keeps on a surface."""
 
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from canon.scenes.examples import scene_text
 from canon.scenes.monitors import Reading
+from canon.scenes.monitors.predicted import conformal_rate, volume_exponent
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import Result, simulate
 from canon.scenes.systems import load_system
@@ -159,3 +162,69 @@ samples = 7
     assert np.allclose(np.hypot(*result.q.T), exact, rtol=1e-8)
     assert found["volume"].final == pytest.approx(np.exp(-1.5) - 1, abs=1e-10)
     assert found["loop"].final / found["loop"].initial == pytest.approx(np.exp(-1.5), abs=1e-8)
+
+
+DRAGGED = """
+[[body]]
+mass = 1.0
+charge = 1.0
+position = [0.6, 0.0, -0.8]
+velocity = [0.0, 0.7, 0.0]
+
+[[effect]]
+kind = "rod"
+length = 1.0
+
+[[effect]]
+kind = "magnetic_field"
+B = 0.5
+
+[[effect]]
+kind = "damping"
+rate = 0.05
+"""
+
+
+def test_friction_on_a_sphere_in_a_magnetic_field_contracts_phase_volume() -> None:
+    """det M = exp(−2 λ t · 2), of the two degrees of freedom that a sphere leaves: B is of no importance to it."""
+    model = read_scene_text(DRAGGED + "[run]\nduration = 5.0\n").model
+    flow: Any = SimpleNamespace(model=model)
+    exponent, off = volume_exponent(flow, np.linspace(0, 5, 3), np.zeros((3, 3)), np.zeros((3, 3)))
+    assert exponent == pytest.approx(-2 * 0.05 * 5 * 2)
+    assert off == 0
+    assert conformal_rate(model) is None, "a loop's integral of the canonical momenta decays otherwise"
+
+
+@pytest.mark.slow
+def test_and_its_volume_is_found_so() -> None:
+    run = '[run]\nduration = 1.0\naccuracy = 1e-5\nsamples = 5\nmonitor = ["volume"]\n'
+    result = simulate(read_scene_text(DRAGGED + run))
+    assert result.ok, result.messages
+    assert 1 + float(result.monitors[0].final) == pytest.approx(np.exp(-0.2), rel=1e-9)
+
+
+ON_A_TABLE = """
+[[body]]
+mass = 2.0
+position = [0.0, 0.0, 0.0]
+velocity = [1.0, 0.5, 0.0]
+
+[[effect]]
+kind = "surface"
+equation = "z"
+
+[run]
+duration = 2.0
+step = 0.25
+samples = 5
+monitor = []
+integrator = "rattle"
+"""
+
+
+def test_on_a_table_forces_act_when_they_are_given_and_friction_as_long_as_a_step() -> None:
+    """ṗ = t gives t²/2, and −2λp the factor exp(−2λt), both without any error of the method."""
+    driven = simulate(read_scene_text(ON_A_TABLE + '[[effect]]\nkind = "driving"\nforce = ["t", "0", "0"]\n'))
+    assert np.allclose(driven.p[:, 0], 2 + driven.times**2 / 2, rtol=1e-13)
+    slowed = simulate(read_scene_text(ON_A_TABLE + '[[effect]]\nkind = "damping"\nrate = 0.3\n'))
+    assert np.allclose(slowed.p[:, 1], np.exp(-0.6 * slowed.times), rtol=1e-13)

@@ -224,3 +224,50 @@ def test_a_run_of_whose_error_nothing_is_known_says_so(monkeypatch: pytest.Monke
     assert found.planned.error is None
     assert not found.ok
     assert found.messages == ("the budget left time for a single run: nothing is known of its error",)
+
+
+@pytest.mark.slow
+def test_friction_in_every_step_is_rounded_alike() -> None:
+    """The factors' roundings add up over the steps: that is no alarm."""
+    text = """
+[[body]]
+mass = 1.0
+charge = 1.0
+position = [1.0, 0.0]
+velocity = [0.0, 0.5]
+[[effect]]
+kind = "magnetic_field"
+B = 1.0
+[[effect]]
+kind = "damping"
+rate = 0.1
+[run]
+duration = 5.0
+monitor = ["volume"]
+"""
+    result = simulate(read_scene_text(text))
+    assert result.ok, result.messages
+    (volume,) = result.monitors
+    assert volume.bound is not None
+    assert volume.bound < 1e-10
+    assert volume.final == pytest.approx(np.exp(-2 * 2 * 0.1 * 5) - 1, rel=1e-10)
+
+
+CHAOS = """
+[system]
+q_names = ["x", "y"]
+p_names = ["px", "py"]
+H = "(px**2 + py**2)/2 + (x**2 + y**2)/2 + x**2*y - y**3/3"
+"""
+
+
+def test_a_bound_that_would_pass_anything_is_none() -> None:
+    """In chaotic motion the estimated error makes no ✓ of a loop: splittings keep it without, and others say so."""
+    started = "q = [0.0, -0.1]\np = [0.57, 0.05]\n"
+    chaotic = CHAOS + started + '[run]\nduration = 30.0\nstep = 0.15\nsamples = 11\nmonitor = ["loop", "cartan"]\n'
+    loop, cartan = simulate(read_scene_text(chaotic)).monitors
+    for reading in (loop, cartan):
+        assert not reading.alarm
+        assert reading.bound is None or reading.bound < abs(reading.initial)
+    assert loop.bound is not None
+    assert loop.max_drift < 1e-6 * abs(loop.initial)

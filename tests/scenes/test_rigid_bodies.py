@@ -10,8 +10,11 @@ import pytest
 from canon.errors import InputError
 from canon.numeric.integrate import integrate
 from canon.numeric.integrators.problem import Shear, Splitting
+from canon.numeric.integrators.rigid_body import rotation_part
 from canon.numeric.integrators.yoshida import VERLET
 from canon.numeric.operations import operations_per_step
+from canon.numeric.precision import double
+from canon.numeric.rotations import rotate
 from canon.scenes.examples import scene_text
 from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
@@ -240,3 +243,17 @@ def test_bad_input_is_told_from_good(text: str, says: str) -> None:
     with pytest.raises(InputError) as caught:
         read_scene_text(text)
     assert says in str(caught.value)
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_a_rotation_about_one_axis_turns_as_eulers_equations_say(axis: int) -> None:
+    """Ṁ = M × ω with ω along the axis: M in the body turns backwards by ωt, and in space it stays where it is."""
+    M, omega = np.array([0.3, -1.2, 0.7]), np.zeros(3)
+    omega[axis] = M[axis] / 1.6
+    part = rotation_part(axis, 1.6)
+    with double():
+        q, after = part.flow((np.array([1.0, 0.0, 0.0, 0.0]), M), 1e-6, None)[:2]
+        assert np.allclose((after - M) / 1e-6, np.cross(M, omega), atol=1e-5)
+        assert np.allclose(np.asarray(q)[1:] / 1e-6, omega / 2, atol=1e-5)
+        q, after = part.flow((np.array([1.0, 0.0, 0.0, 0.0]), M), 2.5, None)[:2]
+        assert np.allclose(rotate(q, after), M)

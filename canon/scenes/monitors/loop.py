@@ -6,13 +6,14 @@ when on a loop is no longer resolved is said.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from typing import Final
 
 import numpy as np
 
 from canon.numeric.constraint_tangents import put_on
+from canon.numeric.integrators.splitting import SplittingMethod
 from canon.numeric.loops import LoopIntegral, loop_integral
 from canon.numeric.observe import observe
 from canon.numeric.transport import shifted, transported, transported_along
@@ -20,6 +21,7 @@ from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import canonical, onto_attitudes
 from canon.scenes.monitors.predicted import conformal_rate, not_hamiltonian
 from canon.scenes.monitors.reading import Reading, judged
+from canon.scenes.monitors.tangent import contraction_rounding
 from canon.scenes.monitors.unsymplectic import condemned
 
 RADII: Final = (1e-2, 1e-4)
@@ -43,13 +45,14 @@ PHASE: Final = 0.5
 @dataclass(frozen=True)
 class Carried:
     """The integrals of one loop at increasing times, as long as they are resolved, each with what errors of the steps
-    may make of it."""
+    may make of it; `blurred` says that these, and no stretching, were larger than the integral in the end."""
 
     nodes: int
     times: tuple[float, ...]
     integrals: tuple[LoopIntegral, ...]
     slack: tuple[float, ...]
     whole: bool
+    blurred: bool
 
 
 def read_loop(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
@@ -85,16 +88,27 @@ def _carried_along(flow: Flow, before: np.ndarray, times: np.ndarray) -> Carried
     rows = np.unique(np.linspace(0, samples - 1, min(LOOKS, samples)).round().astype(int))
     moments = np.linspace(times[0], times[-1], samples)
     seen: list[tuple[float, LoopIntegral, float]] = []
+    start, blurred = canonical(flow.model, along[0]), False
     for row in rows:
         points = canonical(flow.model, along[row])
-        found = _integral(points, flow)
+        found, slack = _integral(points, flow, _stretched(points, start)), _slack(flow, points)
         if found is None or not found.resolved:
             break
-        if seen and SAFETY * found.bound > abs(seen[0][1].value):
+        if seen and SAFETY * found.bound + _excused(flow, slack) > abs(seen[0][1].value):
+            # a bound that is larger than the integral would pass anything
+            blurred = slack > SAFETY * found.bound
             break
-        seen.append((float(moments[row]), found, _slack(flow, points)))
+        seen.append((float(moments[row]), found, slack))
     columns = zip(*seen, strict=True) if seen else ((), (), ())
-    return Carried(len(before), *map(tuple, columns), whole=len(seen) == len(rows))
+    return Carried(len(before), *map(tuple, columns), whole=len(seen) == len(rows), blurred=blurred)
+
+
+def _stretched(points: np.ndarray, start: np.ndarray) -> float:
+    """How many times as long a loop has become, in the direction in which it grew most: so much do roundings grow."""
+    if not np.isfinite(points).all():
+        return 1.0
+    now, then = (np.abs(np.diff(x, axis=0, append=x[:1])).sum(axis=0) for x in (points, start))
+    return max(1.0, float((now[then > 0] / then[then > 0]).max(initial=1.0)))
 
 
 def _reading_along(flow: Flow, loop: Carried) -> Reading:
@@ -105,7 +119,8 @@ def _reading_along(flow: Flow, loop: Carried) -> Reading:
     bound = rounding + max(loop.slack)
     extra: dict[str, object] = {"nodes": loop.nodes}
     if not loop.whole:
-        extra |= {"resolved_until": loop.times[-1], "note": f"{_torn(flow)} after t = {loop.times[-1]:.6g}"}
+        why = "the steps' errors are larger than the loop" if loop.blurred else _torn(flow)
+        extra |= {"resolved_until": loop.times[-1], "note": f"{why} after t = {loop.times[-1]:.6g}"}
     final = last if loop.whole else None
     if not not_hamiltonian(flow.model):
         drift = float(np.abs(values - first).max())
@@ -117,6 +132,7 @@ def _reading_along(flow: Flow, loop: Carried) -> Reading:
         return Reading("loop", expected, first, final, float(np.abs(values - first).max()), extra=extra)
     predicted = first * np.exp(-2 * rate * (np.array(loop.times) - loop.times[0]))
     drift = float(np.abs(values - predicted).max())
+    bound += contraction_rounding(flow) * abs(first)
     reading = judged("loop", expected, first, final, drift, bound, predicted=float(predicted[-1]), **extra)
     return condemned(reading, flow, drift / abs(first), rounding / abs(first))
 
@@ -148,7 +164,7 @@ def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
             break
     if first is None or last is None or not last.resolved:
         return _lost("cartan", flow, first)
-    return _reading_cartan(flow, first, last, _slack(flow, extended))
+    return _reading_cartan(flow, first, last, extended)
 
 
 def _small_loop(flow: Flow, q: np.ndarray, p: np.ndarray, nodes: int, radius: float) -> np.ndarray:
@@ -184,15 +200,30 @@ def _carried(flow: Flow, points: np.ndarray) -> np.ndarray:
     )
 
 
-def _integral(points: np.ndarray, flow: Flow) -> LoopIntegral | None:
+def _integral(points: np.ndarray, flow: Flow, stretched: float = 1.0) -> LoopIntegral | None:
     if not np.isfinite(points).all():
         return None
-    unit = 2.0**-52 * np.sqrt(max(flow.steps, 1))
+    unit = 2.0**-52 * np.sqrt(max(flow.steps, 1)) * stretched
     return loop_integral(points, noise=lambda _, nodes: unit * np.abs(nodes))
 
 
 def _slack(flow: Flow, after: np.ndarray) -> float:
-    """What errors of the steps make of the integral, and all the more where it isn't symplectic."""
+    """What errors of the steps make of ∮ p dq: nothing where each step is a canonical transformation to rounding, as
+    those of splittings are, however long they are.
+    """
+    frictions = all(friction.matrix is not None for friction in flow.model.frictions)
+    if isinstance(flow.method, SplittingMethod) and not flow.closed and frictions and not flow.model.brackets:
+        return 0.0
+    return _error_slack(flow, after)
+
+
+def _excused(flow: Flow, slack: float) -> float:
+    """The slack, of a symplectic method; what others make of areas is judged all the same (`condemned`)."""
+    return slack if flow.method.traits.symplectic is True else 0.0
+
+
+def _error_slack(flow: Flow, after: np.ndarray) -> float:
+    """What errors of the states make of the integral, and all the more where the steps aren't symplectic."""
     error = flow.error if flow.error is not None else np.inf
     n = after.shape[1] // 2
     around = np.abs(np.diff(after, axis=0, append=after[:1])).sum(axis=0)
@@ -203,13 +234,22 @@ def _slack(flow: Flow, after: np.ndarray) -> float:
     return SAFETY * error * scale
 
 
-def _reading_cartan(flow: Flow, first: LoopIntegral, last: LoopIntegral, slack: float) -> Reading:
+def _reading_cartan(flow: Flow, first: LoopIntegral, last: LoopIntegral, extended: np.ndarray) -> Reading:
+    slack = _error_slack(flow, extended)
     rounding = SAFETY * (first.bound + last.bound)
     bound = rounding + slack
+    if rounding + _excused(flow, slack) > abs(first.value):
+        # it would pass anything
+        note = "the steps' errors are larger than the loop" if slack > rounding else _torn(flow)
+        return replace(_lost("cartan", flow, first), extra={"note": note})
     drift = abs(last.value - first.value)
     if not not_hamiltonian(flow.model):
         reading = judged("cartan", "conserved", first.value, last.value, drift, bound, nodes=last.nodes)
-        return condemned(reading, flow, drift / abs(first.value), rounding / abs(first.value))
+        # p dq and H dt nearly cancel along the flow: beside a small loop alone, the error of a few steps would be large
+        n = extended.shape[1] // 2
+        forms = extended[:, n:] * np.diff(extended[:, :n], axis=0, append=extended[:1, :n])
+        size = max(float(np.abs(forms).sum()), abs(first.value))
+        return condemned(reading, flow, drift / size, rounding / size)
     expected = f"broken by {not_hamiltonian(flow.model)}"
     return Reading("cartan", expected, first.value, last.value, drift, extra={"nodes": last.nodes})
 

@@ -76,7 +76,7 @@ def conformal_rate(model: Model, *, any_rest: bool = False) -> float | None:
     if (
         model.gliders
         or any(rate is None for rate in rates)
-        or any(value != 0 for friction in model.frictions for value in friction.rest)
+        or (not any_rest and any(value != 0 for friction in model.frictions for value in friction.rest))
     ):
         return None
     return float(sp.Add(*rates))

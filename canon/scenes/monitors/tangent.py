@@ -21,6 +21,8 @@ from canon.scenes.monitors.unsymplectic import area_change, condemned
 
 SAFETY: Final = 64.0
 ROUNDING: Final = 2.0**-53
+CONTRACTIONS: Final = 32.0
+"""Roundings of the factors by which friction contracts in one step, which are the same in every step, and so add up."""
 COARSEST: Final = 1e-2
 """Where rounding alone is larger than this, nothing can be said."""
 
@@ -40,6 +42,7 @@ def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarr
         return Reading("symplecticity", expected, 0.0, value, value)
     factor = float(np.exp(-2 * rate * (times[-1] - times[0])))
     drift = float(np.abs(kept - factor * J).max())
+    rounding += contraction_rounding(flow) * factor * float(np.abs(J).max())
     reading = _judged("symplecticity", expected, value, drift, rounding, error, predicted=1 - factor)
     return condemned(reading, flow, area_change(kept, factor * J), rounding)
 
@@ -62,10 +65,15 @@ def read_volume(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
     exponent, off = volume_exponent(flow, times, q, p)
     predicted = float(np.expm1(exponent))
     drift = abs(float(sign * np.exp(log - exponent)) - 1)
-    error += 4 * off
+    error += 4 * off + len(M) * contraction_rounding(flow)
     expected = f"broken by {', '.join(contracting(flow.model))}"
     reading = _judged("volume", expected, value, drift, rounding, error, predicted=predicted)
     return condemned(reading, flow, drift, rounding + 4 * off)
+
+
+def contraction_rounding(flow: Flow) -> float:
+    """How far, relatively, an area may be from exp(−2λt) of what it was, as the steps' factors are rounded."""
+    return CONTRACTIONS * ROUNDING * max(flow.steps, 1)
 
 
 def _judged(

@@ -115,7 +115,9 @@ def _by_closed_form(
             reasons.append("whether one of the two branches has p > 0, or both have, isn't known")
             continue
         checks = [Residual(name, question.load(setting.at_level(e))) for name, e in closed.vanishes]
-        grounds = [question.decide(checks, along(question, setting, region))] if checks else []
+        # for all constants of the domain, and not only where the closed form says that there are orbits
+        everywhere = along(question, setting, constants_region(question, setting))
+        grounds = [question.decide(checks, everywhere)] if checks else []
         if setting.solved is not None:
             found_square = solved_orbits.grounds(question, setting, closed, region)
             if found_square is None:

@@ -134,4 +134,5 @@ def _positive_u(expression: Any) -> Any:
     """Simplified as if u were positive, so that √u² is u and exp(log u) merges: the identity is checked afterwards."""
     plain = sp.Symbol("u", positive=True)
     moved = expression.xreplace({U: plain})
-    return sp.powsimp(sp.powdenest(sp.expand(moved, power_base=True), force=True)).xreplace({plain: U})
+    # without force: that would take parameters for positive, too, and |a| for a
+    return sp.powsimp(sp.powdenest(sp.expand(moved, power_base=True))).xreplace({plain: U})

@@ -442,3 +442,17 @@ def test_a_complex_hamiltonian_has_no_action(ask, H):
 def test_a_real_hamiltonian_in_complex_words(status):
     claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"'
     assert status(claim, symbols='E = "positive"', hamiltonian='H = "(p - 1j*q)*(p + 1j*q)/2"') == "proved"
+
+
+@pytest.mark.parametrize(
+    ("equals", "where", "expected"),
+    [
+        ("2*pi*E/sqrt(abs(a))", "a > -5", ("proved",)),
+        ("2*pi*E/sqrt(abs(a)) + a - abs(a)", "a > -5", ("refuted",)),
+        ("2*pi*E/sqrt(abs(a)) + a - abs(a)", "a > -1e-30", ("supported", "refuted")),  # it fails where a < 0
+    ],
+)
+def test_an_absolute_value_of_a_constant(status, equals, where, expected):
+    claim = f'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "{equals}"'
+    hamiltonian, symbols = 'H = "p**2/2 + abs(a)*q**2/2"', 'E = "positive"\na = "real"'
+    assert status(claim, symbols=symbols, hamiltonian=hamiltonian, domain=f'where = ["{where}"]') in expected

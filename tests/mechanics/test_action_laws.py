@@ -130,6 +130,29 @@ def test_waves_of_any_rate_give_the_area(square: Any, wave: Any, span: Any, left
     assert same(closed.value, area(square(wave), q, left / RATE, right / RATE))
 
 
+def exists(motion: OneDegree) -> bool:
+    """Whether there is a closed form, and such a motion."""
+    return any(all(e > 0 for e in closed.exists) for closed in by_residues(motion))
+
+
+def test_ranges_that_cut_the_orbit_have_no_action() -> None:
+    """In √(1 + r²) beyond the range's end, and in waves before it or beyond it."""
+    far = (3 - FAR) * (FAR - sp.Rational(3, 2)) * r**2 / FAR**2
+    assert exists(orbit(far, r, 0, 3))
+    assert not exists(orbit(far, r, 0, 2))
+    assert not exists(orbit(far, r, sp.Rational(6, 5), 3))
+    square, wave, *_ = WAVES[0]
+    fifth = sp.asin(sp.sqrt(sp.Rational(1, 5))) / RATE
+    whole = sp.pi / 2 / RATE
+    assert exists(orbit(square(wave), q, 0, whole))
+    assert not exists(orbit(square(wave), q, fifth, whole))
+    assert not exists(orbit(square(wave), q, 0, whole / 2))
+    for square, wave, (low, high), left, right in WAVES[1:]:
+        inside = (left + right) / 2 / RATE
+        assert not exists(orbit(square(wave), q, inside, high / RATE))
+        assert not exists(orbit(square(wave), q, low / RATE, inside))
+
+
 def test_a_pendulum_of_any_rate_at_its_separatrix() -> None:
     """8 √(2b)/κ, and half of it for a turn; near it the values on either side come close."""
     b, rate = sp.Rational(5, 2), 3
@@ -139,6 +162,7 @@ def test_a_pendulum_of_any_rate_at_its_separatrix() -> None:
     assert same(closed.value, wanted)
     (turn,) = rotation(motion, None)
     assert same(2 * turn.value, wanted)
+    assert all(e > 0 for e in (*closed.exists, *turn.exists))
     near = next(pendulum_like(orbit(b - sp.Rational(1, 10**9) + b * sp.cos(rate * q))))
     assert abs(number(near.value) - wanted) < 1e-6
     beyond = next(rotation(orbit(b + sp.Rational(1, 10**9) + b * sp.cos(rate * q)), None))

@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Final
 
-from canon.checker.check import VERSION
+from canon.checker.check import VERSION, check
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.kinds import obligations
@@ -22,6 +22,7 @@ from canon.errors import InputError
 from canon.report.coq_field import Fractions, scaled
 from canon.report.coq_kernels import Kernel, kernel_of
 from canon.report.coq_powers import powers
+from canon.report.coq_shared import procedure, theorem
 from canon.report.coq_text import identifiers, number, polynomial, term
 
 HEAD: Final = """\
@@ -56,6 +57,12 @@ Ltac nonzero_product :=
         | solve [ repeat apply Rmult_integral_contrapositive_currified; try apply pow_nonzero; sure ]
         | nonzero ].
 """
+LONG: Final = 3000
+"""Residuals with more operations than this, written out, are put in one theorem with names for what they share."""
+REDUCED: Final = ("normal form", "normal form, identity")
+"""Arguments for what was too large to be written down, but is an identity."""
+BROKEN: Final = (KeyError, TypeError, ValueError, AttributeError, IndexError, ArithmeticError, RecursionError)
+"""What a certificate that isn't as described raises somewhere."""
 RATIONAL: Final = re.compile(r"-?\d+(/\d+)?")
 SIGNS: Final = {"positive": "0 < {}", "negative": "{} < 0", "nonzero": "{} <> 0"}
 
@@ -76,16 +83,43 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
                 raise Unknown("a refutation on a surface")
             body = [_refutation(statement, cases[0].zeros, certificate["witness"])]
         else:
-            pairs = list(zip(cases, certificate["cases"], strict=True))
+            pairs = list(zip(cases, certificate["cases"], strict=False))
+            _compare("cases", len(certificate["cases"]), len(cases))
             for case in cases:
                 if case.measured is not None or case.positive or not (case.zeros or case.nonzeros):
                     raise Unknown("what is claimed is no identity")
+            for case, data in pairs:
+                _compare("residuals", len(data["residuals"]), len(case.zeros))
+            if not all("cofactors" in entry for _, data in pairs for entry in data["residuals"]):
+                _reduced(certificate)
             body = [text for case, data in pairs for text in _proofs(statement, case.zeros, data)]
-    except (Unknown, Unreadable, TooCostly, KeyError, TypeError, ValueError) as reason:
+    except (Unknown, Unreadable, TooCostly) as reason:
         raise InputError(f"this certificate can't be put in Coq: {reason}") from None
+    except BROKEN as reason:
+        what = f"{type(reason).__name__} {reason}"[:200]
+        raise InputError(
+            f"this certificate can't be put in Coq: something is missing, or isn't as it must be: {what}"
+        ) from None
     numbered = [text.replace("RESIDUAL", f"residual_{k}") for k, text in enumerate(body, 1)]
     products = [PRODUCTS] if any("nonzero_product" in text for text in numbered) else []
-    return "\n".join([_comment(certificate), HEAD, *products, *numbered])
+    shared = ["\n  all_vanish " in text for text in numbered]
+    heads = [*([procedure()] if any(shared) else []), *([] if all(shared) else [HEAD])]
+    return "\n".join([_comment(certificate), *heads, *products, *numbered])
+
+
+def _compare(things: str, shown: int, stated: int) -> None:
+    if shown != stated:
+        raise Unknown(
+            f"it shows {shown} {things}, but its claim has {stated}: it was made by another version of canon, or "
+            "changed; make it anew with `canon verify FILE --certificate DIR`"
+        )
+
+
+def _reduced(certificate: Mapping[str, Any]) -> None:
+    """Raises Unknown where an argument of the certificate is no identity modulo the relations of its kernels."""
+    for reason in check(certificate).reasons:
+        if "the argument" in reason:
+            raise Unknown(f"{reason.split(' (')[0]} is no identity")
 
 
 def _comment(certificate: Mapping[str, Any]) -> str:
@@ -105,20 +139,54 @@ def _proofs(s: Statement, zeros: Sequence[int], data: Mapping[str, Any]) -> list
     """A theorem for each residual; one that is the number 0 as it stands needs none."""
     if any("1j" in str(kernel["stands for"]) for kernel in data["kernels"]):
         raise Unknown("complex numbers")
+    open_ = [target for target in zeros if s.f.value(target) is None]
+    plain = all("cofactors" in entry or entry.get("argument") in REDUCED for entry in data["residuals"])
+    if plain and not s.surface and _size(s.f, open_) > LONG:
+        return [_shared(s, open_, data)]
     found = []
     for target, entry in zip(zeros, data["residuals"], strict=True):
         if "cofactors" not in entry:
-            raise Unknown(f"the argument {entry['argument']!r} is no identity")
+            raise Unknown(f"the argument {entry['argument']!r} is no identity that was written down")
         if s.f.value(target) is None:
             found.append(_theorem(s, target, data, entry))
     return found or ["Theorem RESIDUAL : 0 = 0.\nProof. reflexivity. Qed.\n"]
 
 
+def _size(f: Formulas, targets: Sequence[int]) -> int:
+    """How many operations the residuals have when written out."""
+    sizes: dict[int, int] = {}
+    for a in f.rational(targets)[0]:
+        sizes[a] = 1 + sum(sizes.get(b, 1) for b in f.parts(a))
+    return sum(sizes.get(a, 1) for a in targets)
+
+
+def _shared(s: Statement, targets: Sequence[int], data: Mapping[str, Any]) -> str:
+    """One theorem for all residuals, with names for what they share."""
+    f = s.f
+    atoms = _atoms(f, targets, data)
+    used = {name for pair in atoms.values() for p in pair for name in _names(p)}
+    for entry in data["residuals"]:
+        used |= {name for k, c in entry.get("cofactors", {}).items() for name in (k, *_names(c))}
+    kernels = _used_kernels(f, data["kernels"], used)
+    free = sorted(used - {kernel["name"] for kernel in kernels})
+    words = identifiers([*free, *(kernel["name"] for kernel in kernels)])
+    words |= {kernel["name"]: "PI" for kernel in kernels if kernel["stands for"] == "pi"}
+    made = [kernel_of(f, kernel, words) for kernel in kernels]
+    words |= {kernel.name: kernel.word for kernel in made}
+    signs = {name: SIGNS[sign].format(words[name]) for name in free for sign in SIGNS if sign in s.words.get(name, ())}
+    return theorem(s, targets, atoms, words, kernels, made, signs)
+
+
+def _atoms(f: Formulas, targets: Sequence[int], data: Mapping[str, Any]) -> dict[int, Sequence[Mapping[str, str]]]:
+    """The value of each name and function in the formulas, as [numerator, denominator] in the kernels."""
+    leaves = f.rational(targets)[1]
+    return {a: data["atoms"].get(f.text(a), [{f.text(a): "1"}, {"": "1"}]) for a in leaves}
+
+
 def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[str, Any]) -> str:
     f = s.f
     on = {f"surface {k}": a for k, a in enumerate(s.surface, 1) if f"surface {k}" in entry["cofactors"]}
-    leaves = f.rational([target, *on.values()])[1]
-    atoms = {a: data["atoms"].get(f.text(a), [{f.text(a): "1"}, {"": "1"}]) for a in leaves}
+    atoms = _atoms(f, [target, *on.values()], data)
     used = {name for pair in atoms.values() for p in pair for name in _names(p)}
     used |= {name for k, c in entry["cofactors"].items() for name in (*({k} - on.keys()), *_names(c))}
     kernels = _used_kernels(f, data["kernels"], used)

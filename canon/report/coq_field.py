@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Final
 
@@ -20,13 +20,21 @@ class Fractions:
     """Fractions in names and kernels as free variables; denominators as products of irreducible factors.
 
     **Arguments:** the checker's formulas; all names; `atoms`, the value of each name and function in the residual as
-    [numerator, denominator].
+    [numerator, denominator]; `relations`, (kernel, n, rest) for g ^ n = rest, by which numerators are reduced.
     """
 
-    def __init__(self, f: Formulas, names: Sequence[str], atoms: Mapping[int, Sequence[Table]]) -> None:
+    def __init__(
+        self,
+        f: Formulas,
+        names: Sequence[str],
+        atoms: Mapping[int, Sequence[Table]],
+        relations: Iterable[tuple[str, int, Table]] = (),
+    ) -> None:
         self.f, self.names = f, list(names)
         self.ring = Ring(max(len(self.names), 1), LIMIT, Budget(SECONDS))
         self.field = FractionField(self.ring)
+        for name, degree, rest in relations:
+            self.field.relate(self.names.index(name), degree, self.polynomial(rest))
         self.values: dict[int, Element] = {}
         self.bases: list[Element] = []
         self.divisors: list[int] = []

@@ -14,6 +14,7 @@ RESERVED: Final = frozenset((
     "fix", "for", "forall", "fun", "if", "in", "let", "match", "mod", "return", "then", "using", "where", "with",
     "Prop", "Set", "Type", "SProp", "sqrt", "sin", "cos", "tan", "exp", "ln", "atan", "PI", "Rabs", "sinh", "cosh",
     "tanh", "Rinv", "Rmult", "Rplus", "pow", "nonzero", "other_form", "nonzero_factor", "T", "V",
+    "list", "nil", "cons", "tt",
 ))  # fmt: skip
 """Words of Coq, and names of its library that a variable must not hide."""
 
@@ -52,11 +53,11 @@ def term(f: Formulas, target: int, leaves: Mapping[int, str]) -> str:
     texts: dict[int, tuple[str, int]] = {a: (text, 3 if text.isidentifier() else 0) for a, text in leaves.items()}
     for a in f.rational([target])[0]:
         if a not in texts:
-            texts[a] = _operation(f.ops[a], [texts[b] for b in f.parts(a)])
+            texts[a] = operation(f.ops[a], [texts[b] for b in f.parts(a)])
     return texts[target][0]
 
 
-def _operation(op: tuple[Any, ...], parts: list[tuple[str, int]]) -> tuple[str, int]:
+def operation(op: tuple[Any, ...], parts: list[tuple[str, int]]) -> tuple[str, int]:
     """The text of an operation, and how tightly it binds: a sum 0, a product 1, an inverse 2, a name or a number 3."""
 
     def bound(k: int, level: int) -> str:

@@ -2,6 +2,7 @@
 
 import shutil
 import subprocess
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -197,3 +198,92 @@ def test_a_changed_numerator_is_refused() -> None:
     case["residuals"][3] = {**entry, "numerator": {"r": "1"}}
     with pytest.raises(InputError, match="isn't the residual's"):
         coq_of({**changed, "cases": [case]})
+
+
+def shared(monkeypatch: pytest.MonkeyPatch, found: Any) -> str:
+    """A certificate in Coq with names for what its residuals share, whatever their length."""
+    monkeypatch.setattr("canon.report.coq.LONG", 0)
+    return coq_of(found)
+
+
+POLAR = ("transformations", "polar-coordinates", 0)
+
+
+def test_what_residuals_share_is_defined_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One theorem; nothing is assumed beyond the kernels, the domain and the definitions."""
+    text = shared(monkeypatch, data(*POLAR))
+    assert text.count("\nTheorem ") == 1
+    statement = text[text.index("Theorem residual_1") : text.rindex("Proof.")]
+    assert statement.count(" = 0") == statement.count(" /\\\n") + 1
+    lines = [line.split(" = ") for line in statement.splitlines() if line.startswith("  u")]
+    for k, (name, line) in enumerate(lines, 1):
+        assert name == f"  u{k}"
+        assert not any(f"u{later}" in line.replace("*", " ").split() for later in range(k, len(lines) + 1))
+
+
+@needs_coqc
+@pytest.mark.slow
+def test_the_procedure_for_what_is_shared_accepts_what_is_true_alone(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Polar coordinates, the oscillator, a nested root are accepted, on the library's axioms; a changed one isn't."""
+    text = shared(monkeypatch, data(*POLAR))
+    more = [
+        shared(monkeypatch, found) for found in (data("transformations", "oscillator-type-1", 0), of_text(FRACTIONS))
+    ]
+    theorems = [text, *(other[other.index("\nTheorem residual_1") :] for other in more)]
+    modules = "\n".join(
+        [theorems[0], *(f"Module claim_{k}.\n{t}\nEnd claim_{k}.\n" for k, t in enumerate(theorems[1:]))]
+    )
+    (tmp_path / "claims.v").write_text(f"{modules}\nPrint Assumptions residual_1.\n", encoding="utf-8")
+    done = subprocess.run([str(COQC), "-q", "claims.v"], cwd=tmp_path, capture_output=True, text=True, timeout=240)
+    assert done.returncode == 0, done.stderr
+    axioms = [line.split(" ")[0] for line in done.stdout.splitlines() if line[0] not in " A"]
+    assert {name.rpartition(".")[2] for name in axioms} == {
+        "sig_not_dec",
+        "sig_forall_dec",
+        "functional_extensionality_dep",
+    }
+    statement = text[text.index("Theorem residual_1") : text.rindex("Proof.")]
+    assert "+ (- 1) = 0" in statement
+    false = text.replace(statement, statement.replace("+ (- 1) = 0", "+ (- (1000 / 1001)) = 0", 1))
+    assert "Error" in coqc(tmp_path, false)
+
+
+@pytest.mark.parametrize("things", ["cases", "residuals"])
+def test_a_certificate_of_another_version_is_named_as_one(things: str) -> None:
+    changed = {**data(*POLAR)}
+    if things == "cases":
+        changed["cases"] = changed["cases"] * 2
+    else:
+        changed["cases"] = [{**changed["cases"][0], "residuals": changed["cases"][0]["residuals"][1:]}]
+    with pytest.raises(InputError, match=f"{things}, but its claim has .* make it anew with `canon verify"):
+        coq_of(changed)
+
+
+@pytest.mark.parametrize("key", ["tables", "cases", "verdict", "kernels", "residuals", "atoms", "numerator"])
+@pytest.mark.parametrize("value", [None, 3, [], {}, "1/0", [[]], {"": "1/0"}, {"x^99999999999999999999": "1"}])
+def test_a_broken_certificate_is_refused_in_words(key: str, value: Any) -> None:
+    def broken(part: Any) -> Any:
+        if isinstance(part, dict):
+            return {k: value if k == key else broken(v) for k, v in part.items()}
+        return [broken(v) for v in part] if isinstance(part, list) else part
+
+    with suppress(InputError) if value in ([], {}) else pytest.raises(InputError, match="can't be put in Coq"):
+        coq_of(broken(data(*POLAR)))
+
+
+def test_names_are_no_commands() -> None:
+    """Whatever stands in a certificate, what is outside of comments is this module's own."""
+    found = data(*POLAR)
+    nasty = "x. Admitted. (* \n Axiom false : False."
+    tables = {**found["tables"], "title": nasty, "(*": {'"': "*) Axiom bad : False. (*"}}
+    text = coq_of({**found, "tables": tables})
+    rest = text[text.index(HEAD) :]
+    assert not any(word in rest for word in ("Admitted", "Axiom", "admit", "Parameter", "False"))
+    named = of_text('kind = "identity"\nlhs = "sqrt(x)**2"\nrhs = "x"')
+    (kernel,), (entry,) = named["cases"][0]["kernels"], named["cases"][0]["residuals"]
+    case = {**named["cases"][0], "kernels": [{**kernel, "name": nasty}]}
+    case["residuals"] = [{**entry, "cofactors": {nasty: {"": "1"}}}]
+    with pytest.raises(InputError, match="can't be put in Coq"):
+        coq_of({**named, "cases": [case]})

@@ -8,13 +8,14 @@ from itertools import pairwise
 from typing import Any
 
 from canon.checker.case import Case
-from canon.checker.expansions import Series, fades, towards
+from canon.checker.expansions import Series
 from canon.checker.functions import Unknown
 from canon.checker.intervals import Intervals
 from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_positive
 from canon.checker.shapes import is_smooth
 from canon.checker.statement import Statement
+from canon.checker.tendency import fades, towards
 
 PRECISE, DIGITS = 32, 10
 PIECES = (16, 128, 1024)

@@ -40,6 +40,11 @@ class Case:
     granted: list[int] = field(default_factory=list)
     enclosed: Callable[[Any, Mapping[str, Any]], Iterable[Any]] | None = None
 
+    @property
+    def fails_alone(self) -> bool:
+        """Whether exact arithmetic says that the claim fails, and nothing besides has to be shown for it."""
+        return self.found is False and not (self.zeros or self.independent or self.images)
+
     def shown(self, verdict: str) -> list[int]:
         """What a certificate of this verdict has to show to be 0; of a refutation without a point, its grounds."""
         if verdict == "proved" or self.found is False:

@@ -91,7 +91,7 @@ class _Check:
         self.s = Statement(certificate["tables"], certificate["known"], self.verdict)
         self.cases = obligations(self.s)
         self.s.check_names()
-        more = {"equals"} if self.verdict == "refuted" else set[str]()  # one thing more that would have to hold
+        more = {"equals"} if self.verdict == "refuted" else {""}  # one thing more that would have to hold
         self.unread = sorted(self.s.claim.unread - more)
         words = chain.from_iterable(self.s.words.values())
         self.real = "complex" not in words and ("s", "1j") not in self.s.f.ops
@@ -117,7 +117,7 @@ class _Check:
             raise Rejected("a proof with a witness against it")
         if not isinstance(self.data["cases"], list):
             raise Rejected("its cases are no list")
-        if self.verdict == "refuted" and all(case.found is False and not case.zeros for case in self.cases):
+        if self.verdict == "refuted" and all(case.fails_alone for case in self.cases):
             if not all(self._places(case, {}, names_in(self.s, domain_of(self.s)), []) for case in self.cases):
                 raise Unknown("the checker found no point of the domain")
             return []
@@ -148,8 +148,7 @@ class _Check:
         if not (case.zeros or case.nonzeros or case.independent or case.positive or case.measured):
             return trusted
         kernels = {str(k["name"]): f.read(k["stands for"], {}) for k in data["kernels"]}
-        positive = [a for a, _ in case.positive]
-        targets = [*case.zeros, *s.surface, *chain(*case.nonzeros), *case.independent, *positive]
+        targets = [*case.zeros, *s.surface, *chain(*case.nonzeros), *case.independent, *(a for a, _ in case.positive)]
         images = [s.pull(a) for a in case.images.values()]
         leaves = names_in(s, [*targets, *domain_of(s), *images, *case.mentions])
         if clash := kernels.keys() & (leaves | s.declared | {*s.words, *s.coordinates, s.time, *s.names, "pi", "1j"}):
@@ -166,16 +165,14 @@ class _Check:
             own = [*domain_of(s), *(targets if not s.added else [])]
             trusted += unreal(followed, own, kernels)
         used = {name for entry in data["residuals"] for name in entry.get("cofactors", {})} & relations.keys()
-        for name in sorted(n for n in used if not followed.vanishes(relations[n])):
-            trusted.append(f"the relation of {f.text(kernels[name])[:80]} (seen to hold at {len(places)} points)")
+        lost = [f.text(kernels[n])[:80] for n in sorted(used) if not followed.vanishes(relations[n])]
+        trusted += [f"the relation of {text} (seen to hold at {len(places)} points)" for text in lost]
         shown = [a for a, entry in zip(case.zeros, data["residuals"], strict=True) if "cofactors" in entry]
-        for a in f.rational([*shown, *s.surface])[1]:
-            if a in atoms and not followed.is_value(a):
-                trusted.append(f"the value of {f.text(a)[:80]} in the kernels (seen at {len(places)} points)")
+        lost = [a for a in f.rational([*shown, *s.surface])[1] if a in atoms and not followed.is_value(a)]
+        trusted += [f"the value of {f.text(a)[:80]} in the kernels (seen at {len(places)} points)" for a in lost]
         if len(trusted) > bool(case.trusted) and not s.surface:  # what is 0 by the rules alone needs none of these
             own = Values(s, self.primes[-1], self.rng, real=self.real)
-            added = self.real and unreal(followed, domain_of(s), {})
-            if not added and all(is_identity(own, a) for a in case.zeros):
+            if not (self.real and unreal(followed, domain_of(s), {})) and all(is_identity(own, a) for a in case.zeros):
                 trusted = [case.trusted] if case.trusted else []
         for k, (a, entry) in enumerate(zip(s.surface, data.get("surface", []), strict=False), 1):
             self._denominator(entry, places)

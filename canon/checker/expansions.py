@@ -8,9 +8,8 @@ that vanishes nowhere; under a root it is positive.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
-from itertools import product
 from math import factorial
 from typing import Any, NamedTuple
 
@@ -140,10 +139,11 @@ class Expansion:
             return self._composed(rest, [self._complete(name, k) for k in range(self.order)])
         inside = name in EDGED and is_positive(self.s, self._below_one(c), strict=True, real=True)
         if name in EDGED[:2] and not inside and self.is_zero(self._below_one(c)):
-            turns = {"asin": {1: 1, -1: -1}, "acos": {1: 0, -1: 2}}[name].get(self.f.value(c))
-            if turns is None:
+            end = self.f.value(c)
+            if end is None:
                 raise NoSeries
-            turn = self.f.mul(self.f.number(Fraction(turns, 2)), self.f.node("s", "pi"))
+            turns = end if name == "asin" else 1 - end
+            turn = self.f.mul(self.f.number(turns / 2), self.f.node("s", "pi"))
             return Series(0, (turn,))  # continuous there, and no more
         if not inside and name not in SMOOTH:
             raise NoSeries
@@ -273,68 +273,3 @@ class Expansion:
 def _at(x: Series, k: int) -> int:
     """The coefficient of yᵏ."""
     return x.terms[k - x.low] if k >= x.low else ZERO
-
-
-ORDERS, ROOTS = (6, 14), (1, 2)
-"""So many coefficients are tried; y, or its square, is the distance."""
-
-
-def towards(s: Statement, inside: int, x: str, to: Any, side: int) -> Series | None:
-    """The expansion of a formula where a name tends to a formula, or an infinity, from one side; None where none is
-    seen. It is known up to the constant, or has a pole."""
-    f = s.f
-    if "complex" in {word for words in s.words.values() for word in words} or ("s", "1j") in f.ops:
-        return None
-    for expansion in _expansions(s, inside, x, to, side):
-        try:
-            found = expansion.of(inside)
-            first = expansion.stripped(found) if found.low < 0 else found
-        except (NoSeries, *FAILURES):
-            continue
-        if first.end > 0 or first.low < 0:
-            return first
-    return None
-
-
-def _expansions(s: Statement, inside: int, x: str, to: Any, side: int) -> Iterator[Expansion]:
-    f = s.f
-    for root, order in product(ROOTS, ORDERS):
-        if isinstance(to, int):
-            at = Series(0, (to, *[ZERO] * (root - 1), f.number(side)))
-        else:
-            at = Series(-root, (f.number(1 if to == "infinity" else -1),))
-        yield Expansion(s, x, at, order)
-    inner = [op[3][0] for op in (f.ops[a] for a in f.reach(inside)) if op[0] == "f" and op[1] in EXPONENTIAL]
-    for a in inner if not isinstance(to, int) else ():
-        slope = f.slope(a, x)
-        for sign in (1, -1):
-            pace = f.mul(f.number(sign), slope)
-            if is_positive(s, f.mul(f.number(1 if to == "infinity" else -1), pace), strict=True, real=True):
-                yield Expansion(s, x, None, ORDERS[0], pace)
-
-
-def fades(s: Statement, a: int, x: str) -> bool:
-    """Whether a formula tends to 0 at infinity: a sum of exponentials that fall, times what is bounded."""
-    f, op = s.f, s.f.ops[a]
-    if op[0] == "+":
-        return all(fades(s, b, x) for b in f.parts(a))
-    if op[0] == "*":
-        first, other = f.parts(a)
-        return any(fades(s, b, x) and is_bounded(s, c, x) for b, c in ((first, other), (other, first)))
-    return op[:2] == ("f", "exp") and _falls(s, op[3][0], x)
-
-
-def _falls(s: Statement, exponent: int, x: str) -> bool:
-    slope = s.f.slope(exponent, x)
-    constant = all(s.f.ops[b] != ("s", x) for b in s.f.reach(slope))
-    return constant and is_positive(s, s.f.mul(s.f.number(-1), slope), strict=True, real=True)
-
-
-def is_bounded(s: Statement, a: int, x: str) -> bool:
-    """Whether a formula is seen to be bounded for all large values of a name."""
-    f, op = s.f, s.f.ops[a]
-    if all(f.ops[b] != ("s", x) for b in f.reach(a)) or fades(s, a, x):
-        return True
-    if op[0] in "+*":
-        return all(is_bounded(s, b, x) for b in f.parts(a))
-    return op[0] == "f" and op[1] in ("sin", "cos")

@@ -1,0 +1,77 @@
+"""What a formula tends to where a name tends to something: its expansion; or 0, as what falls exponentially does."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+from typing import Any
+
+from canon.checker.expansions import EXPONENTIAL, Expansion, NoSeries, Series
+from canon.checker.followed import FAILURES
+from canon.checker.formulas import ZERO
+from canon.checker.positive import is_positive
+from canon.checker.statement import Statement
+
+ORDERS, ROOTS = (6, 14), (1, 2)
+"""So many coefficients are tried; y, or its square, is the distance."""
+
+
+def towards(s: Statement, inside: int, x: str, to: Any, side: int) -> Series | None:
+    """The expansion of a formula where a name tends to a formula, or an infinity, from one side; None where none is
+    seen. It is known up to the constant, or has a pole."""
+    f = s.f
+    if "complex" in {word for words in s.words.values() for word in words} or ("s", "1j") in f.ops:
+        return None
+    for expansion in _expansions(s, inside, x, to, side):
+        try:
+            found = expansion.of(inside)
+            first = expansion.stripped(found) if found.low < 0 else found
+        except (NoSeries, *FAILURES):
+            continue
+        if first.end > 0 or first.low < 0:
+            return first
+    return None
+
+
+def _expansions(s: Statement, inside: int, x: str, to: Any, side: int) -> Iterator[Expansion]:
+    f = s.f
+    for root, order in product(ROOTS, ORDERS):
+        if isinstance(to, int):
+            at = Series(0, (to, *[ZERO] * (root - 1), f.number(side)))
+        else:
+            at = Series(-root, (f.number(1 if to == "infinity" else -1),))
+        yield Expansion(s, x, at, order)
+    inner = [op[3][0] for op in (f.ops[a] for a in f.reach(inside)) if op[0] == "f" and op[1] in EXPONENTIAL]
+    for a in inner if not isinstance(to, int) else ():
+        slope = f.slope(a, x)
+        for sign in (1, -1):
+            pace = f.mul(f.number(sign), slope)
+            if is_positive(s, f.mul(f.number(1 if to == "infinity" else -1), pace), strict=True, real=True):
+                yield Expansion(s, x, None, ORDERS[0], pace)
+
+
+def fades(s: Statement, a: int, x: str) -> bool:
+    """Whether a formula tends to 0 at infinity: a sum of exponentials that fall, times what is bounded."""
+    f, op = s.f, s.f.ops[a]
+    if op[0] == "+":
+        return all(fades(s, b, x) for b in f.parts(a))
+    if op[0] == "*":
+        first, other = f.parts(a)
+        return any(fades(s, b, x) and is_bounded(s, c, x) for b, c in ((first, other), (other, first)))
+    return op[:2] == ("f", "exp") and _falls(s, op[3][0], x)
+
+
+def _falls(s: Statement, exponent: int, x: str) -> bool:
+    slope = s.f.slope(exponent, x)
+    constant = all(s.f.ops[b] != ("s", x) for b in s.f.reach(slope))
+    return constant and is_positive(s, s.f.mul(s.f.number(-1), slope), strict=True, real=True)
+
+
+def is_bounded(s: Statement, a: int, x: str) -> bool:
+    """Whether a formula is seen to be bounded for all large values of a name."""
+    f, op = s.f, s.f.ops[a]
+    if all(f.ops[b] != ("s", x) for b in f.reach(a)) or fades(s, a, x):
+        return True
+    if op[0] in "+*":
+        return all(is_bounded(s, b, x) for b in f.parts(a))
+    return op[0] == "f" and op[1] in ("sin", "cos")

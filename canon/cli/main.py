@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import errno
 import io
 import os
 import sys
@@ -16,7 +17,7 @@ from typing import Final
 
 import canon
 from canon.cli import actions, algebra, certificate, cost, hard, scenes, simulate, verify
-from canon.cli.parser import NOT_WRITTEN, Parser
+from canon.cli.parser import NO_RESOURCES, NOT_WRITTEN, Parser
 from canon.interruption import Left, heeding, left_behind
 
 COMMANDS: Final = {
@@ -53,6 +54,11 @@ exit status of verify:
 
 HEARING: Final = ("verify",)
 """The commands that hear Ctrl-C themselves: their work is done in other processes."""
+REFUSED: Final = {
+    **dict.fromkeys((errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN), "the system gave no more"),
+    errno.ENOENT: "the working folder is gone",
+}
+"""Errors of the system that aren't about output, in words."""
 HUNG_UP = 141  # as the shell reports a program ended by SIGPIPE; 1 would say "refuted"
 
 
@@ -127,9 +133,18 @@ def entry() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         status = HUNG_UP
     except OSError as error:
+        refused = error.errno in REFUSED
+        what = REFUSED.get(error.errno or 0, "the output could not be written")
         with contextlib.suppress(OSError):
-            print(f"canon: the output could not be written: {error.strerror or error}", file=sys.stderr, flush=True)
-        os._exit(NOT_WRITTEN)  # what is left in the buffers can't be written, either
+            print(f"canon: {what}: {error.strerror or error}", file=sys.stderr, flush=True)
+        os._exit(NO_RESOURCES if refused else NOT_WRITTEN)  # what is left in the buffers can't be written, either
+    except (MemoryError, RuntimeError, ImportError) as error:
+        if isinstance(error, RuntimeError) and str(error) != "can't start new thread":
+            raise
+        words = " ".join(str(error).split())[:300]
+        with contextlib.suppress(OSError):
+            print(f"canon: the system gave no more: {words or 'out of memory'}", file=sys.stderr, flush=True)
+        os._exit(NO_RESOURCES)
     except (KeyboardInterrupt, Left):
         with contextlib.suppress(OSError):
             print("canon: interrupted", file=sys.stderr, flush=True)

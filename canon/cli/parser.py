@@ -9,6 +9,8 @@ import sys
 from typing import Any, NoReturn
 
 BAD_INPUT = 3
+NO_RESOURCES = 71
+"""The exit status where the system gives no more memory, files or processes (EX_OSERR of sysexits)."""
 NOT_WRITTEN = 74
 """The exit status where the output could not be written: the disk is full, most likely (EX_IOERR of sysexits)."""
 

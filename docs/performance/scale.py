@@ -9,10 +9,14 @@ import json
 import os
 import pickle
 import statistics
+import subprocess
+import sys
+import tempfile
 import time
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import suppress
+from importlib.util import find_spec
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, Final
@@ -76,6 +80,54 @@ def campaign(claims: list[Claim], workers: int, batch: int, apart: bool) -> dict
     }
 
 
+CLUSTER: Final = """
+from distributed import LocalCluster
+if __name__ == "__main__":
+    with LocalCluster(n_workers={}, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
+        print(cluster.scheduler_address, flush=True)
+        input()
+"""
+
+
+def on_a_cluster(every: int, workers: int) -> dict[str, Any]:
+    """Files read here, and by the workers of a Dask cluster, whose scheduler is another process; then decided there."""
+    from canon.claims.worker import Entry, Settings
+    from canon.cli.cluster import answers_of, readings_of
+
+    paths = [Path(str(path)) for path in files()][::every]
+    program = Path(tempfile.mkdtemp(), "cluster.py")
+    program.write_text(CLUSTER.format(workers))
+    figures: dict[str, Any] = {"workers": workers}
+    with subprocess.Popen(
+        [sys.executable, str(program)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as cluster:
+        assert cluster.stdout is not None
+        address = cluster.stdout.readline().strip()
+        readings_of(address, paths[:8])  # what is imported once
+        for how, read in (
+            ("here", lambda: [read_file(path) for path in paths]),
+            ("there", lambda: readings_of(address, paths)),
+        ):
+            start, here = time.monotonic(), time.process_time()
+            found = read()
+            sent, wall = time.process_time() - here, time.monotonic() - start
+            claims = sum(len(reading[0]) for reading in found)
+            figures[f"read_{how}"] = {
+                "claims": claims,
+                "cpu_ms_a_claim_of_who_asks": round(1e3 * sent / claims, 2),
+                "claims_a_second_of_who_asks": round(claims / sent),
+                "wall_seconds": round(wall, 2),
+            }
+            whole = [(claim, None) if isinstance(claim, Claim) else claim for reading in found for claim in reading[0]]
+            entries = [Entry("", claim.index, claim, "", message) for claim, message in whole]
+            here = time.process_time()
+            assert len(list(answers_of(address, entries, Settings()))) == claims
+            sent = time.process_time() - here
+            figures[f"read_{how}"]["cpu_ms_a_claim_to_have_it_decided"] = round(1e3 * sent / claims, 2)
+        cluster.communicate("\n")
+    return figures
+
+
 def main() -> None:
     """Print the figures as JSON."""
     reading, claims = spent(lambda: claims_of(8))
@@ -100,6 +152,7 @@ def main() -> None:
                 "share_of_the_slowest_hundredth": round(sum(seconds[-max(1, len(seconds) // 100) :]) / sum(seconds), 3),
                 "packing_ms_a_claim": round(1e3 * packing / len(claims), 2),
                 "bytes_a_claim_median_max": [int(statistics.median(sizes)), max(sizes)],
+                "cluster": on_a_cluster(4, 2) if find_spec("distributed") else None,
                 "campaigns": [campaign(claims, *how) for how in CAMPAIGNS],
             },
             indent=1,

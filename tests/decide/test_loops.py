@@ -87,7 +87,7 @@ def test_a_modulus_of_complex_numbers_is_not_integrated():
 
 CONDITIONS = [
     ((x - 1) ** 2 + y**2 - sp.Rational(1, 100),),
-    ((x - 1) ** 2 + y**2 - sp.Rational(1, 400),),
+    (sp.Rational(199, 200) - x,),
     (x**2 + y**2 - sp.Rational(1, 4),),
     (x + sp.Rational(6, 5), 4 - x),
     (9 - x**2 - y**2, y + sp.Rational(11, 10)),

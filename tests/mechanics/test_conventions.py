@@ -65,3 +65,16 @@ def test_generating_functions_there_and_back():
 def test_a_convention_that_contradicts_itself_is_refused():
     with pytest.raises(InputError, match="wrong sign"):
         Conventions("no book", order="pq")
+
+
+def test_the_sign_of_j_goes_with_the_order():
+    """z' = J ∂H/∂z: with (q, p) it is +J, with (p, q) it is −J; every other sign is ±1, too."""
+    turned = Conventions("other", order="pq", J_sign=-1, bracket_sign=-1, function_signs=(-1, 1, -1, 1))
+    assert turned.J(1) == sp.Matrix([[0, -1], [1, 0]])
+    assert Conventions("plain").J(1) == sp.Matrix([[0, 1], [-1, 0]])
+    for given in ({"order": "pq"}, {"J_sign": -1}):
+        with pytest.raises(InputError, match="wrong sign"):
+            Conventions("none", **given)
+    for given in ({"bracket_sign": 2}, {"J_sign": 0}, {"function_signs": (1, 1, -2, 1)}, {"bracket_sign": -2}):
+        with pytest.raises(InputError, match=r"signs are \+1 or -1"):
+            Conventions("none", **given)

@@ -136,3 +136,12 @@ def test_the_inverse_of_a_map_that_is_known_by_its_function_alone():
     assert back.types == (3,)
     assert back.F.expr == -there.F.expr
     assert back.space.old == there.space.new
+
+
+@pytest.mark.parametrize("types", [1, 2, 3, 4, (1, 4), (2, 3)])
+def test_the_inverse_generates_the_inverse_map(types, vanishes):
+    """−F with old and new exchanged: of a quadratic F of each type the matrices are inverse to one another."""
+    u = GeneratingFunction(TWO, types, 0).mixed
+    F = GeneratingFunction(TWO, types, u[0] * u[2] + 2 * u[1] * u[3] + u[0] * u[3] + u[0] ** 2 / 2 + u[3] ** 2 / 3)
+    forth, back = (each.transformation().forward().jacobian() for each in (F, F.inverse()))
+    assert vanishes(forth * back - sp.eye(4))

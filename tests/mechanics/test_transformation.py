@@ -217,3 +217,16 @@ def test_a_symbol_that_only_shares_its_name_is_refused():
     ):
         with pytest.raises(InputError, match="this q is a symbol without assumptions"):
             attempt()
+
+
+def test_a_map_of_which_one_half_moves_with_time_adds_to_the_hamiltonian(vanishes):
+    """P = p + t q: F₂ = qP − t q²/2 adds −q²/2; and the other half alone, Q = q + t p, adds p²/2."""
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    (x, y), P, t = space.old, space.P[0], space.t
+    for new, added in (((x, y + t * x), -(x**2) / 2), ((x + t * y, y), y**2 / 2)):
+        moved = Transformation(space, Q=new[0], P=new[1])
+        shift = hamiltonian_shift(moved)
+        assert shift is not None
+        assert vanishes((shift.function - added).diff(z) for z in (x, y))
+    assert moved.transformed(y**2 / 2) == P**2
+    assert hamiltonian_shift(Transformation(space, Q=y, P=-x)).function == 0

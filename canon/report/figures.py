@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, Final
 
+from canon.report.drawn import drawn
 from canon.report.whole_file import figure_written
 from canon.scenes.simulate import Result
 from canon.scenes.states import named_states
@@ -22,6 +23,7 @@ def plot(result: Result, path: str | Path) -> None:
     figure = Figure(figsize=(10, 4.5), layout="constrained")
     FigureCanvasAgg(figure)
     left, right = figure.subplots(1, 2)
+    result = drawn(result)
     _orbit(left, result)
     _against_time(right, result)
     if result.scene.title:

@@ -216,9 +216,10 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
         ok = False
     elif planned.good < run.samples:
         last, after = run.times[planned.good - 1], run.times[planned.good]
+        by_hand = "" if scene.settings.step is None else f", or a step of {run.step:.3g} is too long"
         messages.append(
             f"ended at t = {last:.6g}: before t = {after:.6g} the orbit runs into a singularity (a blow-up or a "
-            "collision), or is too sensitive to be followed"
+            f"collision), or is too sensitive to be followed{by_hand}"
         )
         ok = False
     elif scene.settings.accuracy is not None and not planned.reached:

@@ -10,7 +10,9 @@ from canon.numeric.integrators.blanes_moan import BLANES_MOAN_4
 from canon.numeric.integrators.catalogue import METHODS, method
 from canon.numeric.integrators.compositions import SOFRONIOU_SPALETTA_10
 from canon.numeric.integrators.gauss import GAUSS_6
+from canon.numeric.integrators.problem import ExactPart
 from canon.numeric.integrators.time_transformation import sundman, sundman_state, weighted, weighted_state
+from canon.numeric.precision import double
 from canon.numeric.regularise import regularise
 from canon.numeric.transformed import integrate_transformed
 
@@ -100,3 +102,15 @@ def test_the_catalogue() -> None:
     assert all(each.source for each in METHODS)
     with pytest.raises(InputError, match="yoshida6"):
         method("yoshida7")
+
+
+def test_a_weighted_kick_is_undone_by_one_back() -> None:
+    """w changes by the mean of the velocities before and after, without which the leapfrog were not symmetric."""
+    kick = weighted(lambda p: p, lambda q: -q, lambda q: 1 + jnp.sum(q * q)).parts[1]
+    assert isinstance(kick, ExactPart)
+    state = (np.array([0.3, -0.7]), np.array([0.9, 0.4]), np.array(0.2), np.array(1.5))
+    with double():
+        after = kick.flow(state, 0.4, None)
+        back = kick.flow(after, -0.4, None)
+    assert abs(float(after[3]) - 1.5) > 0.01
+    assert all(np.allclose(x, y, rtol=1e-14) for x, y in zip(back, state, strict=True))

@@ -135,6 +135,7 @@ def exists(motion: OneDegree) -> bool:
     return any(all(e > 0 for e in closed.exists) for closed in by_residues(motion))
 
 
+@pytest.mark.slow
 def test_ranges_that_cut_the_orbit_have_no_action() -> None:
     """In √(1 + r²) beyond the range's end, and in waves before it or beyond it."""
     far = (3 - FAR) * (FAR - sp.Rational(3, 2)) * r**2 / FAR**2

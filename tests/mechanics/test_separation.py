@@ -123,6 +123,7 @@ def test_the_integral_of_a_root_has_it_as_its_derivative(square: Any, at: Any) -
     assert abs(sp.N((found.diff(x) - sp.sqrt(square)).subs(x, at), 20)) < 1e-15
 
 
+@pytest.mark.slow
 def test_a_characteristic_function_solves_the_reduced_equation() -> None:
     """Kepler in spherical coordinates with numbers of a bound orbit, between its turning points."""
     space = NAMES[3]

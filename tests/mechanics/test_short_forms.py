@@ -100,6 +100,7 @@ def test_a_pull_back_is_defined_where_what_it_uses_is() -> None:
     assert {term for condition in found.conditions for term in condition.terms} == {a, sp.log(a)}
 
 
+@pytest.mark.slow
 def test_a_potential_has_the_form_as_its_gradient() -> None:
     """Of closed forms, in any order of the variables; a form that isn't closed leaves a residual."""
     for F in (x**2 * y + sp.sin(a * y) * x, sp.exp(x * y) + a**2 / 2, x / (1 + y)):

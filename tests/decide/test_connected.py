@@ -25,6 +25,9 @@ x, y = sp.symbols("x y", real=True)
         ([x**2 + y**2 - 1], (None, None), (None, None), False),
         ([x * y - 1], (None, None), (None, None), False),
         ([x * y - 1], (0, None), (0, 3), True),
+        ([x + 1 / y], (None, 0), (None, None), False),
+        ([1 - 1 / y], (None, None), (None, None), False),
+        ([x - 1 / y], (0, 1), (None, 2), False),
         ([1 - x**2 - y, y - sp.Rational(1, 2) + x], (0, None), (0, None), False),
     ],
 )

@@ -48,3 +48,14 @@ def test_a_polynomial_is_looked_at_inside_of_a_thin_interval(above: int, expecte
             values[i] = combine(tower.field, tape.ops[i], values)
     with precision(256):  # at which roots outside of it are told from its ends
         assert sign_by_real_roots(tower, values[node][0]) == expected
+
+
+@pytest.mark.parametrize("digits", [10, 25, 40, 200])
+def test_edges_on_both_sides_of_pi_are_told_apart(digits: int):
+    """π cut after so many digits lies below it, and one more in the last place above."""
+    below = Fraction(int(sp.pi.evalf(digits + 20) * 10**digits), 10**digits)
+    for rational, sign in ((below, -1), (below + Fraction(1, 10**digits), 1)):
+        for factor in (Fraction(1), Fraction(-2, 7)):
+            sign_here = sign if factor > 0 else -sign
+            assert Edge(rational * factor).compare(Edge(Fraction(0), factor)) == sign_here
+            assert Edge(Fraction(0), factor).compare(Edge(rational * factor)) == -sign_here

@@ -95,3 +95,13 @@ def test_a_sign_on_a_box(f: sp.Expr, positive: tuple[sp.Expr, ...], sign: str | 
     box = intervals_of(tape, region_of(tape, f, *positive))
     assert definite_sign(tape, node, box, Budget(20)) == sign
     assert is_zero_free(tape, node, box, Budget(20)) is free
+
+
+@pytest.mark.parametrize(
+    ("f", "none"), [(1 + x, False), (1 + x**3, False), (x, True), (3 * x, True), (1 + x**2, True), (x - y, False)]
+)
+def test_not_zero_is_not_positive(f: sp.Expr, none: bool):
+    """Where x isn't 0 it may be −1."""
+    tape = Tape()
+    region = Region.of(tape, Domain((Condition("nonzero", (x,), "x != 0"),)), [x, y])
+    assert has_no_zero(tape, tape.load(f), region, Budget(10)) == none

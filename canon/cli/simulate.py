@@ -94,8 +94,14 @@ def execute(arguments: argparse.Namespace) -> int:
         result = _run(scene, arguments)
     except InputError as error:
         return refused("simulate", arguments.scene, error, as_json=arguments.json)
-    faults = _write(result, arguments)
-    _print(result, arguments)
+    faults = _write_states(result, arguments)
+    try:
+        _print(result, arguments)
+        sys.stdout.flush()
+    finally:  # the figure last, which takes longest: where it is interrupted, the rest is there
+        faults += _draw(result, arguments)
+    if arguments.plot is not None and not arguments.json:
+        print(f"  figure      {arguments.plot}")
     for fault in faults:
         print(f"canon simulate: {fault}", file=sys.stderr)
     return NOT_WRITTEN if faults else 0 if result.ok else 1
@@ -210,16 +216,19 @@ class _watched:  # noqa: N801 - a context manager that reads as a word
             self.bar.close()
 
 
-def _write(result: Result, arguments: argparse.Namespace) -> list[str]:
-    """Write the files that were asked for, and return what to say of those that couldn't be written."""
+def _write_states(result: Result, arguments: argparse.Namespace) -> list[str]:
     from canon.report.states_file import write_states
 
+    return write_each(arguments, {"out": lambda: write_states(result, arguments.out)})
+
+
+def _draw(result: Result, arguments: argparse.Namespace) -> list[str]:
     def draw() -> None:
         from canon.report.figures import plot
 
         plot(result, arguments.plot)
 
-    return write_each(arguments, {"out": lambda: write_states(result, arguments.out), "plot": draw})
+    return write_each(arguments, {"plot": draw})
 
 
 def write_each(arguments: argparse.Namespace, files: Mapping[str, Callable[[], None]]) -> list[str]:
@@ -252,6 +261,5 @@ def _print(result: Result, arguments: argparse.Namespace) -> None:
     if arguments.explain:
         lines = [*explanation_lines(result), "", *lines]
     print("\n".join(lines))
-    for option, path in (("states", arguments.out), ("figure", arguments.plot)):
-        if path is not None:
-            print(f"  {option:<11} {path}")
+    if arguments.out is not None:
+        print(f"  states      {arguments.out}")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from html import escape
-from typing import Final
+from typing import Any, Final
 
 COLOURS: Final = {"proved": "#2da44e", "refuted": "#d1453b", "supported": "#b58105", "undecided": "#9a6ac2"}
 """One colour for each verdict, that can be read on white and on black."""
@@ -32,3 +33,11 @@ def table_in_html(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 def text_in_html(value: object) -> str:
     """A value as it prints itself, its lines kept: the `_repr_html_` of what is best read so."""
     return f'<pre style="white-space:pre-wrap">{escape(str(value))}</pre>'
+
+
+def latex(value: Any) -> str:
+    """Sympy's LaTeX, but a momentum such as px as p with an index: px y written as pxy would be read as p x y."""
+    import sympy as sp
+
+    names = {s: f"{s.name[0]}_{{{s.name[1]}}}" for s in value.free_symbols if re.fullmatch(r"[pP][a-hj-z]", s.name)}
+    return sp.latex(value, symbol_names=names)

@@ -10,6 +10,7 @@ from typing import Final
 
 import sympy as sp
 
+from canon.display import latex
 from canon.domain import Condition
 from canon.errors import InputError
 
@@ -71,7 +72,7 @@ class Formula:
         return f"Formula({self}{', where ' if where else ''}{where})"
 
     def _repr_latex_(self) -> str:
-        return f"${sp.latex(self.expr)}$"
+        return f"${latex(self.expr)}$"
 
 
 @dataclass(frozen=True)

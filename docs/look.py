@@ -1,7 +1,8 @@
 """Looks at every page of the built site in a headless Chromium: python docs/look.py [build/site]
 
 Each page is opened at a desktop's and at a phone's width. What is reported: formulas that MathJax couldn't set, or left
-unset; images and links that lead nowhere; a page wider than the phone. Nothing is fetched but from the folder.
+unset, or that are wider than their place on a desktop; images and links that lead nowhere; a page wider than the phone.
+Nothing is fetched but from the folder.
 """
 
 from __future__ import annotations
@@ -54,6 +55,9 @@ async function look(page, width) {
   const wide = [...body.querySelectorAll("article *")].find(beyond);
   if (wide) say(`too wide: ${wide.tagName}.${wide.className} ${wide.textContent.trim().slice(0, 60)}`);
   if (width === widths[0]) {
+    for (const math of body.querySelectorAll("div.math"))
+      if (math.scrollWidth > math.clientWidth + 1)
+        say(`formula cut off: ${math.scrollWidth} of ${math.clientWidth} px in ${math.closest("section")?.id}`);
     for (const image of body.images) {
       image.loading = "eager";
       await image.decode().catch(() => say(`image: ${image.src}`));
@@ -83,10 +87,12 @@ class Quiet(SimpleHTTPRequestHandler):
         """Nothing."""
 
 
-def look(site: Path, browser: str, seconds: int) -> dict:
-    """What the browser found, page by page."""
+def look(site: Path, browser: str, seconds: int, only: str = "") -> dict:
+    """What the browser found, page by page, on pages whose names contain `only`."""
     pages = sorted(page.relative_to(site).as_posix() for page in site.rglob("*.html"))
-    pages = [page for page in pages if not page.startswith("_") and page not in (REPORT, "search.html")]
+    pages = [
+        page for page in pages if not page.startswith("_") and page not in (REPORT, "search.html") and only in page
+    ]
     (site / REPORT).write_text(LOOKER % (json.dumps(pages), json.dumps([DESKTOP, PHONE])), encoding="utf-8")
     server = ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -112,12 +118,13 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("site", nargs="?", type=Path, default=Path("build/site"))
     parser.add_argument("--seconds", type=int, default=300, help="time for the browser")
+    parser.add_argument("--only", default="", help="pages whose names contain this")
     arguments = parser.parse_args()
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None:
         print("no Chromium here: the pages were not looked at")
         return 0
-    report = look(arguments.site, browser, arguments.seconds)
+    report = look(arguments.site, browser, arguments.seconds, arguments.only)
     for each in report["found"]:
         print(f"{each['page']} at {each['width']} px: {each['what']}")
     print(f"{report['pages']} pages at {DESKTOP} and {PHONE} px: {len(report['found'])} faults")

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from canon.claim import Claim
+from canon.display import latex
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols
@@ -186,7 +187,7 @@ class GeneratingFunction:
 
     def _repr_latex_(self) -> str:
         kinds = "".join(map(str, self.types)) if not isinstance(self.type, int) else str(self.type)
-        arguments = ", ".join(sp.latex(u) for u in self.mixed)
-        rows = [f"F_{{{kinds}}}({arguments}) &= {sp.latex(self.F.expr)}"]
-        rows += [f"{sp.latex(y)} &= {sp.latex(value)}" for y, value in self.conjugates().items()]
+        arguments = ", ".join(latex(u) for u in self.mixed)
+        rows = [f"F_{{{kinds}}}({arguments}) &= {latex(self.F.expr)}"]
+        rows += [f"{latex(y)} &= {latex(value)}" for y, value in self.conjugates().items()]
         return "$\\begin{aligned} " + " \\\\ ".join(rows) + " \\end{aligned}$"

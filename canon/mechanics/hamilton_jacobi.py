@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from canon.claim import Claim
+from canon.display import latex
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
@@ -122,4 +123,4 @@ class CompleteIntegral:
 
     def _repr_latex_(self) -> str:
         name = "S" if self.energy is None else "W"
-        return f"${name} = {sp.latex(self.function.expr)}$"
+        return f"${name} = {latex(self.function.expr)}$"

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from canon.claim import Claim
+from canon.display import latex
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import statements
@@ -49,7 +50,7 @@ class Hamiltonian:
         return statements.equations_of_motion(self.space, self.H, qdot, pdot)
 
     def _repr_latex_(self) -> str:
-        return f"$H = {sp.latex(self.H.expr)}$"
+        return f"$H = {latex(self.H.expr)}$"
 
 
 def field_residuals(space: PhaseSpace, qdot: Sequence[Expression], pdot: Sequence[Expression]) -> tuple[sp.Expr, ...]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from canon.claim import Claim
+from canon.display import latex
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import statements
@@ -72,7 +73,7 @@ class Lagrangian:
         return statements.legendre(self.space, H, self.L, self.velocities)
 
     def _repr_latex_(self) -> str:
-        return f"$L = {sp.latex(self.L.expr)}$"
+        return f"$L = {latex(self.L.expr)}$"
 
 
 def lagrangian_of(hamiltonian: Hamiltonian, velocities: sp.Symbol | Sequence[sp.Symbol], branch: int = 0) -> Lagrangian:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from canon.claim import Claim
+from canon.display import latex
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import statements
@@ -140,5 +141,5 @@ class InfinitesimalTransformation:
     def _repr_latex_(self) -> str:
         dq, dp = self.changes()
         changes = zip(self.space.old, (*dq, *dp), strict=True)
-        rows = [f"\\delta {sp.latex(x)} &= \\varepsilon \\left({sp.latex(change)}\\right)" for x, change in changes]
+        rows = [f"\\delta {latex(x)} &= \\varepsilon \\left({latex(change)}\\right)" for x, change in changes]
         return "$\\begin{aligned} " + " \\\\ ".join(rows) + " \\end{aligned}$"

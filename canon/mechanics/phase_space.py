@@ -7,6 +7,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from canon.display import latex
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula, read, read_relation
@@ -268,7 +269,7 @@ class PhaseSpace:
 
     def _repr_latex_(self) -> str:
         def row(symbols: tuple[sp.Symbol, ...]) -> str:
-            return ", ".join(sp.latex(symbol) for symbol in symbols)
+            return ", ".join(latex(symbol) for symbol in symbols)
 
         to = f" \\mapsto ({row(self.new)})" if self.Q else ""
         return f"$({row(self.old)}){to}$"

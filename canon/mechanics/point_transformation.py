@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from canon.display import latex
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols
@@ -95,5 +96,5 @@ class PointTransformation:
 
     def _repr_latex_(self) -> str:
         names = self.space.Q if self.Q else self.space.q
-        rows = [f"{sp.latex(x)} &= {sp.latex(f.expr)}" for x, f in zip(names, self.Q or self.q, strict=True)]
+        rows = [f"{latex(x)} &= {latex(f.expr)}" for x, f in zip(names, self.Q or self.q, strict=True)]
         return "$\\begin{aligned} " + " \\\\ ".join(rows) + " \\end{aligned}$"

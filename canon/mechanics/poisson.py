@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from canon.display import latex
 from canon.errors import InputError
 from canon.mechanics.formulas import Expression, as_expression, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
@@ -68,7 +69,7 @@ class BracketMatrix:
     def _repr_latex_(self) -> str:
         head = " & ".join(["\\{\\cdot,\\cdot\\}", *self.names])
         rows = [
-            " & ".join([name, *(sp.latex(self.matrix[i, j]) for j in range(len(self.names)))])
+            " & ".join([name, *(latex(self.matrix[i, j]) for j in range(len(self.names)))])
             for i, name in enumerate(self.names)
         ]
         body = " \\\\ ".join([head + " \\\\ \\hline " + rows[0], *rows[1:]])
@@ -91,7 +92,7 @@ def bracket_matrix(functions: Sequence[Expression], space: PhaseSpace, names: Se
             return sp.S.Zero
         return upper[int(i), int(j)] if i < j else -upper[int(j), int(i)]
 
-    labels = tuple(names) or tuple(sp.latex(value) for value in values)
+    labels = tuple(names) or tuple(latex(value) for value in values)
     return BracketMatrix(sp.ImmutableMatrix(size, size, entry), labels)
 
 
@@ -99,7 +100,7 @@ def lagrange_matrix(variables: Sequence[sp.Symbol], q: Sequence[Expression], p: 
     """The Lagrange brackets of all pairs of `variables`, of which q and p are functions."""
     size = len(variables)
     values = sp.ImmutableMatrix(size, size, lambda i, j: lagrange_bracket(variables[i], variables[j], q, p))
-    return BracketMatrix(values, tuple(sp.latex(variable) for variable in variables))
+    return BracketMatrix(values, tuple(latex(variable) for variable in variables))
 
 
 def jacobi_sum(f: Expression, g: Expression, h: Expression, space: PhaseSpace) -> sp.Expr:

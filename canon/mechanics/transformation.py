@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal
 import sympy as sp
 
 from canon.claim import Claim
+from canon.display import latex
 from canon.domain import Smoothness
 from canon.errors import InputError
 from canon.expression import Formula
@@ -148,7 +149,7 @@ class Transformation:
     def poisson_brackets(self) -> BracketMatrix:
         """The brackets of the new variables in the old ones (of the old in the new ones, for a backward map)."""
         space = self.space if self.direction == "forward" else self.space.swapped()
-        return bracket_matrix(self.formulas, space, [sp.latex(target) for target in self.targets])
+        return bracket_matrix(self.formulas, space, [latex(target) for target in self.targets])
 
     def lagrange_brackets(self) -> BracketMatrix:
         """The Lagrange brackets of the arguments with respect to the targets."""
@@ -291,5 +292,5 @@ class Transformation:
         if self.direction == "implicit":
             assert self.generating_function is not None
             return self.generating_function._repr_latex_()
-        rows = [f"{sp.latex(target)} &= {sp.latex(value.expr)}" for target, value in self.mapping.items()]
+        rows = [f"{latex(target)} &= {latex(value.expr)}" for target, value in self.mapping.items()]
         return "$\\begin{aligned} " + " \\\\ ".join(rows) + " \\end{aligned}$"

@@ -45,7 +45,7 @@ def test_the_brackets_of_the_coordinates_are_j():
     assert matrix.residual(standard_j(2)) == sp.zeros(4)
     assert matrix.residual(sp.eye(4)) == standard_j(2) - sp.eye(4)
     assert bracket_matrix([X, PX], SPACE)._repr_latex_() == (
-        r"$\begin{array}{c|cc} \{\cdot,\cdot\} & x & px \\ \hline x & 0 & 1 \\ px & -1 & 0 \end{array}$"
+        r"$\begin{array}{c|cc} \{\cdot,\cdot\} & x & p_{x} \\ \hline x & 0 & 1 \\ p_{x} & -1 & 0 \end{array}$"
     )
 
 

@@ -138,8 +138,19 @@ BREAKS: Final = (
           "again += once_more", "pass",
           "tests/claims/test_many.py::test_what_a_lost_worker_had_is_asked_again"),
     Break("a claim overstays on an executor", "its process isn't waited for with a limit", "claims/apart.py",
-          "if not self.connection.poll(seconds + settings.grace_of(seconds)):", "if False:",
+          "if not self.connection.poll(min(seconds + settings.grace_of(seconds), LONGEST)):", "if False:",
           "tests/claims/test_many.py::test_a_claim_that_overstays_or_takes_its_process_along_costs_one_answer"),
+    Break("a program asks for a limit of memory", "its process keeps to none", "claims/apart.py",
+          "isolate(memory)", "isolate(None)", "tests/claims/test_apart.py::test_neither_time_nor_memory_is_exceeded"),
+    Break("a program forks", "both ask over one pipe", "claims/apart.py",
+          "os.register_at_fork(after_in_child=_forget)", "pass",
+          "tests/claims/test_apart.py::test_a_fork_shares_no_pipe_with_its_parent"),
+    Break("standard streams are closed", "they stay so", "cli/main.py",
+          "    _open_what_is_closed()\n    for", "    for",
+          "tests/cli/test_streams.py::test_streams_that_are_closed_are_nowhere"),
+    Break("a system that gives no more", "it is said to be the output", "cli/main.py",
+          "refused = error.errno in REFUSED", "refused = False",
+          "tests/cli/test_streams.py::test_a_system_that_gives_no_more_is_no_flaw"),
 )  # fmt: skip
 """What may happen, and what is done about it that a test would miss."""
 

@@ -11,6 +11,7 @@ import errno
 import io
 import os
 import sys
+import traceback
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Final
@@ -149,6 +150,12 @@ def entry() -> None:
         with contextlib.suppress(OSError):
             print("canon: interrupted", file=sys.stderr, flush=True)
         os._exit(verify.INTERRUPTED)  # an orderly end of large libraries takes half a second
+    except Exception:
+        if not left_behind():
+            raise
+        # Python's orderly end takes the interpreter from compiled code that is still running, which then aborts
+        traceback.print_exc()
+        os._exit(1)
     if left_behind():  # compiled code that nobody waits for, and that would be in the way of an orderly end
         with contextlib.suppress(OSError):
             sys.stderr.flush()

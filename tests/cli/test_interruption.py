@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from canon.cli import main as command
 from canon.cli.main import main
 from canon.interruption import ABANDONED, Late, Left, heeding, interruptible, left_behind
 from canon.scenes import monitors
@@ -122,3 +123,36 @@ def test_a_monitor_is_left_and_the_run_reported(
     assert "energy" in shown
     assert "interrupted before these monitors were read: loop, cartan" in shown
     assert states.exists()
+
+
+def test_an_error_beside_work_that_was_left_ends_the_process_by_itself(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """An orderly end would take the interpreter from compiled code that still runs, and abort with status 134."""
+
+    def fails() -> int:
+        raise ZeroDivisionError("as it was")
+
+    def ended(status: int) -> None:
+        raise SystemExit(status)
+
+    monkeypatch.setattr(command, "main", fails)
+    monkeypatch.setattr(os, "_exit", ended)
+    with pytest.raises(ZeroDivisionError):
+        command.entry()
+    monkeypatch.setattr(command, "left_behind", lambda: True)
+    with pytest.raises(SystemExit) as end:
+        command.entry()
+    assert end.value.code == 1
+    assert "ZeroDivisionError: as it was" in capsys.readouterr().err
+
+
+def test_a_closed_terminal_is_heard_as_ctrl_c(release: threading.Event) -> None:
+    def work() -> str:
+        try:
+            interruptible(lambda: (os.kill(os.getpid(), signal.SIGHUP), release.wait(LONG)))
+        except KeyboardInterrupt:
+            return "interrupted"
+        return "not heard"
+
+    assert heeding(work) == "interrupted"

@@ -67,6 +67,8 @@ def action(s: Statement) -> Case:
 
     def enclosed(own: Intervals, of: Mapping[str, Any]) -> Iterator[Any]:
         """Intervals that hold the action, or the frequency, less what is claimed, of an orbit that may be meant."""
+        if any(f.ops[b] == ("s", p) for a, _ in s.conditions for b in f.reach(a)):
+            raise Open  # what is said of the momentum may cut the orbit
         numbers, found = Numbers(SOLVED[0]), own.values(f, [level, equals, period, *given], of)
         point = {n: numbers.mp.mpf(v.mid) for n, v in of.items() if not isinstance(v, str)}
         momenta = Momenta(form, numbers, point, numbers.mp.mpf(found[level].mid))

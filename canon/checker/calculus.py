@@ -266,7 +266,7 @@ def limit(s: Statement) -> Case:
             worst = max(worst, _distance(own, values, found[equals] if isinstance(equals, int) else str(equals)))
         return [worst]
 
-    return Case([], measured=measured, digits=3, mentions=[inside])
+    return Case([], measured=measured, digits=6, mentions=[inside])
 
 
 def _distance(numbers: Numbers, values: list[Any], equals: Any) -> Any:

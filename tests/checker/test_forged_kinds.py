@@ -70,6 +70,7 @@ RIGHT = "3/2*((p**2 + a**2*q**2)/2)**2/a**4"
 
 FALSE: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "a limit's thousandth": (limit("sin(a*x)/x", "1001/1000*a"), {}),
+    "a limit at an edge": (limit("acos(1 - x)/sqrt(x)", "1001/1000*sqrt(2)", side="+"), {}),
     "a limit from the other side": (limit("sqrt(a*x**2)/x", "sqrt(a)", side="-"), {}),
     "a limit from both sides": (limit("x/abs(x)", "1"), {}),
     "a limit's branch": (limit("acos((sqrt(1 - x**2) - 1)/x)", "-pi/2", side="+"), {}),
@@ -191,6 +192,12 @@ TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = 
     "an action in exponentials": (
         {**ACTION, "equals": "2*pi*sqrt(2)*(sqrt(b) - sqrt(b - E))/a"}, MORSE, {"a": "2", "b": "2", "E": "1/3"}
     ),
+    "an isochrone action": (
+        {**ACTION, "equals": "2*pi*(a/sqrt(-2*E) - (b + sqrt(b**2 + 4*a*c))/2)"},
+        RADIAL | {"hamiltonian": {"H": "p**2/2 + b**2/(2*q**2) - a/(c + sqrt(c**2 + q**2))"},
+                  "symbols": {**RADIAL["symbols"], "c": "positive"}},
+        {"a": "2", "b": "1", "c": "1", "E": "-1/10"},
+    ),
     "a frequency": ({**ACTION, "kind": "frequency", "equals": "a/(2*pi)"}, OSCILLATOR, {"a": "2", "E": "3"}),
     "an action about a well": (
         {**ACTION, "equals": "1/3*2*pi*E/a + 2/3*2*pi*E/a", "well": "1/100"}, OSCILLATOR, {"a": "1/2", "E": "5"}
@@ -248,18 +255,32 @@ TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = 
 }  # fmt: skip
 
 
+LONG = (
+    "a small quartic", "a small quartic's frequency", "a mass that moves", "a wall", "a positive coordinate",
+    "a pole inside", "a jump inside", "an action", "a frequency", "an action about a well", "a pendulum's action",
+    "a radial action", "an isochrone action",
+    "an action in exponentials", "an oscillator's half", "a radial action of any coordinate",
+    "an exponential's rate", "a radial action's sign",
+)  # fmt: skip
+"""They are measured first, or enclosed."""
+
+
+def named(names: Any) -> list[Any]:
+    return [pytest.param(name, marks=pytest.mark.slow if name in LONG else ()) for name in names]
+
+
 UNSURE = ("turns that are combined", "a normal form's logarithms")
 """True, and no rule says so."""
 
 
 @pytest.mark.parametrize("shown", SHOWN, ids=("argument", "identity"))
-@pytest.mark.parametrize("name", FALSE)
+@pytest.mark.parametrize("name", named(FALSE))
 def test_no_proof_of_what_is_false(name: str, shown: dict[str, Any]) -> None:
     claim, tables = FALSE[name]
     assert status(claim, "proved", shown, tables) != "confirmed"
 
 
-@pytest.mark.parametrize("name", TRUE)
+@pytest.mark.parametrize("name", named(TRUE))
 def test_no_refutation_of_what_is_true(name: str) -> None:
     claim, tables, witness = TRUE[name]
     assert status(claim, "refuted", SHOWN[0], tables, witness) not in ("confirmed", "confirmed in part")

@@ -124,7 +124,7 @@ class Native:
             else:
                 with ThreadPoolExecutor(len(shares)) as pool:
                     done = max(pool.map(part, shares, alive))
-            dead = np.flatnonzero(alive.any(axis=0)[: last - chunks.first] == 0)
+            dead = np.flatnonzero(~np.any(alive[:, : last - chunks.first] != 0, axis=0))
             if not batched or not len(dead):
                 return done, carry, rows
             # the carry is wanted as it was before every orbit was lost: the same run, that far

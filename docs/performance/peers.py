@@ -1,6 +1,6 @@
 """canon beside other packages: how long each takes to an accuracy, both sides in turns in one run.
 
-    pip install -e '.[peers]'
+    pip install -e '.[peers,native]'
     python docs/performance/peers.py [--only orbits orbit kepler pendulum bodies] [--json FILE]
 
 All times are CPU times, medians of nine runs. Of every package the fastest of the settings that are listed in
@@ -22,7 +22,7 @@ from pathlib import Path
 from peers_common import Row
 
 TASKS = ("orbits", "orbit", "kepler", "pendulum", "bodies")
-PACKAGES = ("canon-mechanics", "jax", "heyoka", "diffrax", "rebound", "numba", "numpy")
+PACKAGES = ("canon-mechanics", "jax", "llvmlite", "heyoka", "diffrax", "rebound", "numba", "numpy")
 
 
 def table(rows: Sequence[Row]) -> Iterator[str]:

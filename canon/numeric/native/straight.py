@@ -21,7 +21,7 @@ from canon.numeric.scalar_arrays import Traced, Unscalar, Value, known
 from canon.numeric.scalar_program import taken_apart
 from canon.program import Builder, Program
 
-MOST_OPERATIONS: Final = 12_000
+MOST_OPERATIONS: Final = 13_000
 """Operations of a step and what brackets it: longer programs would take seconds to compile."""
 
 

@@ -5,7 +5,7 @@ Sign: {f, g} = sum_i (df/dq_i dg/dp_i - df/dp_i dg/dq_i), so {q, p} = 1. Other c
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import sympy as sp
 
@@ -48,6 +48,10 @@ def lagrange_bracket(u: sp.Symbol, v: sp.Symbol, q: Sequence[Expression], p: Seq
     return sp.Add(*terms)
 
 
+LONG_ENTRY: Final = 300
+"""Entries with more operations are shown as they are."""
+
+
 @dataclass(frozen=True)
 class BracketMatrix:
     """The antisymmetric matrix of the brackets of some functions, with the names to show it by."""
@@ -69,11 +73,19 @@ class BracketMatrix:
     def _repr_latex_(self) -> str:
         head = " & ".join(["\\{\\cdot,\\cdot\\}", *self.names])
         rows = [
-            " & ".join([name, *(latex(self.matrix[i, j]) for j in range(len(self.names)))])
+            " & ".join([name, *(latex(_shown(self.matrix[i, j])) for j in range(len(self.names)))])
             for i, name in enumerate(self.names)
         ]
         body = " \\\\ ".join([head + " \\\\ \\hline " + rows[0], *rows[1:]])
         return f"$\\begin{{array}}{{c|{'c' * len(self.names)}}} {body} \\end{{array}}$"
+
+
+def _shown(entry: Any) -> Any:
+    """An entry over one denominator, for reading: x**2/r**2 + y**2/r**2 is 1. What is long stays as it is."""
+    if sp.count_ops(entry) > LONG_ENTRY:
+        return entry
+    above, below = sp.fraction(sp.together(entry))
+    return sp.cancel(sp.expand(above) / below)
 
 
 def bracket_matrix(functions: Sequence[Expression], space: PhaseSpace, names: Sequence[str] = ()) -> BracketMatrix:

@@ -54,3 +54,13 @@ def test_the_sum_of_jacobi_is_cyclic(monkeypatch):
     B = sp.Function("B")
     monkeypatch.setattr(poisson, "poisson_bracket", lambda f, g, space: B(f, g))
     assert jacobi_sum(X, Y, Z, SPACE) == B(X, B(Y, Z)) + B(Y, B(Z, X)) + B(Z, B(X, Y))
+
+
+def test_entries_are_shown_over_one_denominator() -> None:
+    """Polar coordinates: the matrix of brackets reads as J, whatever the sums that its entries are."""
+    x, y, px, py = SPACE.symbols("x y px py")
+    r = sp.sqrt(x**2 + y**2)
+    radial = (x * px + y * py) / r
+    assert bracket_matrix([r, radial], SPACE, ["r", "p_r"])._repr_latex_() == (
+        r"$\begin{array}{c|cc} \{\cdot,\cdot\} & r & p_r \\ \hline r & 0 & 1 \\ p_r & -1 & 0 \end{array}$"
+    )

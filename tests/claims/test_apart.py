@@ -78,6 +78,7 @@ def test_a_fork_shares_no_pipe_with_its_parent() -> None:
     assert apart._IDLE[2 * GIB] == [companion]
 
 
+@pytest.mark.slow
 def test_processes_of_many_limits_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(apart, "MOST_IDLE", 1)
     verify(TRUE, memory=2 * GIB)

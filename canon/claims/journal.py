@@ -114,6 +114,7 @@ def fits(kind: str, record: Record, entry: Entry) -> bool:
     return (
         claim is not None
         and verdict in STATUSES
+        and "title" in record  # which may be None, as what isn't there is
         and (record.get("index"), record.get("kind"), record.get("title")) == (entry.index, claim.kind, claim.title)
         and isinstance(record.get("expected"), bool)
         and (claim.is_met_by(verdict) or not record["expected"])

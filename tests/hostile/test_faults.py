@@ -209,6 +209,9 @@ def test_a_memory_with_anything_in_it_is_none(tmp_path: Path) -> None:
     for key, value in strange:
         remember(kept, file, claims, [{**told[0], key: value}, told[1]])
         assert recall(kept, file, "name") is None
+    for key in told[1]:
+        remember(kept, file, claims, [told[0], {k: v for k, v in told[1].items() if k != key or k == "verdict"}])
+        assert (recall(kept, file, "name") is None) == (key != "verdict"), key
 
 
 @pytest.mark.parametrize("step", [3600.0, -3600.0])

@@ -39,6 +39,14 @@ def test_what_is_zero_at_the_first_point_is_no_identity(function: sp.Expr):
         assert vanishes_on_cell(tape, near, cell, random.Random(2), Budget(20), 3) is None
 
 
+def test_what_is_not_zero_is_not_taken_for_positive():
+    tape = Tape()
+    inside = x * y - 1
+    region = Region((Requirement("nonzero", (tape.load(inside),), ""),), (), ())
+    for function in (sqrt(sp.expand(inside**2)) - inside, sqrt(sp.expand(inside**2)) + inside):
+        assert vanishes_by_cells(tape, tape.load(function), region, random.Random(1), Budget(20)) is None
+
+
 def test_conjugates_that_are_too_costly_prove_nothing():
     tape = Tape()
     node = tape.load(sqrt(1 + x**2) - y)

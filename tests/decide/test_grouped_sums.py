@@ -112,6 +112,8 @@ def test_what_is_zero_is_seen_and_what_is_nearly_zero_is_not_taken_for_it(seed: 
     parts = [formulas.product([a, c]), formulas.product([b, c])]
     inverse = formulas.power(formulas.product([a, b]), -1)
     others = [formulas.power(a, -1), formulas.power(b, -1)]
+    assert formulas.sums.node(("n", Fraction(3)), {}) == formulas.sums.lift(formulas.field.constant(3))
+    assert formulas.sums.node(("n", Fraction(0)), {}) == {}
     assert formulas.sums.power(a[1], 0) == formulas.sums.lift(formulas.field.constant(1))
     powers = formulas.product([formulas.power(c, 5), formulas.power(c, -3), formulas.power(c, -2)])
     for slight in (0, Fraction(1, 1000)):

@@ -20,11 +20,11 @@ from properties.towers import tower_of
 
 x, y, t, s = sp.symbols("x y t s", real=True)
 a, b = sp.symbols("a b", positive=True)
-u, d = sp.Symbol("u", nonnegative=True), sp.Symbol("d", negative=True)
-NAMES = (x, y, t, s, a, b, u, d)
+u, d, n = sp.Symbol("u", nonnegative=True), sp.Symbol("d", negative=True), sp.Symbol("n", nonpositive=True)
+NAMES = (x, y, t, s, a, b, u, d, n)
 FORMULA = (
     sp.sin(x) + sp.sqrt(1 + x**2) + sp.sqrt(a) + sp.sqrt(a * b) * sp.exp(y) + sp.exp(-a) + sp.log(b) + sp.pi * t * s
-    + u * d * sp.sin(t)
+    + u * d * n * sp.sin(t)
 )  # fmt: skip
 CONDITIONS = (t, 2 - t, s + 1, sp.pi - s, b - a * x, x + 3 * y + 2, a + y - 2 * x)
 RULES = (
@@ -45,7 +45,7 @@ def points(rng: random.Random, count: int) -> Iterator[dict[sp.Symbol, float]]:
         size = rng.choice((0.02, 1.0, 3.0, 12.0))
         place = [rng.uniform(-size, size), rng.uniform(-size, size), rng.choice((0.003, 1.997, rng.uniform(0, 2)))]
         place += [rng.choice((-0.997, 3.14, rng.uniform(-1, 3.14)))]
-        place += [rng.uniform(0, size) for _ in range(3)] + [-rng.uniform(0, size)]
+        place += [rng.uniform(0, size) for _ in range(3)] + [-rng.uniform(0, size) for _ in range(2)]
         if all(c(*place) > 1e-6 for c in lambdas):
             count -= 1
             yield dict(zip(NAMES, place, strict=True))
@@ -128,9 +128,11 @@ def test_signs_that_are_known(tower: Tower):
     """Each rule sees the sign of a polynomial that it is made for, and of no other near it."""
     tape, ring = tower.tape, tower.ring
     of = {made.data: ring.generators[made.index] for made in tower.generators if made.kind == "symbol"}
-    X, Y, T, S, A, B, U, _ = (of[tape.symbol(name)] for name in NAMES)
+    X, Y, T, S, A, B, U, D, N = (of[tape.symbol(name)] for name in NAMES)
     pi = next(ring.generators[made.index] for made in tower.generators if made.kind == "pi")
     cases = [
+        (signs.sign_at_sight, A * N + D, "neg", A * N - D),
+        (signs.sign_at_sight, N * U * A - B * N**2, "nonpos", N * U * A + B * N**2),
         (sign_sums.by_even_powers, X**2 + A * Y**4 + 1, "pos", X**3 + A * Y**4 + 1),
         (sign_sums.by_even_powers, X**2 + A * Y**2, "nonneg", X**2 - A * Y**2),
         (sign_sums.by_even_powers, A**2 + X**2, "pos", A**2 + X**3),

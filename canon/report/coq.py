@@ -84,10 +84,10 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
             body = [_refutation(statement, cases[0].zeros, certificate["witness"])]
         else:
             pairs = list(zip(cases, certificate["cases"], strict=False))
-            _compare("cases", len(certificate["cases"]), len(cases))
             for case in cases:
                 if case.measured is not None or case.positive or not (case.zeros or case.nonzeros):
                     raise Unknown("what is claimed is no identity")
+            _compare("cases", len(certificate["cases"]), len(cases))
             for case, data in pairs:
                 _compare("residuals", len(data["residuals"]), len(case.zeros))
             if not all("cofactors" in entry for _, data in pairs for entry in data["residuals"]):

@@ -57,7 +57,8 @@ def _export(arguments: argparse.Namespace) -> int:
     try:
         data = load(arguments.file)
         if (answer := check(data)).status == "rejected":
-            raise InputError(f"this certificate is {answer}")
+            remedy = "one that another version of canon made has to be made anew: `canon verify FILE --certificate DIR`"
+            raise InputError(f"this certificate is {answer} ({remedy})")
         check_folder("--coq", arguments.coq)
         text = coq_of(data)
         written(arguments.coq, text)

@@ -50,7 +50,7 @@ def certified_failure(
     place.update({tape.symbol(name): Fraction(value) for name, value in parameters.items()})
     try:
         region = question.region()
-        finder = Finder(tape, [residual], region, random.Random(0))
+        finder = Finder(tape, [residual], region, random.Random(0), question.budget)
         if region.surface or not set(finder.symbols) <= set(place):
             return None
         sample = finder.certify({node: place[node] for node in finder.symbols}, {}, {}, BITS)

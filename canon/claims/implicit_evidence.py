@@ -58,7 +58,7 @@ def solved_numerically(question: Question) -> Solved | None:
     if generating is None or question.subject.domain.surface:
         return None
     F = OnTape.of(question, generating)
-    finder = Finder(question.tape, F.nodes, F.region, random.Random(question.seed))
+    finder = Finder(question.tape, F.nodes, F.region, random.Random(question.seed), question.budget)
     try:
         for attempt in range(TRIES):
             seed = finder.attempt(64, nice=attempt < 2, effort=attempt)

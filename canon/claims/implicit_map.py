@@ -74,7 +74,7 @@ class ImplicitMap:
         tape = question.tape
         if tape.functions_of(F.gradient):
             raise InputError("an arbitrary function has no values", "generating_function, F")
-        finder = Finder(tape, F.nodes, F.region, random.Random(0))
+        finder = Finder(tape, F.nodes, F.region, random.Random(0), question.budget)
         seeds: list[Sample] = []
         for attempt in range(8 * SEEDS):
             point = finder.attempt(64, nice=attempt < 4, effort=attempt)

@@ -155,7 +155,8 @@ def execute(arguments: argparse.Namespace) -> int:
     if unproved:
         print(f"canon verify: --proof: {unproved}", file=sys.stderr)
     status = INTERRUPTED if interrupted else exit_status(claims, errors)
-    return status or (NOT_WRITTEN if unwritten or unproved else 0)
+    unkept = diary is not None and diary.fault
+    return status or (NOT_WRITTEN if unwritten or unproved or unkept else 0)
 
 
 def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Record) -> None:

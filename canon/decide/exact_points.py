@@ -15,6 +15,8 @@ from typing import Any
 import sympy as sp
 from flint import arb, arb_poly, fmpq, fmpq_poly
 
+from canon.budget import Budget
+from canon.deadline import within
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import Ball, precision
 
@@ -30,14 +32,14 @@ Found = tuple[dict[int, Fraction], dict[int, Ball]]
 
 
 def algebraic_point(
-    equations: Sequence[Terms], values: Mapping[int, Fraction], rng: random.Random, bits: int
+    equations: Sequence[Terms], values: Mapping[int, Fraction], rng: random.Random, bits: int, budget: Budget
 ) -> Found | None:
     """A real common zero near nothing in particular: exact coordinates, and balls of those that are irrational.
 
     Arguments:
       equations: polynomials as exponents → coefficient, all over the same coordinates 0, 1, ….
       values: rational values for coordinates that turn out to be free.
-    Raises: NoZero where the equations contradict each other.
+    Raises: NoZero where the equations contradict each other, BudgetExceeded where the time is over.
     """
     used = sorted({k for p in equations for m in p for k, e in enumerate(m) if e})
     degree = max((sum(m) for p in equations for m in p), default=0)
@@ -46,7 +48,7 @@ def algebraic_point(
     names = {k: sp.Symbol(f"x{k}") for k in used}
     polynomials = [_sympy(p, names) for p in equations]
     rng.shuffle(used)
-    basis = sp.groebner(polynomials, *(names[k] for k in used), order="grevlex", domain=sp.QQ)
+    basis = _basis(polynomials, [names[k] for k in used], "grevlex", budget)
     if basis.exprs == [1]:
         raise NoZero
     free = _independent(basis, used)
@@ -55,7 +57,11 @@ def algebraic_point(
         return None
     place = {names[k]: sp.Rational(v.numerator, v.denominator) for k, v in exact.items()}
     left = [k for k in used if k not in exact]
-    return _solve([sp.expand(g.subs(place)) for g in basis.exprs], left, names, exact, bits)
+    return _solve([sp.expand(g.subs(place)) for g in basis.exprs], left, names, exact, bits, budget)
+
+
+def _basis(polynomials: Sequence[Any], names: Sequence[sp.Symbol], order: str, budget: Budget) -> Any:
+    return within(budget, lambda: sp.groebner(polynomials, *names, order=order, domain=sp.QQ))
 
 
 def _sympy(terms: Terms, names: Mapping[int, sp.Symbol]) -> sp.Expr:
@@ -77,7 +83,12 @@ def _independent(basis: Any, used: Sequence[int]) -> list[int]:
 
 
 def _solve(
-    polynomials: Sequence[Any], left: Sequence[int], names: Mapping[int, Any], exact: dict[int, Fraction], bits: int
+    polynomials: Sequence[Any],
+    left: Sequence[int],
+    names: Mapping[int, Any],
+    exact: dict[int, Fraction],
+    bits: int,
+    budget: Budget,
 ) -> Found | None:
     """The finitely many solutions in the coordinates that are left, one coordinate after the other."""
     polynomials = [p for p in polynomials if p != 0]
@@ -86,18 +97,19 @@ def _solve(
     if any(p.is_number for p in polynomials):
         return None
     gens = [names[k] for k in left]
-    basis = sp.groebner(polynomials, *gens, order="lex", domain=sp.QQ)
+    basis = _basis(polynomials, gens, "lex", budget)
     last = [p for p in basis.exprs if p.free_symbols <= {gens[-1]}]
     if not last:
         return None
-    for factor, _ in sp.Poly(last[0], gens[-1], domain=sp.QQ).factor_list()[1]:
+    factors: Any = within(budget, sp.Poly(last[0], gens[-1], domain=sp.QQ).factor_list)
+    for factor, _ in factors[1]:
         root = _rational_root(factor)
         if root is not None:
             place = {gens[-1]: sp.Rational(root.numerator, root.denominator)}
             rest = [sp.expand(p.subs(place)) for p in basis.exprs]
-            found = _solve(rest, left[:-1], names, {**exact, left[-1]: root}, bits)
+            found = _solve(rest, left[:-1], names, {**exact, left[-1]: root}, bits, budget)
         else:
-            found = _at_irrational_root(basis.exprs, factor, left, names, exact, bits)
+            found = _at_irrational_root(basis.exprs, factor, left, names, exact, bits, budget)
         if found is not None:
             return found
     return None
@@ -113,11 +125,17 @@ def _rational_root(factor: sp.Poly) -> Fraction | None:
 
 
 def _at_irrational_root(
-    polynomials: Sequence[Any], factor: sp.Poly, left: Sequence[int], names: Mapping[int, Any], exact: Any, bits: int
+    polynomials: Sequence[Any],
+    factor: sp.Poly,
+    left: Sequence[int],
+    names: Mapping[int, Any],
+    exact: Any,
+    bits: int,
+    budget: Budget,
 ) -> Found | None:
     """The other coordinates as polynomials in the last one, at a real root of its minimal polynomial."""
     gens = [names[k] for k in left]
-    basis = sp.groebner([*polynomials, factor.as_expr()], *gens, order="lex", domain=sp.QQ)
+    basis = _basis([*polynomials, factor.as_expr()], gens, "lex", budget)
     shapes: dict[int, fmpq_poly] = {}
     for k, x in zip(left[:-1], gens[:-1], strict=True):
         forms = [p for p in basis.exprs if sp.degree(p, x) == 1 and p.free_symbols <= {x, gens[-1]}]

@@ -10,6 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 from canon.budget import Budget
+from canon.deadline import within
 from canon.decide.certificate import Certificate, describe
 from canon.decide.components import without_powers
 from canon.decide.fraction_field import Element, FractionField
@@ -105,12 +106,13 @@ def _in_ideal(tower: Tower, numerator: Polynomial, equations: list[Polynomial], 
         return False
     used = sorted({k for p in polynomials for k, e in enumerate(tower.ring.degrees(p)) if e > 0})
     names = sp.symbols([f"g{k}" for k in used])
-    budget.check()
-    basis = sp.groebner(
-        [_sympy(tower.ring, p, used, names) for p in [*equations, *relations]], *names, order="grevlex", domain=sp.QQ
-    )
-    budget.check()
-    return basis.reduce(_sympy(tower.ring, numerator, used, names))[1] == 0
+    given = [_sympy(tower.ring, p, used, names) for p in [*equations, *relations]]
+
+    def is_in() -> bool:
+        basis = sp.groebner(given, *names, order="grevlex", domain=sp.QQ)
+        return basis.reduce(_sympy(tower.ring, numerator, used, names))[1] == 0
+
+    return within(budget, is_in)
 
 
 def _by_conjugate(tower: Tower, numerator: Polynomial, equations: list[Polynomial], budget: Budget) -> bool:
@@ -139,8 +141,7 @@ def _in_radical(tower: Tower, numerator: Polynomial, equations: list[Polynomial]
     inverse = sp.Symbol("t")
     given = [_sympy(tower.ring, p, used, names) for p in [*equations, *relations]]
     given.append(1 - inverse * _sympy(tower.ring, numerator, used, names))
-    budget.check()
-    return sp.groebner(given, inverse, *names, order="grevlex", domain=sp.QQ).exprs == [1]
+    return within(budget, lambda: sp.groebner(given, inverse, *names, order="grevlex", domain=sp.QQ).exprs == [1])
 
 
 def _sympy(ring: Ring, p: Polynomial, used: list[int], names: list[sp.Symbol]) -> sp.Expr:

@@ -215,7 +215,7 @@ def point_below(
     """A certified point downhill of the lowest of these at which the node is negative (`strict`: or exactly 0)."""
     if region.surface:
         return None
-    finder = Finder(tape, [node], region, rng)
+    finder = Finder(tape, [node], region, rng, budget)
     for sample in _near_ends(finder, node, starts, intervals_of(tape, region)):
         if is_below(tape, node, sample, strict=strict):
             return sample

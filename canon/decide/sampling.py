@@ -62,7 +62,7 @@ def sample(
     """
     rng = random.Random(seed)
     seeds: list[Sample] = []
-    finder = Finder(tape, nodes, region, rng)
+    finder = Finder(tape, nodes, region, rng, budget)
     try:
         for point in _attempts(finder, bits, min(points, SEEDS), budget):
             seeds.append(point)

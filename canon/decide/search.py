@@ -66,7 +66,7 @@ def samples(
     nice: bool = False,
 ) -> Iterator[Sample]:
     """Up to `count` certified points of the region at which the targets are defined too."""
-    finder = Finder(tape, targets, region, rng)
+    finder = Finder(tape, targets, region, rng, budget)
     found = 0
     for attempt in range(tries * max(1, count)):
         budget.check()
@@ -132,10 +132,10 @@ def deeply_zero(tape: Tape, node: Node, points: Sequence[Sample]) -> bool:
 
 
 class Finder:
-    """The search for points of one region at which the targets are defined."""
+    """The search for points of one region at which the targets are defined, as long as the `budget` lasts."""
 
-    def __init__(self, tape: Tape, targets: Sequence[Node], region: Region, rng: random.Random) -> None:
-        self.tape, self.region, self.rng = tape, region, rng
+    def __init__(self, tape: Tape, targets: Sequence[Node], region: Region, rng: random.Random, budget: Budget) -> None:
+        self.tape, self.region, self.rng, self.budget = tape, region, rng, budget
         self.conditions = tape.reach(region.nodes())
         self.everything = tape.reach([*region.nodes(), *targets])
         inside = set(self.everything) | set(region.symbols)

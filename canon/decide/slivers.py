@@ -56,7 +56,7 @@ def points_between_zeros(
     switches = _switches(tape, region)
     if region.surface or not switches:
         return
-    finder = Finder(tape, [*targets, *switches], region, rng)
+    finder = Finder(tape, [*targets, *switches], region, rng, budget)
     moving = [x for x in finder.symbols if _is_a_line(tape, x) and any(x in tape.support(s) for s in switches)]
     usable = [place for place in known if place.point.keys() >= set(finder.symbols)]
     drawn = list(samples(tape, [*targets, *switches], region, rng, count=MORE_POINTS, tries=4, budget=budget))

@@ -93,7 +93,7 @@ def _solve_algebraic(
     fixed = [k for k, n in enumerate(symbols) if tape.symbol_at(n).is_integer]
     terms += [{_power(k, len(symbols)): Fraction(1), (0,) * len(symbols): -values[k]} for k in fixed]
     try:
-        found = algebraic_point(terms, values, finder.rng, bits)
+        found = algebraic_point(terms, values, finder.rng, bits, finder.budget)
     except NoZero:
         if not singular and not fixed and finder.choices is not None:
             finder.choices = [other for other in finder.choices if other != choice]

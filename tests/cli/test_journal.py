@@ -161,7 +161,7 @@ def test_a_full_disk_costs_the_journal_alone(tmp_path: Path, asked: list[int], c
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (1500, hard))  # Python ignores the signal that goes with it
     try:
-        assert main(["verify", "--json", str(file), "--resume", str(kept)]) == 0
+        assert main(["verify", "--json", str(file), "--resume", str(kept)]) == 74
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
     out, err = capsys.readouterr()

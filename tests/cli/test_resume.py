@@ -74,7 +74,7 @@ def test_an_interrupted_run_is_gone_on_with(
     assert f"begun with the engine {begun}, and this is the engine {another}" in capsys.readouterr().err
     if begun == "native":
         with monkeypatch.context() as patched:
-            patched.setattr(engines, "installed", lambda: False)
+            patched.setattr(engines, "hindrance", lambda: engines.MISSING)
             assert run(tmp_path, "--resume", str(part)) == 3
         assert "begun with the native engine" in capsys.readouterr().err
     write_arrays({**other, "resume": np.array("[")}, part)

@@ -1,14 +1,20 @@
 """Points of algebraic sets by Gröbner bases lie on them: exact coordinates exactly, irrational ones in their balls."""
 
 import random
+import time
 from fractions import Fraction
 
 import pytest
 import sympy as sp
 
+from canon.budget import Budget
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import precision
 from canon.decide.exact_points import NoZero, algebraic_point
+from canon.decide.on_surface import _in_ideal, _in_radical
+from canon.decide.tape import Tape
+from canon.decide.tower import Tower
+from canon.errors import BudgetExceeded
 
 x, y, z = NAMES = sp.symbols("x y z")
 CHOSEN = {0: Fraction(2), 1: Fraction(-1, 3), 2: Fraction(5)}
@@ -19,7 +25,7 @@ def terms(f: sp.Expr) -> dict[tuple[int, ...], Fraction]:
 
 
 def found(*equations: sp.Expr, seed: int = 0):
-    return algebraic_point([terms(f) for f in equations], CHOSEN, random.Random(seed), 128)
+    return algebraic_point([terms(f) for f in equations], CHOSEN, random.Random(seed), 128, Budget())
 
 
 @pytest.mark.parametrize("seed", [0, 1, 2])
@@ -80,3 +86,25 @@ def test_what_has_no_zero_and_what_none_is_found_of():
     assert found(x**9 - 2, y) is None  # of too high a degree
     assert found(x**8 - 1, y) is not None
     assert found() is None
+
+
+def test_a_basis_that_takes_hours_is_left_when_the_time_is_over():
+    """The cyclic roots of order 6, of which no clock is looked at in the middle."""
+    size = 6
+    names = sp.symbols(f"g:{size}", real=True)
+    cyclic = [sum(sp.prod([names[(i + j) % size] for j in range(d)]) for i in range(size)) for d in range(1, size)]
+    system = [
+        {m: Fraction(int(c.p), int(c.q)) for m, c in sp.Poly(f, *names, domain=sp.QQ).terms()}
+        for f in [*cyclic, sp.prod(names) - 1]
+    ]
+    chosen = {k: Fraction(k + 2) for k in range(size)}
+    tape = Tape()
+    tower = Tower(tape, [tape.load(sum(names))], budget=Budget())
+    of, *equations = [tower.ring.polynomial(dict(f)) for f in system[1:]]
+    start = time.process_time()
+    with pytest.raises(BudgetExceeded):
+        algebraic_point(system, chosen, random.Random(1), 128, Budget(0.1))
+    for asked in (_in_ideal, _in_radical):
+        with pytest.raises(BudgetExceeded):
+            asked(tower, of, equations, Budget(0.1))
+    assert time.process_time() - start < 20

@@ -16,7 +16,7 @@ from canon.numeric.integrators import Field, Splitting, clock_part, separable
 from canon.numeric.integrators.catalogue import method
 from canon.numeric.integrators.gauss import METHODS as GAUSS
 from canon.numeric.integrators.problem import Shear
-from canon.numeric.native import engine
+from canon.numeric.native import compile, engine
 
 pytest.importorskip("llvmlite", reason="the optional extra `native` is not installed")
 
@@ -167,3 +167,29 @@ def test_an_engine_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InputError, match=r"canon-mechanics\[native"):
         integrate(HENON_HEILES, method("verlet"), ONE, engine="native", **shared)
     assert integrate(HENON_HEILES, method("verlet"), ONE, engine="auto", **shared).engine == "xla"
+
+
+@pytest.mark.parametrize(
+    ("raised", "says"),
+    [
+        (ModuleNotFoundError("No module named 'llvmlite'", name="llvmlite"), "is not installed"),
+        (ImportError("DLL load failed"), "can't be used \\(ImportError: DLL load failed\\): install"),
+        (OSError("libllvmlite.so: cannot open\nshared object"), "can't be used \\(OSError: .* open shared object\\)"),
+        (AttributeError("no 'create_pass_builder'"), "can't be used"),
+        (RuntimeError("LLVM ERROR"), "can't be used"),
+    ],
+)
+def test_a_library_that_is_broken_is_none(monkeypatch: pytest.MonkeyPatch, raised: Exception, says: str) -> None:
+    def broken(*_: object) -> None:
+        raise raised
+
+    engines.hindrance.cache_clear()
+    monkeypatch.setattr(compile, "optimised", broken)
+    try:
+        assert (engines.installed(), engines.settled("auto"), engines.settled("xla")) == (False, "xla", "xla")
+        with pytest.raises(InputError, match=says):
+            engines.settled("native")
+    finally:
+        monkeypatch.undo()
+        engines.hindrance.cache_clear()
+    assert engines.installed()

@@ -48,6 +48,15 @@ def processor() -> Processor:
     return Processor(2, 16, bool(features.get("fma")))
 
 
+def tried() -> None:
+    """Compile next to nothing. **Raises:** whatever a library does that is missing, broken, or of another version."""
+    llvm = _binding()
+    machine = _machine()
+    module = llvm.parse_assembly("define i64 @nothing() { ret i64 0 }")
+    optimised(module, machine)
+    llvm.create_mcjit_compiler(module, machine).finalize_object()
+
+
 def compiled(text: str) -> Code:
     """The functions of a module."""
     llvm = _binding()

@@ -33,7 +33,7 @@ ADMITTED = {
 }
 
 
-@pytest.mark.parametrize(("facts", "names"), ADMITTED.items(), ids=str)
+@pytest.mark.parametrize(("facts", "names"), ADMITTED.items(), ids=[", ".join(facts) for facts in ADMITTED])
 def test_what_is_admitted(facts, names):
     symbol = sp.Symbol("s", **dict.fromkeys(facts, True))
     assert {name for name, ball in BALLS.items() if admits(symbol, ball)} == names

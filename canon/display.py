@@ -35,9 +35,13 @@ def text_in_html(value: object) -> str:
     return f'<pre style="white-space:pre-wrap">{escape(str(value))}</pre>'
 
 
+_MOMENTUM: Final = re.compile(r"([pP])([A-Za-hj-z]|alpha|beta|eta|theta|phi|psi|rho|xi)")
+
+
 def latex(value: Any) -> str:
     """Sympy's LaTeX, but a momentum such as px as p with an index: px y written as pxy would be read as p x y."""
     import sympy as sp
 
-    names = {s: f"{s.name[0]}_{{{s.name[1]}}}" for s in value.free_symbols if re.fullmatch(r"[pP][a-hj-z]", s.name)}
+    named = {s: match for s in value.free_symbols if (match := _MOMENTUM.fullmatch(s.name))}
+    names = {s: f"{m[1]}_{{{m[2] if len(m[2]) == 1 else chr(92) + m[2]}}}" for s, m in named.items()}
     return sp.latex(value, symbol_names=names)

@@ -113,7 +113,8 @@ class Verdict:
 
     def _repr_html_(self) -> str:
         first, *rest = str(self).split("\n")
-        return f"<div>{status_in_html(self.status, first.partition(': ')[2])}{list_in_html(map(str.strip, rest))}</div>"
+        words = first.partition(": ")[2].replace(self.kind, self.kind.replace("_", " "), 1)
+        return f"<div>{status_in_html(self.status, words)}{list_in_html(map(str.strip, rest))}</div>"
 
     def _repr_latex_(self) -> str:
         words = self.kind.replace("_", r"\ ")

@@ -60,7 +60,8 @@ async function look(page, width) {
         say(`formula cut off: ${math.scrollWidth} of ${math.clientWidth} px in ${math.closest("section")?.id}`);
     for (const image of body.images) {
       image.loading = "eager";
-      await image.decode().catch(() => say(`image: ${image.src}`));
+      if (!image.complete) await new Promise(done => image.onload = image.onerror = done);
+      if (!image.naturalWidth) say(`image: ${image.src}`);
     }
     for (const link of body.links) {
       const [file, id] = link.href.split("#");

@@ -26,6 +26,7 @@ Blocks = list[Block]
 MOST: Final = 6
 """So many residuals of a case are written down; the others are counted."""
 SIGNS: Final = {"pos": "> 0", "neg": "< 0", "nonneg": ">= 0", "nonpos": "<= 0"}
+BOTH_SIDES: Final = "lhs - rhs"
 ZERO: Final = Tree("number", "0")
 ARGUMENTS: Final = {
     "normal form": "Everything is brought to a common denominator and reduced by the relations: nothing is left.",
@@ -135,7 +136,7 @@ def _residual(
     f: Formulas, a: int, entry: Data, label: str, relations: Mapping[str, dict[str, str]], taken: set[str]
 ) -> Blocks:
     """One residual: the identity that shows it to be 0."""
-    name = tree_of(label)
+    name = "The difference of the two sides" if label == BOTH_SIDES else tree_of(label)
     if "cofactors" not in entry:
         why = next((text for word, text in ARGUMENTS.items() if word in str(entry.get("argument"))), "")
         return [paragraph(name, f" vanishes by the argument {str(entry.get('argument'))!r}. {why}")]
@@ -143,26 +144,27 @@ def _residual(
     lines: list[Tree] = []
     if (expression := _expression(f, a)) is not None:
         short, parts = structured(expression, taken)
-        lines += [equation(name, short), *(equation(Tree("name", n), part) for n, part in reversed(parts))]
+        lines += [equation(tree_of(label), short), *(equation(Tree("name", n), part) for n, part in reversed(parts))]
     if not over:
-        if lines:
-            return [Display(tuple(lines)), paragraph("is 0 as soon as it is over one denominator: all terms cancel.")]
-        return [paragraph(name, " is 0 as soon as it is over one denominator: all terms cancel.")]
+        divided = not lines or any(part.kind == "fraction" for line in lines for part in line.below())
+        why = "is 0 as soon as it is over one denominator: all terms cancel." if divided else "is 0: all terms cancel."
+        return [Display(tuple(lines)), paragraph(why)] if lines else [paragraph(name, f" {why}")]
     numerator = cut(polynomial(over))
     quotient = numerator
     if entry["denominator"] != {"": "1"}:
         quotient = Tree("fraction", parts=(numerator, cut(polynomial(entry["denominator"]))))
-    blocks: Blocks = [Display((*lines, equation(name, quotient)))]
+    blocks: Blocks = [Display((*lines, equation(tree_of(label), quotient)))]
     shown = [times([polynomial(c), polynomial(relations.get(k, {}))]) for k, c in cofactors.items()]
     terms = tuple(cut(term) for term in shown)
     total = terms[0] if len(terms) == 1 else Tree("sum", parts=terms, signs=("+",) * len(terms))
+    identity = equation(numerator, total)
     count = "the relation" if len(terms) == 1 else f"{len(terms)} relations"
     if all(k.startswith("surface") for k in cofactors):
         return [*blocks, paragraph("The numerator is a combination of the equations of the surface, hence 0 on it.")]
     return [
         *blocks,
         paragraph(f"whose numerator is a multiple of {count}," if len(terms) == 1 else "whose numerator is"),
-        Display((equation(numerator, total),)),
+        Display((identity if identity.size <= LONG else total,)),
         paragraph("and so 0." if len(terms) == 1 else "a combination of the relations, and so 0."),
     ]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any, Final
 
@@ -92,6 +93,8 @@ def open_question(record: Data) -> Blocks:
     return [*found, *details(record)]
 
 
+WORDS: Final = re.compile(r"(^not \(| and | or | is analytic| \(pulled back\)$|(?<=\d)\)$)")
+"""What stands in a condition beside its formulas."""
 SILENT: Final = ("fails", "residual", "certificate_error", PRICE)
 
 
@@ -114,6 +117,17 @@ def side_conditions(certificate: Data) -> Blocks:
     shown = [text for text in conditions if len(text) < 200]
     if not shown:
         return []
-    pieces = [f"`{text}`" if tree_of(text).kind != "verbatim" else text for text in shown[:12]]
+    said: list[Piece] = []
+    for text in shown[:12]:
+        said += [", ", *_condition(text)]
     more = f", and {len(conditions) - 12} more" if len(conditions) > 12 else ""
-    return [paragraph(f"{', '.join(pieces)}{more}.", lead="Where it holds.")]
+    return [paragraph(*said[1:], f"{more}.", lead="Where it holds.")]
+
+
+def _condition(text: str) -> list[Piece]:
+    """A condition: its formulas set as such, the words about and between them left words."""
+    found: list[Piece] = []
+    for piece in WORDS.split(text):
+        tree = tree_of(piece)
+        found.append(piece if WORDS.fullmatch(piece) or tree.kind == "verbatim" else tree)
+    return [piece for piece in found if piece]

@@ -125,14 +125,17 @@ def _call(tree: Tree, to: Notation) -> str:
 
 
 def _slope(parts: Sequence[Tree], to: Notation) -> str:
-    """∂f/∂x, or ∂ⁿf/∂xⁿ."""
-    order = parts[2] if len(parts) > 2 and parts[2].kind == "number" else None
-    d = to.sign("∂")
-    below = _show(parts[1], to)[0]
-    if order is None:
-        return to.fraction(to.row([d, _bound(parts[0], SIGN, to)]), to.row([d, below]))
-    up = to.number(order.text)
-    return to.fraction(to.row([to.power(d, up), _bound(parts[0], SIGN, to)]), to.row([d, to.power(below, up)]))
+    """∂f/∂x, ∂ⁿf/∂xⁿ, or the mixed ∂ⁿf/∂x∂y: each variable with its order behind it, where that isn't 1."""
+    below: list[tuple[str, int]] = []
+    for part in parts[1:]:
+        if part.kind == "number" and part.text.isdecimal() and below:
+            below[-1] = (below[-1][0], int(part.text))
+        else:
+            below.append((_bound(part, ATOM, to), 1))
+    d, total = to.sign("∂"), sum(order for _, order in below)
+    head = d if total == 1 else to.power(d, to.number(str(total)))
+    under = [piece for x, n in below for piece in (d, x if n == 1 else to.power(x, to.number(str(n))))]
+    return to.fraction(to.row([head, _bound(parts[0], SIGN, to)]), to.row(under))
 
 
 def _derivative(tree: Tree, to: Notation) -> str:

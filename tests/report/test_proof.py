@@ -100,6 +100,7 @@ def test_a_proof_says_what_it_rests_on(made: dict[str, str]) -> None:
     assert "∎" not in third
     assert re.search(r"(g\d)\^2 \+ g\d\^2 − 1 = \1\^2", fourth)
     assert "numerator is a multiple of the relation" in fourth
+    assert "Where it holds. x^2 + y^2 > 0, not (y = 0 and x ≤ 0)." in first
 
 
 class Balanced(HTMLParser):
@@ -183,6 +184,12 @@ def test_a_file_of_another_name_is_refused(tmp_path: Path, capsys: pytest.Captur
         ("sin(omega0*t)**2", r"{\sin}^{2}\!\left(\omega_{0}\,t \right)", "sin^2(omega0 t)"),
         ("V[1, 0](x, y)", r"\partial_{1} V \!\left(x ,\, y \right)", "∂_1V(x, y)"),
         ("V[2](x)", r"V ''\!\left(x \right)", "V′′(x)"),
+        (
+            "D(f(q, X), q, X)",
+            r"\frac{\partial^{2} f\!\left(q,\,X\right)}{\partial q \partial X}",
+            "(∂^2f(q, X))/(∂q∂X)",
+        ),
+        ("D(f(q), q, 3)", r"\frac{\partial^{3} f\!\left(q\right)}{\partial q^{3}}", "(∂^3f(q))/(∂q^3)"),
         ("bracket(q, p) = 1", r"\left\{ q ,\, p  \right\} = 1", "{q, p} = 1"),
         ("0.125*x - 1e-3", r"0.125\,x  - 0.001", "0.125 x − 0.001"),
         ("not a formula!", None, "not a formula!"),

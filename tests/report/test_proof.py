@@ -186,10 +186,10 @@ def test_a_file_of_another_name_is_refused(tmp_path: Path, capsys: pytest.Captur
         ("V[2](x)", r"V ''\!\left(x \right)", "V′′(x)"),
         (
             "D(f(q, X), q, X)",
-            r"\frac{\partial^{2} f\!\left(q,\,X\right)}{\partial q \partial X}",
+            r"\frac{{\partial}^{2} f\!\left(q,\,X\right)}{\partial q \partial X}",
             "(∂^2f(q, X))/(∂q∂X)",
         ),
-        ("D(f(q), q, 3)", r"\frac{\partial^{3} f\!\left(q\right)}{\partial q^{3}}", "(∂^3f(q))/(∂q^3)"),
+        ("D(f(q), q, 3)", r"\frac{{\partial}^{3} f\!\left(q\right)}{\partial {q}^{3}}", "(∂^3f(q))/(∂q^3)"),
         ("bracket(q, p) = 1", r"\left\{ q ,\, p  \right\} = 1", "{q, p} = 1"),
         ("0.125*x - 1e-3", r"0.125\,x  - 0.001", "0.125 x − 0.001"),
         ("not a formula!", None, "not a formula!"),

@@ -64,7 +64,7 @@ def _limits(s: Statement, F: int, x: str, ends: Sequence[int | str]) -> tuple[in
         return None
     low, high = ends
     words = {*s.words.get(x, ())} - {"real"}
-    if not isinstance(low, int) or not words <= {"positive", "nonnegative"}:
+    if not isinstance(low, int) or high == "-infinity" or not words <= {"positive", "nonnegative"}:
         return None
     walls = [f.sub(t, low), *([f.sub(high, t)] if isinstance(high, int) else [])]
     ordered = not isinstance(high, int) or is_positive(s, f.sub(high, low), strict=True, real=True)

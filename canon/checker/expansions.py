@@ -139,9 +139,9 @@ class Expansion:
             return self._composed(rest, [self._complete(name, k) for k in range(self.order)])
         inside = name in EDGED and is_positive(self.s, self._below_one(c), strict=True, real=True)
         if name in EDGED[:2] and not inside and self.is_zero(self._below_one(c)):
-            end = self.f.value(c)
-            if end is None:
-                raise NoSeries
+            end, first = self.f.value(c), self.stripped(rest).terms[0]
+            if end is None or not is_positive(self.s, self.f.mul(self.f.number(-end), first), strict=True, real=True):
+                raise NoSeries  # it isn't seen to come from inside
             turns = end if name == "asin" else 1 - end
             turn = self.f.mul(self.f.number(turns / 2), self.f.node("s", "pi"))
             return Series(0, (turn,))  # continuous there, and no more

@@ -31,8 +31,8 @@ def solved_for(tape: Tape, node: Node, region: Region) -> tuple[Node, Region] | 
         for x in sorted(tape.support(equation)):
             slope = derivative(tape, equation, x)
             factor, symbol = tape.value(slope), tape.symbol_at(x)
-            if not factor or symbol.is_integer:
-                continue
+            if not factor or symbol.is_integer or (symbol.is_nonnegative and not symbol.is_positive):
+                continue  # that a value isn't negative is no condition of a region: a root of it may be at 0
             value = tape.scaled(substitute(tape, equation, {x: tape.zero}), -1 / factor)  # it is affine in x
             if symbol.is_real and tape.is_complex(value):
                 continue
@@ -55,6 +55,8 @@ def _without(tape: Tape, region: Region, x: Node, value: Node) -> Region:
     if facts.get("positive") or facts.get("negative"):
         side = value if facts.get("positive") else tape.negative(value)
         kept.append(Requirement("positive", (side,), f"the sign of {tape.symbol_at(x)}"))
+    elif tape.symbol_at(x).is_zero is False:  # what the name's assumptions said, the region must say now
+        kept.append(Requirement("nonzero", (value,), f"{tape.symbol_at(x)} != 0"))
     surface = tuple(substitute(tape, equation, here) for equation in region.surface[1:])
     return Region(tuple(kept), surface, tuple(n for n in region.symbols if n != x))
 

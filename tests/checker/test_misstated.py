@@ -106,6 +106,12 @@ MEANT = {
     "an assumption that says nothing": forged("0", symbols={"a": "positiv"}),
     "pi as a name": forged("sqrt(pi**2)", "pi", symbols={"pi": "real"}, domain={"where": ["pi > -1/10**30"]},
         atoms={"((pi**2)**(1/2))": [{"pi": "1"}, ONE]}),
+    "an integral that runs downwards through a pole": of({"kind": "integral", "f": "1/u**2", "variable": "u",
+        "from": "1", "to": "-infinity", "equals": "1"}, 2, known={"antiderivative": "-1/u"}, phase_space=BARE),
+    "a limit from where an arcsine isn't real": of({"kind": "limit", "f": "asin(u)", "variable": "u", "to": "1",
+        "side": "+", "equals": "pi/2"}, phase_space=BARE),
+    "a limit from both sides of an arccosine's end": of({"kind": "limit", "f": "acos(u)", "variable": "u",
+        "to": "1", "equals": "0"}, 2, phase_space=BARE),
     "the imaginary unit as a name": against(forged("1j**2", "-1", symbols={"1j": "real"}), **{"1j": "2"}),
 }  # fmt: skip
 SPIKE = "10**40/(1 + (10**40*(u - 1/3))**2)/(atan(2*10**40/3) + atan(10**40/3))"

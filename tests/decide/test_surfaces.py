@@ -111,3 +111,22 @@ def test_roots_on_a_part_of_the_circle(where, left, right, expected):
     text = _file("", ["x**2+y**2-1"], left, right).replace("[domain]", f'[domain]\nwhere = ["{where}"]')
     (claim,) = read_text(text).claims
     assert verify(claim, budget=10.0).status == expected
+
+
+@pytest.mark.parametrize(
+    ("assumption", "on", "where", "left", "right", "expected"),
+    [  # an equation gives y, of which the name said that it isn't 0: beyond 0 the angle is another
+        ("nonzero", "y - x", ["x > -1", "x < 1e-30"], "atan(y) + atan(1/y)", "-pi/2", "refuted"),
+        ("nonzero", "y - x", ["x > -1", "x < 1e-30"], "sign(y)", "-1", "refuted"),
+        ("nonzero", "y - x", ["y > -1", "y < 1e-30"], "abs(y)", "-y", "refuted"),
+        ("nonzero", "y - x**3", ["x > -1", "x < 1e-30"], "atan(y) + atan(1/y)", "-pi/2", "refuted"),
+        ("nonzero", "y - x", ["x < 0"], "atan(y) + atan(1/y)", "-pi/2", "proved"),
+        ("nonzero", "y - x", [], "atan(y) + atan(1/y)", "sign(x)*pi/2", "proved"),
+        ("positive", "y - x", [], "atan(y) + atan(1/y)", "pi/2", "proved"),
+    ],
+)
+def test_what_a_name_said_is_said_of_what_is_put_in_its_place(assumption, on, where, left, right, expected):
+    names = f'[phase_space]\nq = ["x"]\np = ["p"]\n[symbols]\ny = "{assumption}"\n'
+    text = f'{names}[domain]\non = ["{on}"]\nwhere = {where!r}\n'
+    (claim,) = read_text(f'{text}[[claim]]\nkind = "identity"\nlhs = "{left}"\nrhs = "{right}"\n').claims
+    assert verify(claim, budget=20.0).status in ({"refuted", "supported"} if expected == "refuted" else {expected})

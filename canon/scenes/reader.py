@@ -68,6 +68,8 @@ def scene_of(tables: Table) -> Scene:
         document.name(name, key(name, "[constants]")): number(value, key(name, "[constants]"))
         for name, value in document.table(tables.get("constants", {}), "[constants]").items()
     }
+    if relativistic and not constants.get("c", 1) > 0:
+        raise InputError(f"the speed of light is above 0, not {constants['c']}", key("c", "[constants]"))
     read = _both if len(moving) > 1 else {"system": _system, "body": _bodies, "rigid_body": _rigid}[moving[0]]
     found = read(tables, constants, relativistic, settings)
     check_model(found.model)

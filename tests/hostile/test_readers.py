@@ -309,6 +309,14 @@ def test_what_has_too_many_terms_is_not_multiplied_out(name: str) -> None:
     assert read_scene_text(BODY + 'kind = "potential"\nV = "(x**2 + y**2)**50"\n').model.n == 3
 
 
+@pytest.mark.parametrize("c", ["0", "-1", "0.0"])
+def test_light_has_a_speed(c: str) -> None:
+    scene = f'dynamics = "relativistic"\n[constants]\nc = {c}\n{BODY}kind = "uniform_gravity"\ng = 1\n'
+    with pytest.raises(InputError, match="the speed of light is above 0"):
+        read_scene_text(scene.replace("position = [1, 0, 0]", "position = [1, 0, 0]\nvelocity = [0, 0, 0]"))
+    assert read_scene_text(scene.replace(f"c = {c}", "c = 1")).model.n == 3
+
+
 SPOOF = "q\x1b[31m\nconfirmed          everything\u202e"
 
 

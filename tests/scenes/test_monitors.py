@@ -271,3 +271,28 @@ def test_a_bound_that_would_pass_anything_is_none() -> None:
         assert reading.bound is None or reading.bound < abs(reading.initial)
     assert loop.bound is not None
     assert loop.max_drift < 1e-6 * abs(loop.initial)
+
+
+@pytest.mark.slow
+def test_what_is_beyond_double_precision_costs_its_own_reading_alone() -> None:
+    """Of a body at 1e308 the tangent map isn't finite, nor is the bound of the Lenz vector's drift: no alarm."""
+    text = """
+[[body]]
+mass = 1
+position = [1e308, 0]
+velocity = [0, 1]
+[[effect]]
+kind = "inverse_distance"
+a = 1
+[run]
+duration = 1
+step = 0.1
+samples = 3
+"""
+    result, found = readings(text, ("energy", "lrl", "symplecticity", "volume"), accuracy=None)
+    assert not any(reading.alarm for reading in found.values())
+    assert found["energy"].max_drift == 0 and found["lrl"].bound is None
+    for name in ("symplecticity", "volume"):
+        assert (found[name].expected, found[name].bound) == ("unknown", None)
+        assert "beyond double precision" in found[name].extra["note"]
+    assert scene_record(result)["monitors"]["volume"]["expected"] == "unknown"

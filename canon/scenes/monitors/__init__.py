@@ -84,10 +84,20 @@ def read_monitors(
     found = list[Reading]()
     try:
         for name in names:
-            found.append(interruptible(partial(_reading, name, flow, times, q, p), until))
+            found.append(interruptible(partial(_reading_or_none, name, flow, times, q, p), until))
     except (KeyboardInterrupt, Late):
         pass
     return tuple(found)
+
+
+def _reading_or_none(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
+    """The reading; where what has to be computed for it is beyond double precision, one that says so."""
+    try:
+        with np.errstate(all="ignore"):
+            return _reading(name, flow, times, q, p)
+    except (np.linalg.LinAlgError, ArithmeticError):
+        note = "what it is computed from is beyond double precision"
+        return Reading(name, "unknown", None, None, None, extra={"note": note})
 
 
 def _reading(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:

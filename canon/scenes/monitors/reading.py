@@ -29,8 +29,9 @@ class Reading:
 def judged(
     name: str, expected: str, initial: Any, final: Any, drift: float | None, bound: float | None, **extra: Any
 ) -> Reading:
-    """The reading, with an alarm where a bound is known and the drift is beyond it."""
+    """The reading, with an alarm where a bound is known and the drift is beyond it; one that isn't finite is none."""
     alarm = ""
+    bound = None if bound is None or not np.isfinite(bound) else bound
     if bound is not None and drift is not None and not drift <= bound:
         alarm = f"drifted by {drift:.3g}, and at most {bound:.2g} is expected ({expected})"
     return Reading(name, expected, initial, final, drift, bound, alarm, extra)

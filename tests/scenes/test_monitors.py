@@ -291,7 +291,7 @@ samples = 3
 """
     result, found = readings(text, ("energy", "lrl", "symplecticity", "volume"), accuracy=None)
     assert not any(reading.alarm for reading in found.values())
-    assert found["energy"].max_drift == 0 and found["lrl"].bound is None
+    assert (found["energy"].max_drift, found["lrl"].bound) == (0, None)
     for name in ("symplecticity", "volume"):
         assert (found[name].expected, found[name].bound) == ("unknown", None)
         assert "beyond double precision" in found[name].extra["note"]

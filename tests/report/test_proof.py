@@ -189,6 +189,7 @@ def test_a_file_of_another_name_is_refused(tmp_path: Path, capsys: pytest.Captur
             r"\frac{{\partial}^{2} f\!\left(q,\,X\right)}{\partial q \partial X}",
             "(∂^2f(q, X))/(∂q∂X)",
         ),
+        ("D(D(f(q, X), X), q)", None, "(∂^2f(q, X))/(∂X∂q)"),
         ("D(f(q), q, 3)", r"\frac{{\partial}^{3} f\!\left(q\right)}{\partial {q}^{3}}", "(∂^3f(q))/(∂q^3)"),
         ("bracket(q, p) = 1", r"\left\{ q ,\, p  \right\} = 1", "{q, p} = 1"),
         ("0.125*x - 1e-3", r"0.125\,x  - 0.001", "0.125 x − 0.001"),
@@ -204,8 +205,9 @@ def test_formulas_are_set(text: str, latex: str | None, plain: str) -> None:
 
 
 def test_names_have_their_indices() -> None:
-    assert [split_name(n) for n in ("omega_0", "q1", "px", "ptheta", "alpha", "energy", "pi")] == [
+    assert [split_name(n) for n in ("omega_0", "q1", "px", "ptheta", "alpha", "energy", "pi", "Mx", "dx")] == [
         ("omega", "0"), ("q", "1"), ("p", "x"), ("p", "theta"), ("alpha", ""), ("energy", ""), ("pi", ""),
+        ("M", "x"), ("dx", ""),
     ]  # fmt: skip
 
 
@@ -217,6 +219,12 @@ STATED = [
      ["The integral over u from 0 to pi of", "f = sin(u)", "is", "2"]),
     ({"kind": "average", "f": "x**2", "equals": "1/2", "parameter": "u", "motion": {"x": "cos(u)"}, "from": "0",
       "to": "2*pi"}, ["The average over time of", "along the motion, u from 0 to 2 pi,", "x = cos(u)"]),
+    ({"kind": "noether", "L": "v**2", "velocities": ["v"], "dq": ["t"], "f": "2*x"},
+     ["delta(x) = t", "by the differential of", "f = 2 x", "for the Lagrangian", "L = v^2"]),
+    ({"kind": "solves", "solution": {"X(t)": "t**2"}, "equations": ["D(X(t), t) - 2*t"]},
+     ["X(t) = t^2", "solves", "− 2 t = 0"]),
+    ({"kind": "jacobi", "f": "x", "g": "p", "h": "x*p"}, ["Jacobi's identity", "{f, {g, h}}", "h = x p"]),
+    ({"kind": "action_angle", "angle_period": "2*pi"}, ["each angle advances by 2 pi once round"]),
     ({"kind": "euler_lagrange", "L": "v**2/2 - x", "velocities": ["v"], "qddot": "-1"},
      ["With the Lagrangian", "Lagrange's equations are solved by the accelerations"]),
 ]  # fmt: skip

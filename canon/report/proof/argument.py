@@ -73,7 +73,7 @@ def _case(s: Statement, case: Case, data: Data, taken: set[str], record: Data) -
     values = [equation(tree_of(text), _quotient(*pair)) for text, pair in data["atoms"].items()]
     values = [tree for tree in values if tree.size <= 2 * LONG and not _is_own_name(tree, data)]
     if values:
-        found += [paragraph("so that"), Display(tuple(cut(tree) for tree in values[:MOST]))]
+        found += [paragraph("so that" if kernels else "Here"), Display(tuple(cut(tree) for tree in values[:MOST]))]
         if len(values) > MOST:
             found.append(paragraph(f"and so on for {len(values) - MOST} more functions."))
     entries = list(zip(case.zeros, data["residuals"], strict=False))

@@ -1,11 +1,11 @@
-"""What claims about inequalities, integrals, limits, averages and Lagrange's equations say, in words."""
+"""What claims about inequalities, integrals, limits, averages, Lagrange's equations and symmetries say, in words."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
-from canon.report.proof.blocks import Block, Display, paragraph
+from canon.report.proof.blocks import Block, Display, listed, paragraph
 from canon.report.proof.lines import formulas, names_of
 from canon.report.proof.structure import LONG, structured
 from canon.report.proof.trees import Tree, tree_of
@@ -93,10 +93,39 @@ def _value(text: Any, tables: Tables) -> Display:
     return Display((short, *rows))
 
 
+def _noether(claim: Tables, tables: Tables) -> Blocks:
+    shifts = zip(tables["phase_space"]["q"], claim["dq"], strict=False)
+    pairs = [*((f"delta({x})", dx) for x, dx in shifts), *([("delta(t)", claim["dt"])] if "dt" in claim else [])]
+    charge = [("charge", claim["charge"])] if "charge" in claim else []
+    return [
+        paragraph(f"The infinitesimal displacement along every path, with velocities {listed(claim['velocities'])},"),
+        formulas(pairs, tables),
+        paragraph(
+            "changes `L*dt`, to first order, by the differential of"
+            if "f" in claim
+            else "leaves `L*dt` as it is, to first order, for the Lagrangian"
+        ),
+        *([formulas([("f", claim["f"])], tables), paragraph("for the Lagrangian")] if "f" in claim else []),
+        formulas([("L", claim["L"])], tables),
+        *([paragraph("and the conserved quantity is"), formulas(charge, tables)] if charge else []),
+    ]
+
+
+def _solves(claim: Tables, tables: Tables) -> Blocks:
+    lines = [Tree("relation", parts=(tree_of(str(e)), Tree("number", "0")), signs=("=",)) for e in claim["equations"]]
+    return [
+        formulas([(str(name), str(value)) for name, value in claim["solution"].items()], tables),
+        paragraph("solves"),
+        Display(tuple(lines)),
+    ]
+
+
 KINDS: Final[Mapping[str, Callable[[Tables, Tables], Blocks]]] = {
     "inequality": _inequality,
     "integral": _integral,
     "limit": _limit,
     "average": _average,
     "euler_lagrange": _lagrange,
+    "noether": _noether,
+    "solves": _solves,
 }

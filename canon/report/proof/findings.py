@@ -19,7 +19,7 @@ def refutation(tables: Data, certificate: Data, record: Data) -> Blocks:
     """The point at which it fails, by how much, and how surely."""
     detail, witness = record["detail"], record["witness"]
     if witness is None:
-        note = detail.get("note") or record["method"] or "an exact argument"
+        note = detail.get("note") or detail.get("fails") or record["method"] or "a theorem"
         return [
             paragraph(f"It fails by an exact argument, wherever the formulas are defined: {note}."),
             *details(record),

@@ -29,7 +29,7 @@ section { border-top: 1px solid var(--line); padding: 1.4rem 0 .6rem; }
 .math { overflow-x: auto; overflow-y: hidden; margin: .5rem 0; padding: .1rem 0; max-width: 100%; }
 li, p { max-width: 100%; overflow-x: auto; overflow-y: hidden; }
 math { font-size: 1.06em; } .end { color: var(--dim); font-size: .92rem; }
-table.matrix { border-collapse: collapse; } .matrix td, .matrix th { padding: .15rem .6rem; text-align: center; }
+table.matrix { border-collapse: collapse; }
 .matrix th { font-weight: normal; color: var(--dim); } .matrix tbody th { border-right: 1px solid var(--line); }
 nav ol { padding-left: 1.6rem; } a { color: inherit; }
 @media print { body { max-width: none; } .math { overflow: visible; } }
@@ -86,14 +86,20 @@ def _block(block: Block) -> str:
     return _grid(block)
 
 
+CELL: Final = ' style="text-align:center;padding:.15rem .6rem"'
+"""Said of each cell: a notebook has its own idea of tables."""
+
+
 def _grid(grid: Grid) -> str:
-    head = "".join(f"<th>{_math(Tree('name', name))}</th>" for name in grid.columns)
+    head = "".join(f"<th{CELL}>{_math(Tree('name', name))}</th>" for name in grid.columns)
     rows = "".join(
-        f"<tr><th>{_math(Tree('name', name))}</th>{''.join(f'<td>{_math(entry)}</td>' for entry in row)}</tr>"
+        f"<tr><th{CELL}>{_math(Tree('name', name))}</th>"
+        + "".join(f"<td{CELL}>{_math(entry)}</td>" for entry in row)
+        + "</tr>"
         for name, row in zip(grid.rows, grid.entries, strict=True)
     )
     return (
-        f'<div class="math"><table class="matrix"><thead><tr><th>{_math(grid.name)}</th>{head}</tr></thead>'
+        f'<div class="math"><table class="matrix"><thead><tr><th{CELL}>{_math(grid.name)}</th>{head}</tr></thead>'
         f"<tbody>{rows}</tbody></table></div>"
     )
 

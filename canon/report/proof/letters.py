@@ -23,7 +23,7 @@ GREEK: Final = {name: _letter(word) for word in (*_SMALL, *_CAPITAL) for name in
 
 
 def split_name(name: str) -> tuple[str, str]:
-    """A name as its letter and its index: ("omega", "0") for omega_0 and omega0; ("p", "x") for px, but π for pi."""
+    """A name as its letter and its index: ("omega", "0") for omega_0 and omega0; p_x for px, M_x for Mx."""
     head, _, index = name.partition("_")
     if not head:
         return name, ""
@@ -35,4 +35,6 @@ def split_name(name: str) -> tuple[str, str]:
                 return head[: -len(word)], word
         if len(head) == 2 and head[0] == "p" and head[1].isalpha() and head != "pi":
             return "p", head[1]
+        if re.fullmatch(r"[a-ce-wA-W][xyzXYZ]", head):
+            return head[0], head[1]
     return head, index.strip("_")

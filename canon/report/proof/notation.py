@@ -126,6 +126,8 @@ def _call(tree: Tree, to: Notation) -> str:
 
 def _slope(parts: Sequence[Tree], to: Notation) -> str:
     """∂f/∂x, ∂ⁿf/∂xⁿ, or the mixed ∂ⁿf/∂x∂y: each variable with its order behind it, where that isn't 1."""
+    while parts[0].kind == "call" and parts[0].text == "D" and len(parts[0].parts) >= 2:  # ∂(∂f/∂x)/∂y
+        parts = (*parts[0].parts, *parts[1:])
     below: list[tuple[str, int]] = []
     for part in parts[1:]:
         if part.kind == "number" and part.text.isdecimal() and below:

@@ -218,7 +218,9 @@ def _lie_series(claim: Tables, tables: Tables) -> Blocks:
 
 
 def _algebra(claim: Tables, tables: Tables) -> Blocks:
-    pairs = [(k, v) for k, v in claim["basis"].items() if not isinstance(v, list)] if "basis" in claim else []
+    pairs = (
+        [(k, v) for k, v in claim["basis"].items() if not isinstance(v, list) and v != k] if "basis" in claim else []
+    )
     what = f"the algebra {claim['equals']}" if "equals" in claim else "these brackets"
     brackets = [
         (f"bracket({pair.replace(' ', '')})".replace(",", ", "), str(value))
@@ -228,6 +230,23 @@ def _algebra(claim: Tables, tables: Tables) -> Blocks:
         paragraph(f"The basis {listed(list(claim.get('basis', {})) or ['e'])} closes under the bracket, with {what}."),
         *([formulas(pairs, tables)] if pairs else []),
         *([formulas(brackets, tables)] if brackets else []),
+    ]
+
+
+def _action_angle(claim: Tables, tables: Tables) -> Paragraph:
+    return paragraph(
+        "The new variables are actions and angles of `H`: the map is canonical, the new Hamiltonian depends on the new "
+        f"momenta alone, and each angle advances by `{claim.get('angle_period', '1')}` once round its cycle."
+    )
+
+
+def _jacobi(claim: Tables, tables: Tables) -> Blocks:
+    cyclic = "bracket(f, bracket(g, h)) + bracket(g, bracket(h, f)) + bracket(h, bracket(f, g)) = 0"
+    if not {"f", "g", "h"} <= set(claim) or "tensor" in claim:
+        return _by_its_keys(claim, tables)
+    return [
+        paragraph(f"Jacobi's identity `{cyclic}` holds, where"),
+        formulas([(name, claim[name]) for name in "fgh"], tables),
     ]
 
 
@@ -261,6 +280,7 @@ KINDS: Final[Mapping[str, Callable[[Tables, Tables], Blocks | Paragraph]]] = {
     **calculus.KINDS,
     "action": _of_one("The action `J`, the integral of `p*dq` over one period, is", "equals", "J"),
     "frequency": _of_one("The frequency `nu = D(E, J)` is", "equals", "nu"),
-    "action_angle": _said("The new variables are actions and angles of `H`."),
+    "action_angle": _action_angle,
+    "jacobi": _jacobi,
 }
 """Of each kind its words; others are shown by their keys."""

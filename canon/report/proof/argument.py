@@ -154,7 +154,7 @@ def _residual(
     if entry["denominator"] != {"": "1"}:
         quotient = Tree("fraction", parts=(numerator, cut(polynomial(entry["denominator"]))))
     blocks: Blocks = [Display((*lines, equation(tree_of(label), quotient)))]
-    shown = [times([polynomial(c), polynomial(relations.get(k, {}))]) for k, c in cofactors.items()]
+    shown = [times([_cofactor(c), polynomial(relations.get(k, {}))]) for k, c in cofactors.items()]
     terms = tuple(cut(term) for term in shown)
     total = terms[0] if len(terms) == 1 else Tree("sum", parts=terms, signs=("+",) * len(terms))
     identity = equation(numerator, total)
@@ -167,6 +167,12 @@ def _residual(
         Display((identity if identity.size <= LONG else total,)),
         paragraph("and so 0." if len(terms) == 1 else "a combination of the relations, and so 0."),
     ]
+
+
+def _cofactor(table: dict[str, str]) -> Tree:
+    """A cofactor; of a long one its first term, and how many more there are (the certificate has them all)."""
+    tree = polynomial(table)
+    return tree if tree.size <= LONG else cut(tree, 2)
 
 
 def _expression(f: Formulas, a: int) -> Tree | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
-from canon.report.proof.blocks import Block, Grid
+from canon.report.proof.blocks import Block, Grid, paragraph
 from canon.report.proof.structure import LONG
 from canon.report.proof.trees import Tree, tree_of
 
@@ -36,4 +36,6 @@ def jacobian(tables: Mapping[str, Any]) -> list[Block]:
     if wide or any(tree.kind == "verbatim" or tree.size > LONG for row in trees for tree in row):
         return []
     name = Tree("name", "M" if "Q" in given else "N")
-    return [Grid(name, tuple(map(str, rows)), tuple(map(str, columns)), tuple(map(tuple, trees)))]
+    grid = Grid(name, tuple(map(str, rows)), tuple(map(str, columns)), tuple(map(tuple, trees)))
+    inverse = paragraph("The inverse of `M` is `N`, the derivatives of the old variables by the new ones:")
+    return [grid] if "Q" in given else [inverse, grid]

@@ -24,9 +24,11 @@ SHAPES = {"plain": (0, 1, 2), "line": (-2, -1, 0), "square": (-2, 0, 2)}
 
 def closed(s: Statement, g: Integrand, equals: int, *, rate: bool) -> list[int] | None:
     """What must be 0 for a libration's action, or with `rate` its frequency, to be what is claimed; None where D has
-    none of these forms, or the domain says more of the coordinate than that it is positive."""
+    none of these forms, or the domain says more of the coordinate than that it is positive, or anything of momenta."""
     f, x, pi = s.f, g.x, s.f.node("s", "pi")
-    bound = any(f.ops[b] == ("s", x) for a, _ in s.conditions for b in f.reach(a))
+    moving = [("s", name) for name in (x, *s.p)]
+    bound = any(f.ops[b] in moving for a, _ in s.conditions for b in f.reach(a))
+    bound = bound or any({*s.words.get(name, ())} - {"real"} for name in s.p)
     words = {*s.words.get(x, ())} - {"real"}
     if bound or s.surface or not words <= {"positive"} or (not rate and f.slope(g.u, x) != ZERO):
         return None

@@ -83,7 +83,11 @@ def on_separatrix(question: Question, setting: Setting, branch: str, here: Examp
     """The action at an energy exactly at a barrier, whose double turning point no sign encloses: by numbers alone."""
     variables = {setting.q, setting.p}
     cut = [c for c in setting.conditions if {*variables} & set().union(*(t.free_symbols for t in c.terms))]
-    if here is None or question.claim.kind != "action" or any(linear_edge(setting.q, c) is None for c in cut):
+    if (
+        here is None
+        or question.claim.kind != "action"
+        or any(linear_edge(setting.q, c) is None or c.terms[0].has(setting.p) for c in cut)
+    ):
         return None
     well = question.key("well")
     try:

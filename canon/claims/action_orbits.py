@@ -55,8 +55,8 @@ def example(question: Question, setting: Setting) -> Example | None:
     if values is None:
         return None
     low, high = (_at(end, values) for end in (setting.motion.low, setting.motion.high))
-    ends = None if (low, high) == (-sp.oo, sp.oo) else (float(low), float(high))
     try:
+        ends = None if (low, high) == (-sp.oo, sp.oo) else (float(low), float(high))
         return Example(values, motion(_at(setting.H, values), setting.q, setting.p, domain=ends))
     except (InputError, TypeError, ValueError):
         return None
@@ -71,7 +71,8 @@ def _rational(value: Any) -> Any:
 
 
 def _constants(question: Question, setting: Setting) -> dict[Any, Any] | None:
-    named = set().union(setting.H.free_symbols, setting.equals.free_symbols)
+    range_of = (setting.motion.low, setting.motion.high)
+    named = set().union(setting.H.free_symbols, setting.equals.free_symbols, *(end.free_symbols for end in range_of))
     well = question.key("well")
     for expression in (setting.level, setting.energy, None if well is None else well.expr):
         named |= expression.free_symbols if expression is not None else set()

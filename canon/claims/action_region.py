@@ -175,7 +175,7 @@ def not_implied(question: Question, setting: Setting, region: Region, closed: Cl
         term = condition.terms[0]
         if not names & {setting.q, setting.p}:
             continue
-        edge = linear_edge(setting.q, condition)
+        edge = None if setting.p in names else linear_edge(setting.q, condition)
         if edge is not None and (at_most(edge[0], motion.low) if edge[1] else at_most(motion.high, edge[0])):
             continue
         sign = None

@@ -74,7 +74,7 @@ class ClosedAction:
 def one_degree(
     H: sp.Expr, q: sp.Symbol, p: sp.Symbol, energy: sp.Expr, conditions: Iterable[Condition] = ()
 ) -> OneDegree:
-    """The orbits of H(q, p) = energy, where q is restricted by the conditions that are linear in it.
+    """The orbits of H(q, p) = energy, where q is restricted by the conditions that are linear in it and free of p.
 
     **Raises:** `NotQuadratic` where H isn't a polynomial of degree 2 in p.
     """
@@ -82,7 +82,7 @@ def one_degree(
     if polynomial is None or polynomial.degree() != 2:
         raise NotQuadratic(f"H isn't quadratic in {p}")
     a, b, c = polynomial.all_coeffs()
-    low, high = coordinate_range(q, conditions)
+    low, high = coordinate_range(q, (c for c in conditions if not c.terms[0].has(p)))
     square: Any = sp.together((b**2 - 4 * a * c) / (4 * a**2))
     return OneDegree(q, square, -b / (2 * a), a, low, high)
 

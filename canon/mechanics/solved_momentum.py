@@ -58,7 +58,7 @@ def solved_momentum(
         rest, value = step
     else:
         raise reason
-    low, high = coordinate_range(q, conditions)
+    low, high = coordinate_range(q, (c for c in conditions if not c.terms[0].has(p)))
     put: Any = {level: energy}
     motion = OneDegree(q, value.xreplace(put), sp.S.Zero, sp.S.One, low, high)
     return SolvedMomentum(motion, tuple(g.xreplace(put) for g in guards), level, value)

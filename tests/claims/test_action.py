@@ -237,6 +237,21 @@ def test_conditions_on_the_momentum_are_certified_along_the_orbit(ask):
     assert Fraction(wrong.witness["E"]) < Fraction(9, 2)  # of an orbit within p > -3
 
 
+@pytest.mark.parametrize("half", ["p > 0", "p + q > 0", "p > q", "q + p/1000 > 0"])
+def test_half_a_phase_plane_holds_no_orbit(status, half):
+    """The momentum is no bound of the coordinate: all orbits leave the half, so that nothing is proved or refuted."""
+    sections = {"hamiltonian": 'H = "(p**2 + q**2)/2"', "domain": f'where = ["{half}"]'}
+    assert status(_claim("2*pi*E"), space=LINE, **sections) == "undecided"
+    assert status(_claim("2*pi*E + 1"), space=LINE, **sections) == "undecided"
+
+
+@pytest.mark.parametrize("bound", ["q + b > 0", "q < b"])
+def test_an_end_of_the_range_may_be_a_constant(status, bound):
+    """No closed form has it, and no example's motion can be made without a value for it."""
+    sections = {"symbols": 'b = "real"', "hamiltonian": 'H = "p**2/2 + q**4/4"', "domain": f'where = ["{bound}"]'}
+    assert status(_claim("2*pi*E"), space=LINE, **sections) in ("undecided", "refuted")
+
+
 def test_an_energy_that_is_not_quadratic_in_the_momentum_is_left_open(ask):
     (verdict,) = ask(_claim("1"), space=LINE, hamiltonian='H = "p**4 - p**2 + q**2"')
     assert verdict.status == "undecided"

@@ -70,6 +70,8 @@ def action(s: Statement) -> Case:
         if any(f.ops[b] == ("s", p) for a, _ in s.conditions for b in f.reach(a)):
             raise Open  # what is said of the momentum may cut the orbit
         numbers, found = Numbers(SOLVED[0]), own.values(f, [level, equals, period, *given], of)
+        if rotates and not found[period].a > 0:
+            raise Open
         point = {n: numbers.mp.mpf(v.mid) for n, v in of.items() if not isinstance(v, str)}
         momenta = Momenta(form, numbers, point, numbers.mp.mpf(found[level].mid))
         ends = Ends(s, momenta, 1, Orbit(momenta, rate, DIGITS))

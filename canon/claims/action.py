@@ -68,6 +68,9 @@ def _decided(question: Question, statement: Statement) -> Outcome:
     except NotQuadratic as reason:
         return Outcome("undecided", note=str(reason))
     branch = branch_of(question, setting)
+    stated = question.key("period")
+    if stated is not None and stated.expr.is_positive is False:
+        raise InputError(f"{stated} is no period: it is above 0", "key 'period'")
     reasons: list[str] = []
     try:
         proved = _by_closed_form(question, setting, branch, statement, reasons)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from typing import Any, Final
 
 import numpy as np
@@ -68,7 +68,14 @@ def differing_versions(arrays: Arrays) -> str:
 def versions(engine: str | None = None) -> dict[str, str]:
     """The programs on which every bit of a run by this engine depends."""
     names = ("jax", "jaxlib", "numpy", *(("llvmlite",) if engine == "native" else ()))
-    return {"canon": __version__, **{name: version(name) for name in names}}
+    return {"canon": __version__, **{name: _version(name) for name in names}}
+
+
+def _version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:  # it is there, without what an installer writes about it
+        return "unknown"
 
 
 def _header(arrays: Arrays) -> dict[str, Any]:

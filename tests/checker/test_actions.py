@@ -181,3 +181,14 @@ def test_integrals_limits_and_paths(name: str, status: str, other: dict[str, Any
     data["tables"]["claim"] |= other
     sure = name in ("integral", "limit", "path")
     assert check(resealed(data)).status in (("rejected",) if sure else ("rejected", "not confirmed"))
+
+
+@pytest.mark.parametrize("period", ["0", "-1", -(10**9)])
+def test_a_rotation_takes_some_of_its_coordinate(period: Any) -> None:
+    """Refuted in intervals it can't be, whose ends would be in the wrong order."""
+    free = ROTOR.replace("- cos(a)", "")
+    keys = 'kind = "action"\ncoordinate = "a"\nenergy = "E"\nbranch = "rotation"\nperiod = "2*pi"\n'
+    certificate = certified(free, f'{keys}equals = "2002*pi*sqrt(2*E)/1000"')
+    assert check(certificate).status == "confirmed"
+    certificate["tables"]["claim"]["period"] = period
+    assert check(resealed(certificate)).status in ("not confirmed", "confirmed in part")

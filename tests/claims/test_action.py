@@ -123,6 +123,10 @@ def test_a_coefficient_of_p_squared_that_vanishes_in_the_range_is_no_oscillator(
             _claim("2*pi", fixed='{E = "1"}', well='"7"'),
             "7 is not inside .* from -1.41421 to 1.41421",
         ),
+        *(
+            ("p**2/2", _claim("0", branch='"rotation"', period=f'"{period}"'), "is no period: it is above 0")
+            for period in ("0", "-1", "-2*pi", "2 - sqrt(5)")
+        ),
         ("p**2/2 + cos(q) + cos(2*q)/3", _claim("1", branch='"rotation"', period='"1"'), "1 is not a period of H"),
         ("(p - 3)**2/2", _claim("1", branch='"rotation"', period='"1"'), "both branches of the rotation have p > 0"),
         (

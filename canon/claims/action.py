@@ -131,7 +131,11 @@ def _by_closed_form(
             reasons.append(f"{closed.method}: not verified")
             continue
         label, residual = statement(setting, closed)
-        outcome = question.decide([Residual(label, question.load(setting.at_level(residual)))], region)
+        left = setting.at_level(residual)
+        if left.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
+            reasons.append(f"{closed.method}: not finite at this energy")
+            continue
+        outcome = question.decide([Residual(label, question.load(left))], region)
         slope = setting.at_level(_period(setting, closed)) if label != "J" else None
         value = question.load(closed.value if slope is None else 1 / slope)
         outcome = outcome.with_detail(value=question.show(value), by=closed.method)

@@ -93,6 +93,7 @@ def test_a_proof_says_what_it_rests_on(made: dict[str, str]) -> None:
     for part in ("M J M^T = J", "g", "√(y^2 + x^2)", "{r, pr} − 1", "all terms cancel", "Where it holds.", " ms. ∎"):
         assert part in first, part
     assert re.search(r"\n +M +x +y +px +py\n +r +x/", first)
+    assert "M J M^T = c J" in second
     assert "K = (pr^2 + (L^2)/(r^2))/2 + V(r)" in second
     assert "Refutation." in third
     assert re.search(r"At the point\n( +\w+ = .*\n)+", third)

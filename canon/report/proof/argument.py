@@ -7,6 +7,7 @@ vanish is derived from the claim's text by the checker's rules.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Final
 
 from canon.checker.case import Case
@@ -66,6 +67,13 @@ def _case(s: Statement, case: Case, data: Data, taken: set[str], record: Data) -
     found: Blocks = []
     if case.zeros:
         found.append(paragraph(_what_vanishes(len(case.zeros))))
+    if "c" not in taken and any(label.startswith("residual_") for label in case.labels):
+        found.append(
+            paragraph(
+                "Here `c` is the scale of the map, `M*J*transpose(M) = c*J`; a residual with an index is the "
+                "derivative of `K - c*H` by that variable, with what moves with time."
+            )
+        )
     used = _used(data)
     kernels = [_kernel(kernel) for kernel in data["kernels"] if kernel["name"] in used]
     if kernels:
@@ -172,7 +180,11 @@ def _residual(
 def _cofactor(table: dict[str, str]) -> Tree:
     """A cofactor; of a long one its first term, and how many more there are (the certificate has them all)."""
     tree = polynomial(table)
-    return tree if tree.size <= LONG else cut(tree, 2)
+    if tree.size <= LONG or tree.kind != "sum":
+        return cut(tree)
+    return replace(
+        tree, parts=(tree.parts[0], Tree("more", f"{len(tree.parts) - 1} terms")), signs=(tree.signs[0], "+")
+    )
 
 
 def _expression(f: Formulas, a: int) -> Tree | None:
@@ -206,5 +218,6 @@ def _rest(entries: Sequence[tuple[int, Data]], trivial: int) -> Blocks:
 
 def _side(f: Formulas, group: Sequence[int]) -> Piece:
     if len(group) == 1 and (tree := _expression(f, group[0])) is not None:
-        return structured(tree, {"u0"})[0]
-    return "A determinant" if len(group) == 1 else f"{len(group)} quantities"
+        if tree.size <= LONG:
+            return tree
+    return "A long formula" if len(group) == 1 else f"{len(group)} quantities"

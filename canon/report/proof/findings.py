@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from canon.report.proof.blocks import Block, Items, Piece, display, paragraph
-from canon.report.proof.structure import structured
+from canon.report.proof.structure import cut
 from canon.report.proof.trees import Tree, tree_of
 from canon.report.words import PRICE, value
 
@@ -106,7 +106,7 @@ def details(record: Data) -> Blocks:
             continue
         text = value(datum)
         tree = tree_of(text) if isinstance(datum, str) and key != "note" else None
-        shown: Piece = text if tree is None or tree.kind == "verbatim" else structured(tree, {"u0"})[0]
+        shown: Piece = text if tree is None or tree.kind == "verbatim" else cut(tree)
         items.append((f"{key.replace('_', ' ')}: ", shown))
     return [paragraph("Found besides:"), Items(tuple(items))] if items else []
 

@@ -8,7 +8,7 @@ from typing import Any, Final
 from canon.report.proof import calculus
 from canon.report.proof.blocks import Block, Display, Items, Paragraph, display, listed, paragraph, words
 from canon.report.proof.lines import by_structure, formulas, names_of
-from canon.report.proof.structure import LONG, structured
+from canon.report.proof.structure import LONG, cut
 from canon.report.proof.trees import Tree, tree_of
 
 Tables = Mapping[str, Any]
@@ -109,7 +109,7 @@ def _value(value: Any) -> list[str | Tree]:
 
 def _short(value: Any) -> str | Tree:
     tree = tree_of(str(value))
-    return str(value) if tree.kind == "verbatim" else structured(tree, {"u0"})[0] if tree.size > LONG else tree
+    return str(value) if tree.kind == "verbatim" else cut(tree)
 
 
 def _canonical(claim: Tables, tables: Tables) -> Paragraph:

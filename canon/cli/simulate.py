@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import signal
 import sys
@@ -249,11 +250,24 @@ def write_each(arguments: argparse.Namespace, files: Mapping[str, Callable[[], N
     return faults
 
 
+def finite(data: Any) -> Any:
+    """The data with None in place of numbers that are not finite."""
+    if isinstance(data, dict):
+        return {key: finite(value) for key, value in data.items()}
+    if isinstance(data, (list, tuple)):
+        return [finite(value) for value in data]
+    return None if isinstance(data, float) and not math.isfinite(data) else data
+
+
 def _print(result: Result, arguments: argparse.Namespace) -> None:
     if arguments.json:
         from canon.report.scene_record import scene_record
 
-        print(json.dumps(scene_record(result), ensure_ascii=False, allow_nan=False))
+        record = scene_record(result)
+        try:
+            print(json.dumps(record, ensure_ascii=False, allow_nan=False))
+        except ValueError:  # JSON has no word for what isn't finite, as it may be of a run that was changed on disk
+            print(json.dumps(finite(record), ensure_ascii=False, allow_nan=False))
         return
     from canon.report.scene_text import explanation_lines, run_lines
 

@@ -123,3 +123,9 @@ def test_what_is_larger_than_memory_is_not_read(tmp_path: Path) -> None:
         file.truncate(10**13)  # without a block on the disk
     with pytest.raises(InputError, match="more than the memory of this machine"):
         read_arrays(path)
+
+
+def test_what_is_not_finite_is_null_in_json() -> None:
+    """As in the record of a run that is gone on with from an archive that somebody changed."""
+    data = {"a": [1.0, float("nan"), (float("-inf"), "x", None)], "b": {"c": float("inf"), "d": 1e308, "e": True}}
+    assert command.finite(data) == {"a": [1.0, None, [None, "x", None]], "b": {"c": None, "d": 1e308, "e": True}}

@@ -163,7 +163,7 @@ def test_an_engine_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
     shared = {"duration": 1.0, "steps": 10}
     with pytest.raises(InputError, match="no engine 'fast'"):
         integrate(HENON_HEILES, method("verlet"), ONE, engine="fast", **shared)  # type: ignore[arg-type]
-    monkeypatch.setattr(engines, "installed", lambda: False)
+    monkeypatch.setattr(engines, "hindrance", lambda: engines.MISSING)
     with pytest.raises(InputError, match=r"canon-mechanics\[native"):
         integrate(HENON_HEILES, method("verlet"), ONE, engine="native", **shared)
     assert integrate(HENON_HEILES, method("verlet"), ONE, engine="auto", **shared).engine == "xla"

@@ -20,6 +20,7 @@ from canon.claims.outcome import Outcome, Residual
 from canon.claims.reached import THEOREM, Comparison, compared
 from canon.claims.scale import never_zero
 from canon.claims.show import shown
+from canon.deadline import within
 from canon.decide.derivative import poisson_bracket
 from canon.decide.region import Region
 from canon.decide.search import samples
@@ -80,14 +81,24 @@ def _table(question: Question) -> dict[int, Formula]:
         question.checked(formula, f"N, degree {degree}", "old")
         if space.t in formula.expr.free_symbols:
             raise InputError(f"N depends on {space.t}", where)
-        expanded = sp.expand(formula.expr)
-        if expanded.is_zero:
-            continue
-        if not expanded.is_polynomial(*space.old):
-            raise InputError("a polynomial in the variables is expected", where)
-        if any(sum(powers) != degree for powers in sp.Poly(expanded, *space.old).monoms()):
-            raise InputError(f"not homogeneous of degree {degree}", where)
+        wrong = within(
+            question.budget, lambda degree=degree, expr=formula.expr: _not_of_degree(expr, space.old, degree)
+        )
+        if wrong:
+            raise InputError(wrong, where)
     return dict(table)
+
+
+def _not_of_degree(expr: sp.Expr, variables: Sequence[sp.Symbol], degree: int) -> str:
+    """What keeps a formula from being a homogeneous polynomial of this degree; nothing where it is one."""
+    expanded = sp.expand(expr)
+    if expanded.is_zero:
+        return ""
+    if not expanded.is_polynomial(*variables):
+        return "a polynomial in the variables is expected"
+    if any(sum(powers) != degree for powers in sp.Poly(expanded, *variables).monoms()):
+        return f"not homogeneous of degree {degree}"
+    return ""
 
 
 def _conditions(question: Question, *formulas: Formula) -> tuple[Condition, ...]:

@@ -174,7 +174,7 @@ def test_the_search_among_all_maps_agrees_with_that_among_those_that_commute(see
 
 
 def test_a_part_that_is_long_to_expand_ends_with_the_budget():
-    text = '[phase_space]\nq = ["x", "y"]\np = ["px", "py"]\n[hamiltonian]\nH = "(px**2 + py**2 + x**2 + y**2)/2 + x**3"\n'
+    text = f'[phase_space]\n{PLANE}[hamiltonian]\nH = "(px**2 + py**2 + x**2 + y**2)/2 + x**3"\n'
     long = "(x + y + px + py + sqrt(1 + x**2) + 1)**40 * (x + 2*y + px + 3)**40"
     (claim,) = read_text(f'{text}[[claim]]\nkind = "normal_form"\norder = 4\nN = {{4 = "{long}"}}\n').claims
     verdict = verify(claim, budget=0.2)

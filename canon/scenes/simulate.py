@@ -128,9 +128,9 @@ def _run(
     _check_constraints(scene, problem)
     choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
     state = (np.array(scene.q), np.array(scene.p))
-    engine = settled(settings.engine) if resume is None else engine_for(resume, settings.engine)
-    task = Task(problem.value, choice.method, state, settings.duration, settings.samples, settings.start, engine)
     looking = time.process_time()
+    engine = settled(settings.engine) if resume is None else engine_for(resume, settings.engine)  # loads jax and LLVM
+    task = Task(problem.value, choice.method, state, settings.duration, settings.samples, settings.start, engine)
     choice = chosen_for(problem, task, settings, choice, began_with=None if resume is None else integrator_of(resume))
     task = replace(task, method=choice.method)
     identity = identity_of(scene, choice.method.name)

@@ -1,17 +1,21 @@
 """Every system of the catalogue runs from its scene file, and its monitors behave as the ledger says."""
 
 import json
+import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from canon.cli.main import main
 from canon.errors import InputError
+from canon.numeric import engines
 from canon.scenes.examples import scene_text
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import simulate
 from canon.scenes.systems import load_system, system_names
+from tests.pendulum import PENDULUM
 from tests.scenes.ledger import REFERENCES, deviations
 
 SYSTEMS = sorted(REFERENCES)
@@ -117,3 +121,17 @@ def test_resonance_and_the_separatrix() -> None:
     text = text.replace("[3.1]", "[0]").replace("p = [0]", "p = [2]").replace("20.0", "6.0")
     result = simulate(read_scene_text(text))
     assert np.allclose(np.tan((result.q[:, 0] + np.pi) / 4), np.exp(result.times), rtol=1e-6)
+
+
+def test_what_an_engine_costs_to_load_is_counted_with_compiling(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = read_scene_text(PENDULUM)
+    usual = simulate(scene).seconds[0]
+
+    def slowly(engine: Any, *rest: Any) -> Any:
+        until = time.process_time() + usual + 0.1
+        while time.process_time() < until:
+            pass
+        return engines.settled(engine, *rest)
+
+    monkeypatch.setattr("canon.scenes.simulate.settled", slowly)
+    assert simulate(scene).seconds[0] > usual + 0.1

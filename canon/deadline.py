@@ -10,8 +10,11 @@ from __future__ import annotations
 
 import ctypes
 import math
+import sys
 import threading
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, Final, TypeVar
 
 from canon.budget import Budget
@@ -21,6 +24,8 @@ from canon.interruption import ABANDONED, started
 T = TypeVar("T")
 ENDING: Final = 0.5
 """Seconds that a thread is given to undo what it has begun, before it is left to itself."""
+LOOK: Final = 0.01
+"""Seconds between two looks at whether it has ended, or has not heard."""
 
 
 class _Stop(BaseException):
@@ -65,10 +70,37 @@ def within(budget: Budget, work: Callable[[], T]) -> T:
 def _stop(thread: threading.Thread) -> None:
     """End a thread; one that is busy in a library in C hears it when it comes back from there."""
     raising: Any = getattr(ctypes, "pythonapi", None)
-    for _ in range(2):  # what is raised where errors are only printed is lost
-        if raising is not None and thread.ident is not None:
-            raising.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(_Stop))
-        thread.join(ENDING / 2)
-        if not thread.is_alive():
-            return
-    thread.name = ABANDONED
+    if raising is None or thread.ident is None:
+        thread.name = ABANDONED
+        return
+    with _lost() as lost:
+        start = time.monotonic()
+        for end in (start + ENDING / 2, start + ENDING):  # what is caught by everything is raised once more, too
+            lost.set()
+            while thread.is_alive() and time.monotonic() < end:
+                if lost.is_set():
+                    lost.clear()
+                    raising.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(_Stop))
+                thread.join(LOOK)
+    if thread.is_alive():
+        thread.name = ABANDONED
+
+
+@contextmanager
+def _lost() -> Iterator[threading.Event]:
+    """Set where the exception was raised in a callback whose errors Python only prints, as those of weak references
+    and of `__del__`. It isn't printed; what others lose there is told as ever."""
+    before, lost = sys.unraisablehook, threading.Event()
+
+    def hook(told: Any) -> None:
+        if told.exc_type is not None and issubclass(told.exc_type, _Stop):
+            lost.set()
+        else:
+            before(told)
+
+    sys.unraisablehook = hook
+    try:
+        yield lost
+    finally:
+        if sys.unraisablehook is hook:
+            sys.unraisablehook = before

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import sys
 import threading
 import time
 
@@ -47,6 +49,52 @@ def test_what_goes_on_for_ever_is_ended() -> None:
         within(Budget(0.1), deaf)
     assert time.monotonic() - start < LONG
     assert (undone, threading.active_count()) == ([True], before)
+
+
+LENGTHS = itertools.cycle((1, 4, 2, 7, 3))
+"""Milliseconds, out of step with whoever looks at a clock."""
+
+
+class Fading:
+    """Whoever ends it is, for half of its life, in a callback that nobody hears."""
+
+    def __init__(self, fails: bool) -> None:
+        self.fails = fails
+        _pass(0.001 * next(LENGTHS))
+
+    def __del__(self) -> None:
+        _pass(0.001 * next(LENGTHS))
+        if self.fails:
+            raise ValueError("told as ever")
+
+
+def _pass(seconds: float) -> None:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        pass
+
+
+def test_what_is_raised_where_nobody_hears_is_raised_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is no news to anybody, either; what others lose there is."""
+    told: list[str] = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda lost: told.append(str(lost.exc_value)))
+    hook, going = sys.unraisablehook, threading.Event()
+    going.set()
+
+    def fading(fails: bool) -> None:
+        while going.is_set():
+            Fading(fails)
+
+    try:
+        for tried in range(10):
+            with pytest.raises(BudgetExceeded):
+                within(Budget(0.02 + tried / 1000), lambda: fading(False))
+        assert (told, sys.unraisablehook) == ([], hook)
+        with pytest.raises(BudgetExceeded):
+            within(Budget(0.05), lambda: fading(True))
+    finally:
+        going.clear()
+    assert set(told) == {"told as ever"}
 
 
 def test_what_is_busy_elsewhere_is_left_until_it_comes_back() -> None:

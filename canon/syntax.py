@@ -149,8 +149,22 @@ class _Parser:
         before = self.tokens[self.index - 1] if self.index else None
         adjacent = before is not None and (before.kind in ("number", "name") or before.text == ")")
         if adjacent and (token.kind in ("number", "name") or token.text == "("):
-            return f"an operator is missing before {token.text[:40]!r} {where}: write a product with *"
+            said = f"an operator is missing before {token.text[:40]!r} {where}: write a product with *"
+            return said + self._call_meant(token)
         return f"{token.text[:40]!r} {where} is not expected there"
+
+    def _call_meant(self, token: Token) -> str:
+        """Advice where a function may be meant: `sin x`, or `sin**2(x)`."""
+        before = self.tokens[max(0, self.index - 3) : self.index]
+        if before[-1].kind == "name" and token.kind in ("number", "name"):
+            return f", a function's argument in parentheses, as in {before[-1].text[:40]}({token.text[:40]})"
+        if (
+            [each.kind for each in before] == ["name", "sign", "number"]
+            and before[1].text == "**"
+            and token.text == "("
+        ):
+            return f", a power of a function behind it, as in {before[0].text[:40]}(...)**{before[2].text[:40]}"
+        return ""
 
     def deeper(self, token: Token) -> None:
         self.depth += 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
@@ -33,6 +34,7 @@ _MEANT: Final = {
     "arccos": "write acos", "arctan": "write atan", "arctan2": "write atan2", "arsinh": "write asinh",
     "arcosh": "write acosh", "artanh": "write atanh", "arcsinh": "write asinh", "arccosh": "write acosh",
     "arctanh": "write atanh", "Abs": "write abs", "ellipk": "write elliptic_k",
+    "diff": "write D(f, x)", "Derivative": "write D(f, x)",
     "ellippi": "write elliptic_pi", "EllipticPi": "write elliptic_pi", "LambertW": "write lambertw",
 }  # fmt: skip
 
@@ -84,7 +86,7 @@ class Vocabulary:
     (q_i, p_i) of `bracket`; `new`, the names of new variables, which its arguments can't contain; `refused`, names
     that are declared but out of place here, each with the reason; `no_bracket`, why `bracket` is out of place, if it
     is; `later`, abbreviations that are defined further down; `signs`, the words "positive", "negative" or "nonzero"
-    that some of the functions are declared with.
+    that some of the functions are declared with; `undeclared`, what to do with a name that nothing else is known of.
     """
 
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
@@ -96,6 +98,7 @@ class Vocabulary:
     no_bracket: str = ""
     later: frozenset[str] = frozenset()
     signs: Mapping[str, str] = field(default_factory=dict)
+    undeclared: str = ""
 
     def refusing(self, names: Iterable[str], reason: str, no_bracket: str = "") -> Vocabulary:
         """The same with `names` out of place, `reason` said of each."""
@@ -118,12 +121,20 @@ class Vocabulary:
         if name in _MEANT:
             return f"unknown name {name!r} {where}".rstrip() + f": {_MEANT[name]}"
         known = [*self.symbols, *self.functions, *self.definitions, *CONSTANTS, *CALLABLE]
-        return f"unknown name {name[:80]!r} {where}".rstrip() + nearest(name, known)
+        meant = nearest(_spelled(name), known, but=name)
+        advice = meant or (f": {self.undeclared}" if self.undeclared else "")
+        return f"unknown name {name[:80]!r} {where}".rstrip() + advice
 
 
-def nearest(name: str, known: Iterable[str]) -> str:
-    """ ": did you mean …?" with the nearest of the known words, or nothing if none is near."""
-    words = [word for word in dict.fromkeys(known) if word != name]
+def _spelled(name: str) -> str:
+    """A name of one Greek letter in Latin ones, as formulas mostly have it: `ω` as `omega`; any other as it is."""
+    words = unicodedata.name(name, "").lower().split() if len(name) == 1 else []
+    return words[-1] if words[:1] == ["greek"] else name
+
+
+def nearest(name: str, known: Iterable[str], but: str | None = None) -> str:
+    """ ": did you mean …?" with the nearest of the known words, or nothing if none is near; never `but` or `name`."""
+    words = [word for word in dict.fromkeys(known) if word != (but or name)]
     lowered = {word.lower(): word for word in reversed(words)}
     name = name[:80]
     close = get_close_matches(name, words, 1, 0.6) or [

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from decimal import Decimal
 from typing import Any, Final
 
+from canon.claims.toml_advice import toml_advice
 from canon.errors import InputError
 from canon.tokens import LONGEST, look_alike
 from canon.vocabulary import nearest
@@ -47,7 +48,7 @@ def parse(text: str) -> dict[str, Any]:
     except tomllib.TOMLDecodeError as error:
         line, column = text.count("\n") + 1, len(text) - text.rfind("\n")
         reason = str(error).replace("(at end of document)", f"(at line {line}, column {column}, the end)")
-        raise InputError(f"not TOML: {reason}") from None
+        raise InputError(f"not TOML: {reason}{toml_advice(str(error), text)}") from None
     except RecursionError:
         raise InputError("not readable: lists or tables are nested too deeply") from None
     except ValueError as error:
@@ -101,12 +102,17 @@ def key(name: str, section: str = "") -> str:
     return ", ".join(part for part in (section, f"key {name[:80]!r}") if part)
 
 
-def only(table: Table, known: Iterable[str], where: str) -> None:
-    """Refuse keys that aren't known, with the nearest known one. **Raises:** `InputError`."""
+def only(table: Table, known: Iterable[str], where: str, elsewhere: Mapping[str, str] | None = None) -> None:
+    """Refuse keys that aren't known, with the nearest known one, or with what `elsewhere` says of it.
+
+    **Raises:** `InputError`.
+    """
     known = tuple(known)
     for name in table:
         if name not in known:
-            raise InputError(f"unknown key {name[:80]!r}" + (nearest(name, known) or _choices(known)), where)
+            belongs = f": {elsewhere[name]}" if elsewhere and name in elsewhere else ""
+            advice = belongs or nearest(name, known) or _choices(known)
+            raise InputError(f"unknown key {name[:80]!r}{advice}", where)
 
 
 def _choices(known: tuple[str, ...]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from typing import Any, Final
 
 from canon.claims import document
@@ -146,6 +147,7 @@ def read_names(tables: Table) -> Names:
         signs=signs,
         pairs=tuple(zip(space.q, space.p, strict=True)),
         new=frozenset(_named(space.new)),
+        undeclared="declare it in [symbols]",
     )
     names = Names(space, vocabulary)
     _define(names, definitions)
@@ -202,6 +204,8 @@ def _symbols(value: Any, declared: Mapping[str, str]) -> dict[str, list[str]]:
     for name, given in document.table(value, "[symbols]").items():
         where = key(name, "[symbols]")
         document.name(name, where)
+        if isinstance(given, int | Decimal) and not isinstance(given, bool):
+            raise InputError('a word is expected, as "positive": what has a value is given in [definitions]', where)
         listed = [given] if isinstance(given, str) else document.listing(given, where)
         words[name] = [document.text(word, where) for word in listed]
         for word in words[name]:

@@ -10,7 +10,7 @@ import math
 import os
 from contextlib import suppress
 from decimal import Decimal
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from canon.claim import EXPECTATIONS, Claim
 from canon.claims import document
@@ -22,6 +22,14 @@ from canon.claims.sections import SECTIONS, read_subject
 from canon.errors import InputError
 from canon.mechanics.subject import Subject
 from canon.vocabulary import nearest
+
+OF_SCENES: Final = ("body", "rigid_body", "effect", "system", "run")
+"""The sections by which a scene is known that was given in place of a claim file."""
+MEANT: Final = {
+    "symplectic": "canonical", "canonical_transformation": "canonical", "kamiltonian": "new_hamiltonian",
+    "constant_of_motion": "conserved", "first_integral": "conserved", "commute": "involution", "equation": "identity",
+}  # fmt: skip
+"""Other words for kinds of claims."""
 
 
 class Reading(NamedTuple):
@@ -55,7 +63,7 @@ def read_tables(tables: Table) -> Reading:
     claims: list[Claim] = []
     names = None
     try:
-        document.only(tables, SECTIONS, "")
+        document.only(tables, SECTIONS, "", dict.fromkeys(OF_SCENES, "that is a scene's, and `canon simulate` runs it"))
         for word in ("title", "source"):
             document.text(tables.get(word, ""), key(word))
         listed = _listed(tables)
@@ -101,7 +109,8 @@ def _claim(value: Any, index: int, subject: Subject, names: Names, source: str |
         raise InputError("the key 'kind' is missing")
     kind = document.text(table["kind"], key("kind"))
     if kind not in KEYS:
-        advice = nearest(kind, KEYS) or f": the kinds are {', '.join(KEYS)}"
+        meant = f": did you mean {MEANT[kind]!r}?" if kind in MEANT else nearest(kind, KEYS)
+        advice = meant or f": the kinds are {', '.join(KEYS)}"
         raise InputError(f"unknown kind {kind[:80]!r}{advice}", key("kind"))
     spec = KEYS[kind]
     document.only(table, (*COMMON, *spec.keys), "")

@@ -56,7 +56,10 @@ def verify(
     if method not in METHODS:
         raise InputError(f"a method is one of {', '.join(METHODS)}, not {method!r}")
     if not isinstance(claim, Claim) or claim.subject is None:
-        raise InputError(f"a claim about something is expected, as transformation.canonical() makes one, not {claim!r}")
+        called = ": call it" if callable(claim) else ""
+        raise InputError(
+            f"a claim about something is expected, as transformation.canonical() makes one, not {claim!r}{called}"
+        )
     if memory is not None:
         return _apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy))
     decide = kind_named(claim.kind)

@@ -41,10 +41,11 @@ class Parser(argparse.ArgumentParser):
         if unknown is None:
             return ""
         words = [word.partition("=")[0] for word in (unknown[1] or unknown[2] or "").split()]
-        known = [option for action in self._every_action() for option in action.option_strings]
-        known += [str(choice) for action in self._every_action() for choice in action.choices or ()]
+        options = [option for action in self._every_action() for option in action.option_strings]
+        choices = [str(choice) for action in self._every_action() for choice in action.choices or ()]
         for word in words:
-            if near := get_close_matches(word, known, n=1):
+            known = options if word.startswith("-") else options + choices
+            if near := get_close_matches(word, known, n=1, cutoff=0.75):
                 return f"Did you mean {near[0]}?"
         return ""
 

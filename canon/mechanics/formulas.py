@@ -54,8 +54,8 @@ def as_formulas(
 ) -> tuple[Formula, ...]:
     """Several of them; a single expression counts as a sequence of one."""
     smoothness = smoothness or Smoothness()
-    if isinstance(values, Formula | sp.Expr | int | Fraction):
-        return (as_formula(values, where, smoothness),)
+    if isinstance(values, Formula | sp.Expr | int | Fraction | str) or not isinstance(values, Iterable):
+        return (as_formula(values, where, smoothness),)  # pyright: ignore[reportArgumentType] - refused there
     return tuple(as_formula(value, where, smoothness) for value in values)
 
 

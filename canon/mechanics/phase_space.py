@@ -75,6 +75,8 @@ class PhaseSpace:
         real: Names = (),
         complex: Names = (),  # noqa: A002 - the field's own word
     ) -> None:
+        if new is not None and (isinstance(new, str) or len(new) != 2):
+            raise InputError("new is a pair, the names of Q and those of P, as new=('Q1 Q2', 'P1 P2')", "phase_space")
         words: dict[str, list[str]] = {}
         given: dict[str, sp.Symbol] = {}
         for name, what in (symbols or {}).items():

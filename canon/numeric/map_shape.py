@@ -55,7 +55,7 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
     **Raises:** `InputError` where it raises at every point tried, or returns a wrong shape, complex or whole numbers.
     """
     if not callable(function):
-        raise InputError(f"a map is a function or a transformation, not {type(function).__name__}. {EXPECTED}")
+        raise InputError(f"a map is a function or a transformation, not {type(function).__name__}; {EXPECTED}")
     form, one, results = _first_form(function, points)
     usable = [k for k, value in enumerate(results) if value is not None and np.all(np.isfinite(value))]
     if not usable:
@@ -115,7 +115,7 @@ def _first_form(function: Callable[..., Any], points: Array) -> tuple[str, Calla
                 return form, one, results if enough else _tried(one, points[:MOST_TRIALS])[0]
     wrong = next((reason for reason in reasons if isinstance(reason, _WrongShape)), None)
     if wrong is not None:
-        raise InputError(f"{wrong}. {EXPECTED}") from wrong
+        raise InputError(f"{wrong}; {EXPECTED}") from wrong
     said = f"{type(reasons[0]).__name__}: {reasons[0]}"
     raise InputError(f"the map raises at every point tried, for instance at {shown(points[0])}: {said}")
 

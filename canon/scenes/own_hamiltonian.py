@@ -30,7 +30,8 @@ def read_own_hamiltonian(table: Table) -> tuple[Model, tuple[float, ...], tuple[
             raise InputError(f"{name!r} is declared twice" if name != "t" else "'t' is the time", WHERE)
     variables = {name: sp.Symbol(name, real=True) for name in ("t", *q_names, *p_names)}
     given = {name: number(value, key(name, f"{WHERE}, parameters")) for name, value in parameters.items()}
-    H = expression(needed(table, "H", WHERE), {**variables, **given}, key("H", WHERE))
+    undeclared = "give its value in parameters, as in parameters = { m = 1.0 }"
+    H = expression(needed(table, "H", WHERE), {**variables, **given}, key("H", WHERE), undeclared)
     q, p = (tuple(variables[name] for name in names) for names in (q_names, p_names))
     start = (numbers(needed(table, word, WHERE), key(word, WHERE), [len(q)]) for word in ("q", "p"))
     model = Model(q, p, variables["t"], (Term("H", H),), momenta=momenta(p), angular_momenta=angular_momenta([q], [p]))

@@ -34,6 +34,8 @@ from canon.scenes.values import number
 from canon.vocabulary import nearest
 
 SECTIONS: Final = ("title", "dynamics", "units", "constants", "body", "rigid_body", "effect", "system", "run")
+OF_CLAIMS: Final = ("phase_space", "claim")
+"""The sections by which a claim file is known that was given in place of a scene."""
 DYNAMICS: Final = ("newtonian", "relativistic")
 TIME: Final = sp.Symbol("t", real=True)
 Constants = Mapping[str, Any]
@@ -51,7 +53,9 @@ def read_scene_text(text: str) -> Scene:
 
 def scene_of(tables: Table) -> Scene:
     """The scene in a TOML document. **Raises:** `InputError` with the place."""
-    document.only(tables, SECTIONS, "")
+    document.only(
+        tables, SECTIONS, "", dict.fromkeys(OF_CLAIMS, "that is a claim file's, and `canon verify` checks it")
+    )
     title, units = (document.text(tables.get(word, ""), key(word)) for word in ("title", "units"))
     if "run" not in tables:
         raise InputError("the section [run] is missing: it says for how long, as in duration = 10.0")

@@ -51,9 +51,9 @@ def _samples(value: Any) -> int:
 
 def _monitors(value: Any) -> tuple[str, ...]:
     where = key("monitor", WHERE)
-    names = document.names(value, where)
-    for name in names:
+    for item in document.listing(value, where):
+        name = document.text(item, where)
         if name not in MONITORS:
             advice = nearest(name, MONITORS) or f": the monitors are {', '.join(MONITORS)}"
-            raise InputError(f"unknown monitor {name!r}{advice}", where)
-    return names
+            raise InputError(f"unknown monitor {name[:80]!r}{advice}", where)
+    return document.names(value, where)

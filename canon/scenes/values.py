@@ -56,15 +56,18 @@ def matrix(value: Any, where: str, size: int) -> Any:
     return sp.ImmutableMatrix([numbers(row, f"{where}, row {i}", [size]) for i, row in enumerate(rows, 1)])
 
 
-def expression(value: Any, names: Mapping[str, Any], where: str) -> Any:
+def expression(value: Any, names: Mapping[str, Any], where: str, undeclared: str = "") -> Any:
     """A number, or an expression in `names` (symbols or numbers by name), as sympy holds it.
+
+    **Arguments:** `undeclared`, what to do with a name that is none of them; else they are listed.
 
     **Raises:** `InputError` with the place and the nearest known name, or where it is too large to be multiplied out.
     """
     if not isinstance(value, str):
         return number(value, where)
     symbols = {name: sp.Symbol(name, real=True) for name in names}
-    found = read(value, Vocabulary(symbols, no_bracket="this is a scene"), where)
+    advice = undeclared or f"the names here are {', '.join(names)}"
+    found = read(value, Vocabulary(symbols, no_bracket="this is a scene", undeclared=advice), where)
     return check_size(found.expr, where).xreplace({symbol: names[name] for name, symbol in symbols.items()})
 
 

@@ -31,6 +31,7 @@ def refusal(capsys: pytest.CaptureFixture[str], *arguments: str) -> list[str]:
         (["verify", "--seed", "x"], ["'x' is no whole number from 0 on", "See `canon verify --help`."]),
         (["verify", "--method", "numerical"], ["Did you mean numeric? See `canon verify --help`."]),
         (["verify", "--met", "all"], ["unrecognized arguments: --met", "Did you mean --method?"]),
+        (["simulate", "--duration", "x"], ["arguments: --duration\nSee `canon --help`."]),
     ],
 )
 def test_refused_arguments(capsys: pytest.CaptureFixture[str], arguments: list[str], lines: list[str]) -> None:

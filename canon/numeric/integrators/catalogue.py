@@ -61,6 +61,14 @@ MULTISTEP: Final = multistep.METHODS
 METHODS: Final[tuple[Method, ...]] = (*SPLITTING, *MULTISTEP, *WHOLE, *CONSTRAINED, *CHARGES)
 
 
+OTHER_NAMES: Final = {
+    "leapfrog": "verlet", "leap_frog": "verlet", "stormer_verlet": "verlet", "velocity_verlet": "verlet",
+    "strang": "verlet", "ruth": "yoshida4", "forest_ruth": "yoshida4", "midpoint": "implicit_midpoint",
+    "shake": "rattle", "runge_kutta": "rk4",
+}  # fmt: skip
+"""What methods are called elsewhere."""
+
+
 def method(name: str) -> Method:
     """The integrator of that name.
 
@@ -70,5 +78,6 @@ def method(name: str) -> Method:
     if found is not None:
         return found
     names = [each.name for each in METHODS]
-    near = get_close_matches(name, names, 3, 0.5) or names
+    meant = OTHER_NAMES.get(name.lower().replace("-", "_"))
+    near = [meant] if meant else get_close_matches(name, names, 3, 0.5) or names
     raise InputError(f"no integrator is called {name!r}; there is {', '.join(near)}")

@@ -105,6 +105,8 @@ def proof(claim: Claim, verdict: Verdict | None = None, *, budget: float = 10.0)
     from canon.claims.claim_tables import claim_tables
     from canon.claims.verify import verify
 
+    if not isinstance(claim, Claim):
+        raise InputError(f"a claim is expected, and then its verdict, if it has one; not {type(claim).__name__}")
     tables = claim_tables(claim)
     answer = verify(claim, budget=budget) if verdict is None else verdict
     data = certificate(claim, answer, tables) if answer.status in ("proved", "refuted") else None

@@ -5,6 +5,7 @@ Pf(ω(t_a, t_b)) is ωᵏ/k! on the 2k tangents. Arnold, Mathematical Methods of
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -34,6 +35,23 @@ def pfaffians(t: Array, off: Array | None = None) -> tuple[Array, Array]:
             entries[a, b] = first - second, error
     known: dict[tuple[int, ...], tuple[Array, Array]] = {(): (np.ones(count), np.zeros(count))}
     return _pfaffian(tuple(range(size)), entries, known)
+
+
+def powers(matrix: Array, off: float = 0.0) -> list[tuple[Array, Array]]:
+    """For k = 1 … n the coefficients of Aᵏ/k! for the two-form (or bivector) A of an antisymmetric matrix (2n, 2n): its
+    Pfaffians on all sets of 2k rows, in lexicographic order, each with its error for entries off by `off`.
+
+    There are as many as 4ⁿ⁻¹ minors to expand: for a few degrees of freedom.
+    """
+    size = len(matrix)
+    error = np.full(1, off)
+    entries = {(a, b): (matrix[a, b : b + 1], error) for a, b in combinations(range(size), 2)}
+    known: dict[tuple[int, ...], tuple[Array, Array]] = {(): (np.ones(1), np.zeros(1))}
+    found = []
+    for k in range(1, size // 2 + 1):
+        pairs = [_pfaffian(rows, entries, known) for rows in combinations(range(size), 2 * k)]
+        found.append((np.array([value[0] for value, _ in pairs]), np.array([bound[0] for _, bound in pairs])))
+    return found
 
 
 def _pfaffian(

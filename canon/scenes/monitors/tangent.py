@@ -12,6 +12,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.numeric.integrators.splitting import SplittingMethod
+from canon.numeric.pfaffians import powers
 from canon.numeric.transport import flow_differences
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import Frame, carried, frame_at, frame_on_surface, onto_attitudes
@@ -25,25 +26,31 @@ CONTRACTIONS: Final = 32.0
 """Roundings of the factors by which friction contracts in one step, which are the same in every step, and so add up."""
 COARSEST: Final = 1e-2
 """Where rounding alone is larger than this, nothing can be said."""
+LARGEST_FOR_ORDERS: Final = 4
+"""Degrees of freedom up to which every order is looked at: there are 2·4ⁿ⁻¹ coefficients."""
 
 
 def read_symplecticity(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
-    """How far M J Mᵀ is from J, or from exp(−2λt) J."""
+    """How far M J Mᵀ is from J, or from exp(−2λt) J, and so do the powers of both, which are Poincaré's invariants of
+    every order: an M that keeps J keeps them all.
+    """
     before, after = _frames(flow, q, p)
     M, rounding, error = _tangent(flow, q, p, before, after)
     kept, J = carried(before, after, M)
     value = float(np.abs(kept - J).max())
     if not not_hamiltonian(flow.model):
-        reading = _judged("symplecticity", "conserved", value, value, rounding, error)
+        orders = order_drifts(kept, J, rounding + error)
+        reading = _judged("symplecticity", "conserved", value, value, rounding, error, **orders)
         return condemned(reading, flow, area_change(kept, J), rounding)
     expected = f"broken by {not_hamiltonian(flow.model)}"
     rate = conformal_rate(flow.model)
     if rate is None:
-        return Reading("symplecticity", expected, 0.0, value, value)
+        return Reading("symplecticity", expected, 0.0, value, value, extra=order_drifts(kept, J, np.inf))
     factor = float(np.exp(-2 * rate * (times[-1] - times[0])))
     drift = float(np.abs(kept - factor * J).max())
     rounding += contraction_rounding(flow) * factor * float(np.abs(J).max())
-    reading = _judged("symplecticity", expected, value, drift, rounding, error, predicted=1 - factor)
+    orders = order_drifts(kept, factor * J, rounding + error)
+    reading = _judged("symplecticity", expected, value, drift, rounding, error, predicted=1 - factor, **orders)
     return condemned(reading, flow, area_change(kept, factor * J), rounding)
 
 
@@ -69,6 +76,21 @@ def read_volume(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
     expected = f"broken by {', '.join(contracting(flow.model))}"
     reading = _judged("volume", expected, value, drift, rounding, error, predicted=predicted)
     return condemned(reading, flow, drift, rounding + 4 * off)
+
+
+def order_drifts(kept: np.ndarray, expected: np.ndarray, off: float) -> dict[str, list[dict[str, float | int | None]]]:
+    """For k = 1 … n the largest coefficient of keptᵏ/k! − expectedᵏ/k! of two antisymmetric matrices (2n, 2n), and what
+    entries off by `off` explain of it; nothing of odd matrices, and of those with too many powers.
+    """
+    size = len(kept)
+    if size % 2 or not 0 < size <= 2 * LARGEST_FOR_ORDERS:
+        return {}
+    found: list[dict[str, float | int | None]] = []
+    for order, ((is_, bounds), (should, _)) in enumerate(zip(powers(kept, off), powers(expected), strict=True), 1):
+        worst = int(np.argmax(np.abs(is_ - should)))
+        bound = float(bounds.max()) if np.isfinite(off) else None
+        found.append({"order": order, "max_drift": float(abs(is_[worst] - should[worst])), "bound": bound})
+    return {"orders": found}
 
 
 def contraction_rounding(flow: Flow) -> float:

@@ -2,7 +2,8 @@
 
 Claims are written into files at random (brackets, canonical maps, constants of the motion, with mutants of them), and
 verified by the command as a user would. The second time the command is stopped after a random time, by Ctrl-C or by
-SIGKILL in turn, and started again with `--resume`, until it comes to its end.
+SIGKILL in turn, and started again with `--resume`, as often as is asked, and then until it comes to its end. It is
+stopped when the journal has grown by a random part of what is left to do, so that each stop costs something.
 """
 
 from __future__ import annotations
@@ -70,13 +71,27 @@ def heard() -> None:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
+def lines_of(journal: Path) -> int:
+    """How many answers were written down."""
+    return journal.read_bytes().count(b"\n") if journal.exists() else 0
+
+
+def stopped(line: list[str], journal: Path, lines: int, number: int) -> None:
+    """Run a command until its journal has so many lines, and send it a signal then; if it ends before, it has ended."""
+    process = subprocess.Popen(line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=heard)
+    while process.poll() is None and lines_of(journal) < lines:
+        time.sleep(0.02)
+    process.send_signal(number)
+    process.wait()
+
+
 def main() -> int:
     """Run both, compare, print the figures; exit status 1 where they differ."""
     parser = argparse.ArgumentParser(prog="python -m properties.resumed", description=__doc__)
     parser.add_argument("--claims", type=int, default=500)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--longest", type=float, default=20.0, help="seconds after which a run is stopped, at most")
+    parser.add_argument("--stops", type=int, default=0, metavar="N", help="stop it so often (default: 2 to 5 times)")
     options = parser.parse_args()
     rng = random.Random(options.seed)
     with tempfile.TemporaryDirectory() as name:
@@ -87,29 +102,19 @@ def main() -> int:
         start = time.monotonic()
         whole = verdicts(subprocess.run(command(folder, options.jobs), capture_output=True, text=True).stdout)
         seconds = time.monotonic() - start
-        stops, code, longest, before = 0, -1, options.longest, 0
-        while code < 0 or code == 130:
-            resumed = command(folder, options.jobs, "--resume", str(kept))
-            process = subprocess.Popen(
-                resumed, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=heard
-            )
-            try:
-                output, _ = process.communicate(timeout=rng.uniform(1.0, longest))
-            except subprocess.TimeoutExpired:
-                process.send_signal(signal.SIGKILL if stops % 2 else signal.SIGINT)
-                output, _ = process.communicate()
-                stops += 1
-                written = kept.read_bytes().count(b"\n") if kept.exists() else 0
-                longest *= 1.0 if written > before else 1.5  # so long that something is done beside reading the files
-                before = written
-            code = process.returncode
-        again = verdicts(output)
-        lines = kept.read_bytes().count(b"\n")
+        stops, at = options.stops or rng.randint(2, 5), list[int]()
+        resumed = command(folder, options.jobs, "--resume", str(kept))
+        for stop in range(stops):
+            wanted = lines_of(kept) + int((len(whole) - lines_of(kept)) * rng.uniform(0.02, 0.6)) + rng.randint(0, 3)
+            stopped(resumed, kept, wanted, signal.SIGKILL if stop % 2 else signal.SIGINT)
+            at.append(lines_of(kept))
+        again = verdicts(subprocess.run(resumed, capture_output=True, text=True).stdout)
+        lines = lines_of(kept)
     counts = {
         word: sum(verdict[3] == word for verdict in whole) for word in ("proved", "refuted", "supported", "undecided")
     }
-    print(json.dumps({"claims": len(whole), **counts, "interruptions": stops, "lines_of_journal": lines,
-                      "same": again == whole, "seconds_uninterrupted": round(seconds, 1)}, indent=1))  # fmt: skip
+    print(json.dumps({"claims": len(whole), **counts, "interruptions": len(at), "answered_by_then": at,
+                      "lines_of_journal": lines, "same": again == whole, "seconds_uninterrupted": round(seconds, 1)}, indent=1))  # fmt: skip
     return 0 if again == whole else 1
 
 

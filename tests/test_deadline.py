@@ -7,6 +7,7 @@ import math
 import sys
 import threading
 import time
+from typing import Any
 
 import pytest
 
@@ -147,3 +148,100 @@ def test_a_hamiltonian_beyond_all_floats_is_no_energy() -> None:
     text = f'[[claim]]\nkind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "{equals}"\n'
     (claim,) = read_text(head + text).claims
     assert verify(claim, budget=3.0).status in ("undecided", "supported", "refuted")
+
+
+INTEGRAL = f'{HEAD}[[claim]]\nkind = "integral"\nf = "q*exp(q)"\nvariable = "q"\nfrom = "0"\nto = "1"\nequals = "1"\n'
+
+
+def test_a_rule_that_was_given_up_finds_its_answer_the_next_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Sympy's rules for integrals note what they are at, and take a note that they left behind for a circle."""
+    from sympy.integrals import manualintegrate as rules
+
+    def given_up(*_: object) -> None:
+        raise RecursionError
+
+    with monkeypatch.context() as broken:
+        broken.setattr(rules, "find_substitutions", given_up)
+        (claim,) = read_text(INTEGRAL).claims
+        assert verify(claim).status == "supported"
+    (claim,) = read_text(INTEGRAL).claims
+    assert verify(claim).status == "proved"
+
+
+@pytest.mark.parametrize("seconds", [1e12, 1e300, math.inf])
+def test_a_budget_without_an_end_is_none_too_long(seconds: float) -> None:
+    (claim,) = read_text(INTEGRAL).claims
+    assert verify(claim, budget=seconds).status == "proved"
+
+
+def test_threads_that_are_ended_at_once_leave_nothing_behind() -> None:
+    """Neither what Python prints lost errors with, nor a thread; each is ended, though others end before it."""
+    hook, before, ended = sys.unraisablehook, threading.active_count(), []
+
+    def asks(late: float) -> None:
+        undo = threading.Event()
+
+        def busy() -> None:
+            try:
+                while True:
+                    sum(range(100))
+            finally:
+                undo.wait(late)  # one that undoes for a while: the others begin and end meanwhile
+
+        with pytest.raises(BudgetExceeded):
+            within(Budget(0.02 + late / 10), busy)
+        ended.append(late)
+
+    asking = [threading.Thread(target=asks, args=(late,)) for late in (0.2, 0.05, 0.3, 0.1)]
+    for thread in asking:
+        thread.start()
+    for thread in asking:
+        thread.join(LONG)
+    assert (sys.unraisablehook, len(ended)) == (hook, 4)
+    end = time.monotonic() + LONG
+    while threading.active_count() > before and time.monotonic() < end:
+        time.sleep(0.01)
+    assert threading.active_count() == before
+
+
+def test_nothing_is_raised_in_a_thread_whose_work_is_over(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What ends just as its time is over ends quietly: its answer counts, or it is given up, and nothing is printed."""
+    told: list[object] = []
+    monkeypatch.setattr(threading, "excepthook", told.append)
+    monkeypatch.setattr(sys, "unraisablehook", told.append)
+    answers = []
+    for tried in range(200):
+        seconds = 0.001 + tried % 7 / 5000
+        try:
+            answers.append(within(Budget(seconds), lambda: _pass(seconds)))  # noqa: B023
+        except BudgetExceeded:
+            continue
+    assert told == []
+    assert set(answers) <= {None}
+
+
+def test_threads_that_ask_at_once_take_turns(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The precision of the balls is the process's own: it stays what it was, and no other's claim changes it."""
+    import flint
+
+    from canon.claims import verify as module
+
+    (claim,) = read_text(INTEGRAL).claims
+    decide, inside, together = module.kind_named(claim.kind), [], []
+
+    def alone(question: Any) -> Any:
+        inside.append(None)
+        _pass(0.02)
+        together.append(len(inside))
+        outcome = decide(question)
+        inside.pop()
+        return outcome
+
+    monkeypatch.setattr(module, "kind_named", lambda kind: alone)
+    before, found = flint.ctx.prec, []
+    asking = [threading.Thread(target=lambda: found.append(verify(claim).status)) for _ in range(4)]
+    for thread in asking:
+        thread.start()
+    for thread in asking:
+        thread.join(LONG)
+    assert (found, together, flint.ctx.prec) == (["proved"] * 4, [1] * 4, before)

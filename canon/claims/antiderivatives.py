@@ -15,6 +15,7 @@ from canon.deadline import within
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import as_formula
+from canon.mechanics.unfinished_integrals import forget_unfinished_integrals
 from canon.mechanics.wave_integrals import wave_integrals
 
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ def _by_rules(f: Any, x: sp.Symbol) -> Iterator[Any]:
     """Sympy's rules; of what they distinguish cases each case."""
     from sympy.integrals.manualintegrate import manualintegrate
 
+    forget_unfinished_integrals()
     found: Any = manualintegrate(f, x)
     if isinstance(found, sp.Piecewise):
         cases: Any = found.args

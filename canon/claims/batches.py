@@ -6,15 +6,12 @@ lost worker had is asked again, item by item; an item whose worker is lost again
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from typing import Any, Final, TypeVar
 
 AHEAD: Final = 64
 """Batches that are out at a time."""
-ONE_AT_A_TIME: Final = threading.Lock()
-"""The precision of the balls belongs to a process: the threads of a worker read and decide one after the other."""
 
 Item = TypeVar("Item")
 Answer = TypeVar("Answer")

@@ -15,7 +15,7 @@ from typing import Final
 
 from canon.claim import Claim
 from canon.claims.apart import decided_apart
-from canon.claims.batches import ONE_AT_A_TIME, answers
+from canon.claims.batches import answers
 from canon.claims.read_many import Sent
 from canon.claims.run import available_cores, memory_limit
 from canon.claims.verify import Method, verify
@@ -85,14 +85,13 @@ def decided(claims: Sequence[Claim | Sent], settings: Settings, certificates: bo
 def decided_here(claim: Claim, settings: Settings, certificates: bool) -> Answer:
     """The answer to a claim, in this process."""
     try:
-        with ONE_AT_A_TIME:
-            verdict = verify(
-                claim,
-                budget=settings.budget,
-                seed=settings.seed,
-                method=settings.method,
-                accuracy=settings.accuracy,
-            )
+        verdict = verify(
+            claim,
+            budget=settings.budget,
+            seed=settings.seed,
+            method=settings.method,
+            accuracy=settings.accuracy,
+        )
         return verdict if certificates else replace(verdict, certificate=None)
     except InputError as error:
         return error

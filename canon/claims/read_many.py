@@ -13,7 +13,8 @@ from dataclasses import replace
 from typing import Final, NamedTuple
 
 from canon.claim import Claim
-from canon.claims.batches import ONE_AT_A_TIME, answers
+from canon.claims.batches import answers
+from canon.claims.turns import in_turn
 
 MOST: Final = 16
 """Files that travel together."""
@@ -62,7 +63,7 @@ def _batches(texts: Iterable[str]) -> Iterator[list[tuple[int, str]]]:
 
 def read_here(texts: list[str]) -> list[Found]:
     """What a batch of documents holds: what a worker does."""
-    with ONE_AT_A_TIME:
+    with in_turn():
         return [_read(text) for text in texts]
 
 

@@ -14,6 +14,7 @@ from canon.claims.kinds import Kind, kind_named
 from canon.claims.no_numbers import sampled_only
 from canon.claims.outcome import Outcome
 from canon.claims.question import Question
+from canon.claims.turns import in_turn
 from canon.claims.worker import Settings
 from canon.decide.certificate import Certificate
 from canon.decide.ladder import Contradiction
@@ -50,8 +51,10 @@ def verify(
 
     **Returns:** a `Verdict`: `proved` and `refuted` rest on exact arguments or certified witnesses, never on floats.
     Should an exact and a numerical answer contradict each other, it is `undecided`, with both in `detail["alarm"]`.
+    Threads that ask at once take turns, each with its budget from when it is its turn.
 
-    **Raises:** `InputError` where the claim is ill-posed, or where it can't be decided in another process.
+    **Raises:** `InputError` where the claim is ill-posed, where the budget is none, or where it can't be decided in
+    another process.
     """
     if method not in METHODS:
         raise InputError(f"a method is one of {', '.join(METHODS)}, not {method!r}")
@@ -60,9 +63,15 @@ def verify(
         raise InputError(
             f"a claim about something is expected, as transformation.canonical() makes one, not {claim!r}{called}"
         )
+    _check(budget)
     if memory is not None:
         return _apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy))
     decide = kind_named(claim.kind)
+    with in_turn():
+        return _here(claim, decide, budget, seed, method, accuracy)
+
+
+def _here(claim: Claim, decide: Kind, budget: float, seed: int, method: Method, accuracy: float | None) -> Verdict:
     start = time.monotonic()
     whole = Budget(claim.budget if claim.budget is not None else budget)
     question = Question(claim, whole, seed, "numeric" if method == "numeric" else "symbolic", accuracy)
@@ -71,6 +80,15 @@ def verify(
     symbolic = _answer(decide, replace(question, budget=whole.share(EXACT_SHARE)))
     numeric = _answer(decide, replace(question, method="numeric"))
     return _verdict(question, compared(symbolic, numeric), time.monotonic() - start)
+
+
+def _check(budget: float) -> None:
+    try:
+        Budget(budget)
+    except (TypeError, ValueError, OverflowError):
+        short = isinstance(budget, (float, str)) or (isinstance(budget, int) and abs(budget) < 10**9)
+        shown = repr(budget) if short else f"this {type(budget).__name__}"
+        raise InputError(f"a budget is a number of seconds from 0 on, below 1e308, not {shown[:60]}") from None
 
 
 def _apart(claim: Claim, settings: Settings) -> Verdict:

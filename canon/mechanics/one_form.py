@@ -8,6 +8,7 @@ import sympy as sp
 
 from canon.mechanics.formulas import replaced
 from canon.mechanics.trigonometry import contracted
+from canon.mechanics.unfinished_integrals import forget_unfinished_integrals
 
 _LARGEST = 100  # operations in a function that is still integrated
 
@@ -63,6 +64,7 @@ def _antiderivative(function: Any, variable: sp.Symbol) -> Any:
     """An antiderivative, if sympy finds one without its slowest method; `None` otherwise."""
     if sp.count_ops(function) > _LARGEST:
         return None
+    forget_unfinished_integrals()
     found: Any = sp.integrate(function, variable, conds="none", meijerg=False)
     found = found.replace(sp.Piecewise, _real_piece)
     return None if found.has(sp.Integral, sp.Piecewise, sp.zoo, sp.nan) else found

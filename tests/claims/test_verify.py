@@ -93,6 +93,12 @@ def test_a_certificate_is_data_that_json_can_hold():
     assert data["arguments"]
 
 
+@pytest.mark.parametrize("budget", [-1, float("nan"), "3", None, 10**5000, [1.0]], ids=lambda x: type(x).__name__)
+def test_what_is_no_budget_is_refused(budget):
+    with pytest.raises(InputError, match="a budget is a number of seconds from 0 on"):
+        verify(Transformation(SPACE, Q=(q,), P=(p,)).canonical(), budget=budget)
+
+
 def test_no_budget_is_no_verdict():
     verdict = verify(Transformation(SPACE, Q=(sp.sin(q),), P=(p / sp.cos(q),)).canonical(), budget=0.0)
     assert verdict.status == "undecided"

@@ -35,6 +35,8 @@ def verify(claim: Claim, *, budget: float, seed: int, method: str, accuracy: flo
     if kind == "nap":
         time.sleep(0.3)
     if kind == "sleep":
+        if mark := os.environ.get("ASLEEP"):
+            Path(mark).touch()
         time.sleep(3600)
     if kind == "chatter":
         print("noise on standard output")

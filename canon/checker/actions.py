@@ -41,6 +41,7 @@ def action(s: Statement) -> Case:
     p = s.p[s.q.index(x)]
     fixed = {name: f.read(text, s.names) for name, text in claim.get("fixed", {}).items()}
     s.declared |= {E}
+    s.without(s.H, [E])
     H = f.substitute(s.H, {n: v for n, v in fixed.items() if n != E})
     level, equals = fixed.get(E, f.node("s", E)), s.key("equals")
     given = [f.read(claim[word], s.names) for word in ("period", "well") if word in claim]

@@ -11,6 +11,7 @@ from canon.checker.case import Case
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.lie import Algebra, is_named
 from canon.checker.linear import rank, solved
+from canon.checker.motion import unused
 from canon.checker.obligations import bracketed
 from canon.checker.statement import Statement
 
@@ -193,7 +194,7 @@ def group(s: Statement) -> Case:
     """θ(a, 0) = a, θ(0, b) = b, θ(θ(a, b), c) = θ(a, θ(b, c)); and C = f_kj − f_jk of the second-order coefficients."""
     f, claim = s.f, s.claim
     a, b = list(claim["first"]), list(claim["second"])
-    c = [f"{name}_third" for name in b]
+    c = [unused(f"{name}_third", {*s.declared, *s.names, *a, *b}) for name in b]
     s.declared |= {*a, *b, *c}
     theta = s.keys("composition")
     nodes = {name: f.node("s", name) for name in (*a, *b, *c)}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import combinations_with_replacement, pairwise
 from typing import Any
 
 from canon.checker.case import Case
@@ -165,6 +165,16 @@ def integral(s: Statement) -> Case:
     return replace(case, mentions=[inside])
 
 
+def _is_linear(s: Statement) -> bool:
+    """Whether Hamilton's equations are linear in variables of which nothing is assumed: their solutions never end."""
+    f, z = s.f, [*s.q, *s.p]
+    if any(word != "real" for name in (*z, s.time) for word in s.words.get(name, [])):
+        return False
+    second = [f.slope(f.slope(s.H, x), y) for x, y in combinations_with_replacement(z, 2)]
+    names = {f.ops[b][1] for a in second for b in f.reach(a) if f.ops[b][0] == "s"}
+    return names.isdisjoint((*z, s.time))
+
+
 def average(s: Statement) -> Case:
     """The average of f over time: by a virial, whose rate has none; or along a motion, by an antiderivative."""
     f, claim = s.f, s.claim
@@ -182,6 +192,7 @@ def average(s: Statement) -> Case:
             zeros = [rate(a) for a in (mean, bound, *(a for a, _ in s.conditions))]
             bounded = all(is_positive(s, a, strict=False, real=True) for a in (f.sub(bound, G), f.add(bound, G)))
             against = "" if bounded else "that the virial is bounded as it says"
+            against = against or ("" if _is_linear(s) else "that some of its motions go on for ever")
             return Case([f.sub(mean, equals)], granted=zeros, against=against)
         zeros = [rate(mean), rate(bound), f.sub(mean, equals)]
         return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)])

@@ -63,6 +63,7 @@ def hamilton_jacobi(s: Statement) -> Case:
         constants.append(f.ops[energy][1])
     if len({*constants}) != len(s.q) or {*constants} & {*s.q, *s.p, s.time, *f.functions}:
         raise Unreadable("as many constants as coordinates are needed, none of which moves")
+    s.without(s.H, constants)
     momenta = {p: f.slope(S, q) for p, q in zip(s.p, s.q, strict=True)}
     other = f.slope(S, s.time) if word == "S" else f.mul(f.number(-1), energy)
     complete = s.determinant([[f.slope(p, a) for a in constants] for p in momenta.values()])

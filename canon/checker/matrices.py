@@ -49,6 +49,8 @@ def matrix_group(s: Statement) -> Case:
     f, a, b = s.f, list(s.claim["first"]), list(s.claim["second"])
     s.declared |= {*a, *b}
     M, theta = _read(s, s.claim["matrix"]), s.keys("composition")
+    for x in (x for row in M for x in row):
+        s.without(x, b)
 
     def at(values: Sequence[int]) -> Rows:
         images = dict(zip(a, values, strict=True))

@@ -15,7 +15,7 @@ class Motion:
         self.f, self.q, self.t = s.f, s.q, s.time
         self.v = list(s.claim["velocities"])
         taken = {*s.declared, *self.v, *s.names}
-        self.a = list(s.claim.get("accelerations", [_unused(f"{x}_tt", taken) for x in self.q]))
+        self.a = list(s.claim.get("accelerations", [unused(f"{x}_tt", taken) for x in self.q]))
         s.declared |= {*self.a}
         if not len(self.q) == len(self.v) == len(self.a):
             raise Unreadable("so many velocities as coordinates are needed")
@@ -27,8 +27,9 @@ class Motion:
         return self.f.add(self.f.slope(f, self.t), *moved)
 
 
-def _unused(name: str, taken: set[str]) -> str:
-    return _unused(f"{name}_", taken) if name in taken else name
+def unused(name: str, taken: set[str]) -> str:
+    """The name, or one like it that isn't among those that are taken."""
+    return unused(f"{name}_", taken) if name in taken else name
 
 
 def formulas(s: Statement, word: str) -> list[int]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
@@ -107,6 +107,11 @@ class Statement:
         if not isinstance(name, str) or name in {*self.q, *self.p, *self.Q, *self.P, *self.f.functions, "pi"}:
             raise Unreadable(f"{str(name)[:40]!r} is no parameter")
         return name
+
+    def without(self, a: int, names: Iterable[str]) -> None:
+        """Refuse a formula with a name that the claim varies: it would be varied, too. Raises Unreadable."""
+        if found := {self.f.ops[b][1] for b in self.f.reach(a) if self.f.ops[b][0] == "s"} & {*names}:
+            raise Unreadable(f"{min(found)[:40]!r} is a name of the claim's own, and stands in a formula besides")
 
     @property
     def H(self) -> int:

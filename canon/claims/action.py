@@ -29,6 +29,7 @@ from canon.claims.action_region import (
 )
 from canon.claims.chart import chart_of
 from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.own_names import is_free_of
 from canon.claims.show import is_steep
 from canon.deadline import within
 from canon.domain import Domain
@@ -167,6 +168,7 @@ def setting_of(question: Question, *also: Formula) -> Setting:
         if name in rules:
             raise InputError(f"{name} moves: it can't be fixed", "key 'fixed'")
     named = question.key("energy")
+    is_free_of(H, [named], "H", "key 'energy'")
     for name, formula in fixed.items():
         if question.claim.kind == "frequency" and name != named and named in formula.expr.free_symbols:
             raise InputError(

@@ -10,6 +10,7 @@ import sympy as sp
 
 from canon.claims.along_a_range import Unproved, holds, is_positive, range_of
 from canon.claims.average_orbit import over_orbits
+from canon.claims.eternal import goes_on_for_ever
 from canon.claims.integral import integral_is
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
@@ -86,20 +87,12 @@ def _virial(question: Question) -> Outcome:
     held = all(is_positive(question, node, region, strict=False) for node in sides)
     if not held:
         return outcome.with_status("undecided", f"it isn't shown that |{formulas[1]}| <= {formulas[2]}")
-    if outcome.status == "refuted" and not _invariant(question, region, rate):
-        return outcome.with_status("undecided", "motions may leave the domain, and the claim is about others")
+    if outcome.status == "refuted" and not goes_on_for_ever(question, H, region):
+        note = "it isn't shown that motions stay in the domain for ever, and the claim is about those that do"
+        return outcome.with_status("undecided", note)
     parts = combined([constant, steady, outcome])
     steps = (*parts.arguments, {"theorem": RATE, "G": str(formulas[1]), "bound": str(formulas[2])})
     return replace(parts, arguments=steps if parts.status == "proved" else parts.arguments)
-
-
-def _invariant(question: Question, region: Region, rate: Any) -> bool:
-    """Whether motions stay in the region, but for passages through edges where something is 0."""
-    walls = [r for r in region.requirements if r.kind != "nonzero"]
-    if any(r.kind != "positive" for r in walls) or region.surface:
-        return False
-    residuals = [Residual(r.text, rate(r.nodes[0])) for r in walls]
-    return not residuals or question.decide(residuals, region).status == "proved"
 
 
 def _along(question: Question) -> Outcome:

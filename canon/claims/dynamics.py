@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from canon.claims.chart import chart_of
 from canon.claims.independence import full_rank
 from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.own_names import is_free_of
 from canon.claims.show import with_value
 from canon.claims.velocities import region_in_velocities, velocity_names
 from canon.decide.derivative import derivative, substitute
@@ -94,6 +95,7 @@ def legendre(question: Question) -> Outcome:
     velocities = velocity_names(question, "velocities")
     for symbol in sorted(L.expr.free_symbols & set(space.p), key=str):
         raise InputError(f"L is a function of coordinates and velocities, not of {symbol}", "key 'L'")
+    is_free_of(H, velocities, "H", "key 'velocities'")
     v, node = question.nodes(velocities), question.load(L)
     momenta = [derivative(tape, node, x) for x in v]
     images = dict(zip(question.nodes(space.p), momenta, strict=True))

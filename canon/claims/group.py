@@ -123,7 +123,7 @@ def law_of(question: Question) -> Law:
     if set(names[0]) & set(names[1]):
         raise InputError("a name is among the first and among the second parameters", "key 'second'")
     a, b = (tuple(question.nodes(given)) for given in names)
-    third = tuple(tape.symbol(sp.Symbol(f"{symbol}_third", real=True)) for symbol in names[1])
+    third = tuple(tape.symbol(sp.Dummy(f"{symbol}_third", real=True)) for symbol in names[1])  # no name of the file
     return Law(tape, tuple(question.load(f) for f in composition), a, b, third)
 
 
@@ -266,7 +266,7 @@ def _derivatives(
     """All partial derivatives at 0 of an order; where they are too many, those along a line in a random direction."""
     tape, zero = question.tape, dict.fromkeys(names, question.tape.zero)
     if len(residuals) * comb(len(names) + order - 1, order) > MOST_COEFFICIENTS:
-        along = tape.symbol(sp.Symbol("along_a_line", real=True))
+        along = tape.symbol(sp.Dummy("along_a_line", real=True))
         direction = Random(question.seed)
         line = {x: tape.add(((along, Fraction(direction.choice(SLOPES), direction.choice(SLOPES))),)) for x in names}
         lines = [Residual(r.label, substitute(tape, r.node, line)) for r in residuals]

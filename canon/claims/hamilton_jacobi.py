@@ -15,6 +15,7 @@ import sympy as sp
 from canon.claims.chart import chart_of
 from canon.claims.determinant import determinant
 from canon.claims.outcome import Outcome, Residual, combined, exact
+from canon.claims.own_names import is_free_of
 from canon.claims.special_parameters import not_zero_for_any_parameters
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import excludes_zero
@@ -37,6 +38,7 @@ def hamilton_jacobi(question: Question) -> Outcome:
     space, tape = question.space, question.tape
     energy = question.key("energy")
     constants = _constants(question, energy)
+    is_free_of(H, constants, "H", _KEY)
     _only_of(function, word, (*space.q, *constants, *([space.t] if word == "S" else [])), question)
     node = question.load(function)
     q = question.nodes(space.q)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from canon.claims.bracket import names as names_of
 from canon.claims.chart import chart_of
 from canon.claims.independence import full_rank
 from canon.claims.outcome import Outcome, Residual, combined
+from canon.claims.own_names import is_free_of
 from canon.claims.show import with_value
 from canon.claims.velocities import Motion, motion, region_in_velocities
 from canon.decide.derivative import derivative, gradient, substitute
@@ -33,6 +35,9 @@ def euler_lagrange(question: Question) -> Outcome:
     dissipation = question.key("dissipation")
     forces = question.formulas("forces", n) if question.key("forces") is not None else ()
     jets = motion(question)
+    for name, formula in (("L", L), ("dissipation", dissipation), *(("forces", f) for f in forces)):
+        if formula is not None:
+            is_free_of(formula, names_of(question.key("accelerations")), name, "key 'accelerations'")
     region = region_in_velocities(question, L, *claimed, *forces, *([dissipation] if dissipation else []))
     left = _left_sides(question, jets, L, dissipation, forces)
     names = [str(x) for x in question.space.q]

@@ -96,6 +96,8 @@ def _parameter(question: Question, *formulas: Formula) -> sp.Symbol:
         raise InputError("a name is expected", "key 'parameter'")
     if parameter in (*question.space.old, *question.space.new):
         raise InputError(f"{parameter} is a variable, not a parameter", "key 'parameter'")
+    if parameter.is_integer:
+        raise InputError(f"{parameter} is an integer: a series in it has no coefficients", "key 'parameter'")
     for formula in formulas:
         if parameter in formula.expr.free_symbols:
             raise InputError(

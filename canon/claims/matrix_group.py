@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from canon.claims.outcome import Outcome, Residual
+from canon.claims.own_names import is_free_of
 from canon.claims.show import with_value
 from canon.decide.derivative import substitute
 from canon.decide.tape import Node, Tape
@@ -53,6 +54,8 @@ def matrix_group(question: Question) -> Outcome:
     inverse = question.formulas("inverse", len(first), side="both") if question.key("inverse") is not None else ()
     M = _loaded(question, matrix)
     entries = [entry for row in matrix for entry in row]
+    for entry in entries:
+        is_free_of(entry, question.key("second"), "the matrix", "key 'second'")
 
     def at(values: Sequence[Node]) -> Rows:
         images = dict(zip(first, values, strict=True))

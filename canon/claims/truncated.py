@@ -82,6 +82,8 @@ def checked_order(question: Question, order: Any) -> tuple[sp.Symbol, int]:
         raise InputError('a name and a number are expected, as in order = ["eps", 2]', where)
     if eps in (*question.space.old, *question.space.new):
         raise InputError(f"{eps} is a variable, not a small parameter", where)
+    if eps.is_integer:
+        raise InputError(f"{eps} is an integer, not a small parameter", where)
     if not 0 <= highest <= HIGHEST_ORDER:
         raise InputError(f"an order from 0 to {HIGHEST_ORDER} is expected, not {highest}", where)
     return eps, highest

@@ -6,10 +6,12 @@ from typing import Any
 
 import pytest
 
+from canon.checker.algebras import group
 from canon.checker.check import check
 from canon.checker.functions import Unreadable
 from canon.checker.lie import Algebra, is_named, named, total
 from canon.checker.linear import kernel, rank, signature, solved
+from canon.checker.statement import Statement
 from tests.checker.certified import certified, resealed
 
 PLANE = '[phase_space]\nq = ["x", "y"]\np = ["px", "py"]\n'
@@ -160,3 +162,12 @@ def test_linear_algebra_is_exact() -> None:
     assert solved(rows[:1], rows[2]) is None
     assert signature([[Fraction(0), Fraction(1)], [Fraction(1), Fraction(0)]]) == (1, 1, 0)
     assert signature(rows[:1] and [[Fraction(-3)]]) == (0, 1, 0)
+
+
+def test_the_third_element_of_a_group_is_no_name_of_the_file() -> None:
+    claim = {"kind": "group", "first": ["a"], "second": ["b"], "composition": ["a + b + b_third*a*b"], "equals": "u(1)"}
+    tables = {"phase_space": {"q": ["q"], "p": ["p"]}, "symbols": {"b_third": "real"}, "claim": claim}
+    statement = Statement(tables, {}, "proved")
+    (associativity,) = group(statement).zeros[2:]
+    names = {statement.f.ops[a][1] for a in statement.f.reach(associativity) if statement.f.ops[a][0] == "s"}
+    assert names == {"a", "b", "b_third", "b_third_"}

@@ -117,6 +117,8 @@ MEANT = {
         "side": "+", "equals": "pi/2"}, phase_space=BARE),
     "a limit from both sides of an arccosine's end": of({"kind": "limit", "f": "acos(u)", "variable": "u",
         "to": "1", "equals": "0"}, 2, phase_space=BARE),
+    "a mass as a constant of integration": of({"kind": "hamilton_jacobi", "W": "(2*m)**(1/2)*x", "constants": ["m"],
+        "energy": "1"}, symbols={"m": "positive"}, hamiltonian={"H": "p**2/(2*m)"}),
     "the imaginary unit as a name": against(forged("1j**2", "-1", symbols={"1j": "real"}), **{"1j": "2"}),
 }  # fmt: skip
 SPIKE = "10**40/(1 + (10**40*(u - 1/3))**2)/(atan(2*10**40/3) + atan(10**40/3))"
@@ -127,6 +129,8 @@ TRUE = {
         "side": "+", "equals": "0"}, 0, phase_space=BARE), q="1", p="1"),
     "an average by a virial that is none": against(of({"kind": "average", "f": "x**2", "equals": "(x**2 + p**2)/2",
         "virial": "0", "bound": "1"}, 0, hamiltonian={"H": "(x**2 + p**2)/2"}), x="1", p="3"),
+    "an average where motions end": against(of({"kind": "average", "f": "1", "equals": "2", "virial": "0",
+        "bound": "0"}, 0, hamiltonian={"H": "p**2/2 - exp(x)"}, domain={"where": ["p**2/2 < exp(x)"]}), x="1", p="1"),
     "a positive function that is negative": against(
         forged("sqrt(V(x)**2)", "V(x)", symbols={"V": ["function", "positive"]}), x="1", p="1", V="-1"),
     "functions that are independent outside": against(of({"kind": "algebra", "basis": {"A": "p", "B": "(x - 1)**2/2",

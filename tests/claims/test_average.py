@@ -36,6 +36,28 @@ def test_a_bound_must_be_one(ask):
         ask(_virial("p**2/m", "p**2/m", G="2*q*p"), symbols=SYMBOLS, hamiltonian=OSCILLATOR)
 
 
+@pytest.mark.parametrize(
+    ("H", "symbols", "where", "expected"),
+    [
+        ("p**2/2 + q**4/4", "", "", "refuted"),
+        ("p**2/2 - cos(q)", "", "", "refuted"),
+        ("p**2/2", 'p = "positive"', "", "refuted"),
+        ("p**2/2 + q*t**2", "", "", "refuted"),
+        ("p**2/2 - exp(q)", "", "p**2/2 < exp(q)", "undecided"),  # each is at infinity before long
+        ("p**2/2 - q**4/4", "", "p**2/2 < q**4/4", "undecided"),
+        ("p**2/2 - 1/q", 'q = "positive"', "p**2/2 < 1/q", "undecided"),  # each falls into the centre
+        ("p*q**2", "", "q != 0", "undecided"),
+        ("p**2/2 + q", 'q = "positive"', "", "undecided"),  # each leaves what is assumed of q
+        ("p**2/2", 'q = "nonzero"', "", "undecided"),
+        ("p**2/(2*t)", "", "", "undecided"),
+    ],
+)
+def test_no_average_is_refuted_where_no_motion_goes_on_for_ever(status, H, symbols, where, expected):
+    domain = {"domain": f'where = ["{where}"]'} if where else {}
+    claim = _virial("1", "2", G="0", bound="0")
+    assert status(claim, symbols=SYMBOLS + symbols + "\n", hamiltonian=f'H = "{H}"', **domain) == expected
+
+
 def _motion(f: str, equals: str, motion: str, parameter: str, to: str = "2*pi") -> str:
     head = f'kind = "average"\nf = "{f}"\nequals = "{equals}"\nparameter = "{parameter}"\nfrom = 0\nto = "{to}"\n'
     return head + f"motion = {{{motion}}}"

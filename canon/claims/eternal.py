@@ -1,0 +1,74 @@
+"""Motions that go on for ever: where Hamilton's equations have a solution at all times that stays in the domain.
+
+What is said of "every motion that stays in the domain, for ever" is refuted by such a motion alone: H = p²/2 − exp(q)
+has none with H < 0, each of them being at infinity after a finite time. A motion that a region never lets go (each of
+its walls is a constant of the motion) goes on for ever if Hamilton's equations are linear in q and p, or if H is
+Σ a p²/2 + V(q) with constants a > 0 and V bounded from below: p is bounded then by the energy, and q grows no faster
+than time (Abraham and Marsden, Foundations of Mechanics, sections 2.1 and 3.7).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from canon.claims.along_a_range import is_positive
+from canon.claims.chart import required_of
+from canon.claims.outcome import Residual
+from canon.decide.derivative import derivative, poisson_bracket, substitute
+from canon.decide.region import Region
+from canon.decide.tape import Node
+from canon.sign import declared
+
+if TYPE_CHECKING:
+    from canon.claims.question import Question
+
+DEPTHS = (0, 1, 10, 1000)
+"""How far below 0 a potential may lie."""
+
+
+def goes_on_for_ever(question: Question, H: Node, region: Region) -> bool:
+    """Whether the motion of H through every point of the region is shown to stay in it at all times."""
+    if region.surface or any(r.kind not in ("positive", "nonzero") for r in region.requirements):
+        return False
+    space, tape = question.space, question.tape
+    q, p, t = question.nodes(space.q), question.nodes(space.p), tape.symbol(space.t)
+    moving = {x: tape.symbol_at(x) for x in (*q, *p, t)}
+    if any(not declared(symbol).get("real") or declared(symbol).get("integer") for symbol in moving.values()):
+        return False
+    walls = [r for r in region.requirements if any(tape.support(n) & {*moving} for n in r.nodes)]
+    walls += [r for x, symbol in moving.items() for r in required_of(tape, symbol, x)]
+    rates = [
+        Residual(r.text, tape.plus(poisson_bracket(tape, r.nodes[0], H, q, p), derivative(tape, r.nodes[0], t)))
+        for r in walls
+    ]
+    if rates and question.decide(rates, region).status != "proved":
+        return False
+    return _linear(question, H, (*q, *p), region) or _bounded_below(question, H, q, p, t, region)
+
+
+def _linear(question: Question, H: Node, z: Sequence[Node], region: Region) -> bool:
+    """Whether H is of second degree in q and p, with coefficients that depend on time at most."""
+    tape = question.tape
+    second = [derivative(tape, derivative(tape, H, x), y) for i, x in enumerate(z) for y in z[i:]]
+    if all(tape.support(node).isdisjoint(z) for node in second):
+        return True
+    third = [Residual("third derivative of H", derivative(tape, node, x)) for node in second for x in z]
+    return question.decide(third, region).status == "proved"
+
+
+def _bounded_below(question: Question, H: Node, q: Sequence[Node], p: Sequence[Node], t: Node, region: Region) -> bool:
+    """Whether H is Σ a p²/2 + V(q), a > 0, and V has a lower bound on the region."""
+    tape = question.tape
+    if t in tape.support(H):
+        return False
+    potential = substitute(tape, H, dict.fromkeys(p, tape.zero))
+    inertias = [derivative(tape, derivative(tape, H, x), x) for x in p]
+    if any(tape.support(a) & {*q, *p} or not is_positive(question, a, region) for a in inertias):
+        return False
+    squares = [tape.times(a, x, x) for a, x in zip(inertias, p, strict=True)]
+    kinetic = tape.add([(square, 1) for square in squares])
+    rest = tape.minus(tape.scaled(tape.minus(H, potential), 2), kinetic)
+    if question.decide([Residual("kinetic energy", rest)], region).status != "proved":
+        return False
+    return any(is_positive(question, tape.add([(potential, 1)], depth), region, strict=False) for depth in DEPTHS)

@@ -50,7 +50,8 @@ class Verdict:
 
     `proved` rests on an exact argument (`certificate`), `refuted` on a point at which the claim fails by more than
     a rigorous bound (`witness`) or on an exact argument (`witness` None), `supported` on `numeric` evidence or on a
-    bounded probability of error; `undecided` says in `method` and `detail` what was tried.
+    bounded probability of error; `undecided` says in `method` and `detail` what was tried. `matters` are the names of
+    the witness on which the refutation depends, where others stand in it too: these alone are shown to people.
     """
 
     status: Status
@@ -62,6 +63,7 @@ class Verdict:
     numeric: Evidence | None = None
     certificate: Mapping[str, Any] | None = None
     detail: Mapping[str, Any] = field(default_factory=dict)
+    matters: tuple[str, ...] | None = None
 
     def __post_init__(self) -> None:
         if self.status not in STATUSES:
@@ -85,6 +87,12 @@ class Verdict:
             f"the claim is {self.status}, which is neither true nor false: look at .status, or ask with .require()"
         )
 
+    @property
+    def shown_witness(self) -> Mapping[str, Any]:
+        """The witness without names on which the refutation doesn't depend; empty where there is none."""
+        witness = self.witness or {}
+        return witness if self.matters is None else {name: witness[name] for name in self.matters}
+
     def require(self) -> Verdict:
         """This verdict, if it is `proved`.
 
@@ -99,7 +107,7 @@ class Verdict:
         how = f" by {self.method}" if self.method else ""
         lines = [f"{self.status}: {name}{how}, {_duration(self.seconds)}"]
         if self.witness is not None:
-            lines.append("  at " + ", ".join(f"{key} = {_value(value)}" for key, value in self.witness.items()))
+            lines.append("  at " + ", ".join(f"{key} = {_value(value)}" for key, value in self.shown_witness.items()))
         lines += [f"  {key.replace('_', ' ')}: {_value(value)}" for key, value in self.detail.items()]
         if self.numeric is not None and (self.status in ("supported", "undecided") or self.numeric.points > GLANCES):
             lines.append(f"  {self.numeric.words(NUMBERS.get(self.kind, 'largest residual'))}")
@@ -118,7 +126,7 @@ class Verdict:
 
     def _repr_latex_(self) -> str:
         words = self.kind.replace("_", r"\ ")
-        point = (self.witness or {}).items()
+        point = self.shown_witness.items()
         at = ",\\ ".join(rf"\mathtt{{{_tex(key)} = {_tex(_value(value))}}}" for key, value in point)
         where = rf"\ \text{{at}}\ {at}" if at else ""
         return rf"$\textbf{{{self.status}}}\colon\ \mathrm{{{words}}}{where}$"

@@ -9,6 +9,8 @@ from typing import Any, Final
 Record = Mapping[str, Any]
 PRICE: Final = "one_digit_more"
 """The key of a verdict\'s detail that reports in words leave out."""
+MATTERS: Final = "matters"
+"""The key under which a record has the witness's names that are worth showing; it is for words, and not in the JSON."""
 
 SYMBOLS: Final[Mapping[str, str]] = {"proved": "✓", "refuted": "✗", "supported": "≈", "undecided": "?"}
 LONGEST: Final = 400
@@ -43,6 +45,12 @@ def duration(seconds: float) -> str:
     if seconds < 0.9995:
         return f"{1000 * seconds:.3g} ms"
     return f"{seconds:.3g} s" if seconds < 1000 else f"{seconds:.0f} s"
+
+
+def shown_witness(claim: Record) -> Mapping[str, Any]:
+    """Return the witness without what the refutation doesn't depend on; empty where there is none."""
+    witness, names = claim["witness"] or {}, claim.get(MATTERS)
+    return {name: witness[name] for name in names if name in witness} if isinstance(names, list) else witness
 
 
 def value(datum: object) -> str:

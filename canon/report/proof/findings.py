@@ -9,7 +9,7 @@ from typing import Any, Final
 from canon.report.proof.blocks import Block, Items, Piece, display, paragraph
 from canon.report.proof.structure import cut
 from canon.report.proof.trees import Tree, tree_of
-from canon.report.words import PRICE, value
+from canon.report.words import PRICE, shown_witness, value
 
 Data = Mapping[str, Any]
 Blocks = list[Block]
@@ -24,8 +24,9 @@ def refutation(tables: Data, certificate: Data, record: Data) -> Blocks:
             paragraph(f"It fails by an exact argument, wherever the formulas are defined: {note}."),
             *details(record),
         ]
-    numbers = {n: v for n, v in witness.items() if not _is_formula(v)}
-    functions = {n: v for n, v in witness.items() if _is_formula(v)}
+    shown = shown_witness(record)
+    numbers = {n: v for n, v in shown.items() if not _is_formula(v)}
+    functions = {n: v for n, v in shown.items() if _is_formula(v)}
     found: Blocks = [
         paragraph("At the point", lead="Witness."),
         display(*(f"{n} = {_number(v)}" for n, v in numbers.items())),

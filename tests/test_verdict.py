@@ -91,4 +91,4 @@ def test_a_notebook_shows_certificate_and_witness() -> None:
     assert shown.count("{") - shown.count(r"\{") == shown.count("}") - shown.count(r"\}")
     assert repr(certificate) == "Certificate(kind, domain, arguments)"
     refuted = Verdict("refuted", "canonical", witness={"q_1": "1/2"})
-    assert r"\mathtt{q\_1 = 1/2}" in refuted._repr_latex_()
+    assert r"q_{1} = \frac{1}{2}" in refuted._repr_latex_()

@@ -139,7 +139,7 @@ def _verdict(question: Question, outcome: Outcome, seconds: float) -> Verdict:
         numeric=outcome.numeric,
         certificate=_certificate(question, outcome) if outcome.status in ("proved", "refuted") else None,
         detail=detail,
-        matters=mattering(question, outcome),
+        matters=mattering(outcome),
     )
 
 

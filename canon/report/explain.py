@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from canon.report.words import PRICE, Record, duration, name, shown_witness, value, visible
+from canon.typeset.mixed import tidied
 from canon.verdict import GLANCES, NUMBERS
 
 FEW: Final = 12
@@ -52,11 +53,16 @@ def _failure(claim: Record) -> str:
     if residual:
         parts.append(f"by {_rounded(residual)}")
     if witness := shown_witness(claim):
-        places = ", ".join(f"{visible(key)} = {value(datum)}" for key, datum in witness.items())
+        places = ", ".join(f"{visible(key)} = {_coordinate(datum)}" for key, datum in witness.items())
         parts.append(f"at {places}")
     else:
         parts.append("by an exact argument, wherever the formulas are defined")
     return " ".join(parts)
+
+
+def _coordinate(datum: object) -> str:
+    """Return a coordinate's value, or of an arbitrary function the one that was chosen."""
+    return value(tidied(datum) if isinstance(datum, str) else datum)
 
 
 def _rounded(residual: object) -> str:

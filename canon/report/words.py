@@ -6,6 +6,8 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
+from canon.typeset.mixed import in_text
+
 Record = Mapping[str, Any]
 PRICE: Final = "one_digit_more"
 """The key of a verdict\'s detail that reports in words leave out."""
@@ -54,7 +56,7 @@ def shown_witness(claim: Record) -> Mapping[str, Any]:
 
 
 def value(datum: object) -> str:
-    """Return data as a physicist writes it: complex numbers as sums, lists in brackets, long formulas cut."""
+    """Return data as a physicist writes it: complex numbers as sums, powers as q^2, long formulas cut."""
     text = _written(datum)
     return text if len(text) <= LONGEST else f"{text[:LONGEST]} … ({len(text)} characters)"
 
@@ -68,7 +70,7 @@ def _written(datum: object) -> str:
         return "; ".join(_written(item) for item in datum)
     if isinstance(datum, bool):
         return "yes" if datum else "no"
-    return visible(str(datum))
+    return visible(in_text(str(datum)))
 
 
 def closing(record: Record, *, seconds: float, interrupted: int = 0) -> str:

@@ -16,19 +16,19 @@ from canon.cli.main import main
 from canon.report.certificate_file import certified
 from canon.report.proof.blocks import Display, Grid, Items, Paragraph, Section, paragraph
 from canon.report.proof.fitted import LINE, fitted
-from canon.report.proof.in_latex import LATEX
-from canon.report.proof.in_mathml import MATHML
-from canon.report.proof.in_room import room
-from canon.report.proof.in_text import PLAIN
 from canon.report.proof.latex import document as document_in_latex
 from canon.report.proof.latex import section as section_in_latex
-from canon.report.proof.letters import split_name
-from canon.report.proof.notation import written
 from canon.report.proof.plain import section
 from canon.report.proof.statement import statement
 from canon.report.proof.structure import LONG, polynomial, structured
-from canon.report.proof.trees import Tree, tree_of
 from canon.report.proof_file import NOTATIONS, document, rendered
+from canon.typeset.in_latex import LATEX
+from canon.typeset.in_mathml import MATHML
+from canon.typeset.in_room import room
+from canon.typeset.in_text import PLAIN
+from canon.typeset.letters import split_name
+from canon.typeset.notation import written
+from canon.typeset.trees import Tree, tree_of
 
 FILE = """\
 title = "Polar <b>coordinates</b> & $their$ momenta"

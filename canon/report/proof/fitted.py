@@ -11,8 +11,8 @@ from itertools import count
 from typing import Final
 
 from canon.report.proof.blocks import Block, Display, Grid, Items, Paragraph, Section, Words, equation, paragraph
-from canon.report.proof.in_room import room
-from canon.report.proof.trees import Tree
+from canon.typeset.in_room import room
+from canon.typeset.trees import Tree
 
 LINE: Final = 38.0
 """Ems of a line in a proof."""
@@ -80,9 +80,9 @@ def _words(words: Words, names: Iterator[Tree]) -> Words:
     found: list[str | Tree] = []
     named: list[Tree] = []
     for piece in words:
-        lines = [piece] if isinstance(piece, str) else _lines(piece, names)
-        found.append(lines[0])
-        named += lines[1:]
+        first, *rest = _lines(piece, names) if isinstance(piece, Tree) else (piece,)
+        found.append(first)
+        named += [line for line in rest if isinstance(line, Tree)]
     for k, line in enumerate(named):
         found += [", " if k else "; here ", line]
     return tuple(found)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import Final
 
 from canon.report.proof.blocks import Block, Display, Grid, Items, Paragraph, Section, Words
-from canon.report.proof.in_latex import LATEX, latex_words
-from canon.report.proof.notation import written
-from canon.report.proof.trees import Tree
+from canon.typeset.in_latex import LATEX, latex_words
+from canon.typeset.notation import written
+from canon.typeset.trees import Tree
 
 HEAD: Final = r"""\documentclass[11pt]{article}
 \usepackage[utf8]{inputenc}

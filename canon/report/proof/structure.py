@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import count
 from typing import Final
 
-from canon.report.proof.trees import Tree
+from canon.typeset.trees import Tree
 
 LONG: Final = 45
 """A formula of more signs is shown by its structure."""

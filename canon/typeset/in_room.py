@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from canon.report.proof.letters import GREEK, split_name
-from canon.report.proof.notation import Notation, written
-from canon.report.proof.trees import Tree
+from canon.typeset.letters import GREEK, split_name
+from canon.typeset.notation import Notation, written
+from canon.typeset.trees import Tree
 
 MARK: Final = "."
 """A tenth of an em."""

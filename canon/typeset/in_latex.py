@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from canon.report.proof.letters import GREEK, split_name
-from canon.report.proof.notation import UPRIGHT, Notation
+from canon.typeset.letters import GREEK, split_name
+from canon.typeset.notation import UPRIGHT, Notation
 
 LATEX_GREEK: Final = {word: "\\" + word.replace("amda", "ambda") for word in GREEK}
 _SIGNS: Final = {

@@ -10,10 +10,12 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
+import sympy as sp
 
 from canon.errors import InputError
 from canon.interruption import underway
@@ -74,22 +76,23 @@ def run_regularised(scene: Scene) -> tuple[Problem, Choice, Planned]:
             "regularised steps are of a fictitious time: ask for an accuracy, not for a step or a budget", "integrator"
         )
     begun = time.process_time()
-    kepler = _kepler(scene)
+    kepler, centre = _kepler(scene)
+    begin = np.array(scene.q) - centre
     chosen = method("stormer12" if kepler.problem.nystrom else "sofroniou_spaletta10")
     times = settings.start + settings.duration * (np.arange(settings.samples) / max(settings.samples - 1, 1))
-    step = COARSEST * kepler.pace(float(kepler.state(scene.q, scene.p)[0][-1]), settings.duration)
+    step = COARSEST * kepler.pace(float(kepler.state(begin, scene.p)[0][-1]), settings.duration)
     runs, trials, pressed, interrupted = list[Run](), list[Trial](), underway(), False
     looked = 0.0
     while not interrupted and len(runs) < MOST_RUNS and (not trials or trials[-1].difference > settings.accuracy):
         before = time.process_time()
         orbit = regularised_orbit(
-            kepler, chosen, scene.q, scene.p, times.tolist(), step=step, engine=settings.engine, stop=pressed
+            kepler, chosen, begin, scene.p, times.tolist(), step=step, engine=settings.engine, stop=pressed
         )
         if not orbit.interrupted and FEWEST * orbit.length > orbit.reach:
             step = orbit.reach / FEWEST  # so short a way is one to the last state alone, whatever the step
             continue
         interrupted, step = orbit.interrupted, step / 2
-        run, spent = _run(orbit, times), time.process_time() - before
+        run, spent = _run(orbit, times, centre), time.process_time() - before
         whole = bool(runs) and run.completed == runs[-1].completed == settings.samples
         difference = distance(run, runs[-1]) if whole else math.inf
         if len(runs) > 1 and trials[-1].difference < min(difference, ROUNDING):
@@ -123,7 +126,8 @@ def run_regularised(scene: Scene) -> tuple[Problem, Choice, Planned]:
 def is_regularised(scene: Scene) -> bool:
     """Whether the scene is one that `run_regularised` takes."""
     try:
-        _kepler(scene).state(scene.q, scene.p)
+        kepler, centre = _kepler(scene)
+        kepler.state(np.array(scene.q) - centre, scene.p)
     except InputError:
         return False
     return True
@@ -134,23 +138,45 @@ def _named(chosen: Method) -> InSquares:
     return InSquares(chosen, f"{source}; {chosen.source}")
 
 
-def _kepler(scene: Scene) -> Regularised:
+def _kepler(scene: Scene) -> tuple[Regularised, np.ndarray]:
+    """The scene's motion about the nearest of the centres that attract, and where that is."""
     model = scene.model
-    if model.brackets or model.constraints or model.gliders or model.frictions or model.beside:
+    if model.brackets or model.constraints or model.gliders or model.frictions or model.beside or model.n > 3:
         raise InputError(
             "regularised steps are of one body and of forces that have a potential: no friction, no constraints",
             "integrator",
         )
-    try:
-        return regularised(model.H, model.q, model.p, model.t, t0=scene.settings.start, sign=scene.q[0])
-    except InputError as error:
-        raise error.at("integrator") from None
+    reason = InputError("regularised steps are about a centre that attracts by −k/r, and there is none")
+    for centre in sorted(_centres(model.H, model.q), key=lambda c: (float(np.hypot.reduce(scene.q - c)), *c)):
+        moved = model.H.xreplace({x: x + sp.Float(c, precision=53) for x, c in zip(model.q, centre, strict=True) if c})
+        side = scene.q[0] - centre[0]
+        try:
+            return regularised(moved, model.q, model.p, model.t, t0=scene.settings.start, sign=side), centre
+        except InputError as error:
+            reason = error
+    raise reason.at("integrator")
 
 
-def _run(orbit: RegularisedOrbit, times: np.ndarray) -> Run:
+def _centres(H: Any, q: Sequence[sp.Symbol]) -> list[np.ndarray]:
+    """The points c of all 1/|q − c| in a formula."""
+    found = dict[tuple[float, ...], np.ndarray]()
+    for power in H.atoms(sp.Pow):
+        base = power.base
+        if isinstance(base, sp.Abs):
+            base = base.args[0] ** 2
+        slopes = [sp.expand(base.diff(x)) for x in q]
+        if power.exp.is_negative and all(not (slope.diff(x).free_symbols) for slope, x in zip(slopes, q, strict=True)):
+            pairs = [(slope.subs(x, 0), slope.diff(x)) for slope, x in zip(slopes, q, strict=True)]
+            if all(first.is_number and second.is_positive for first, second in pairs):
+                centre = np.array([-float(first / second) + 0.0 for first, second in pairs])
+                found[tuple(centre.tolist())] = centre
+    return [*found.values()]
+
+
+def _run(orbit: RegularisedOrbit, times: np.ndarray, centre: np.ndarray) -> Run:
     samples, good = len(times), len(orbit.q)
     rows = [np.full((samples, orbit.q.shape[1]), np.nan) for _ in range(2)]
-    rows[0][:good], rows[1][:good] = orbit.q, orbit.p
+    rows[0][:good], rows[1][:good] = orbit.q + centre, orbit.p
     span = float(times[-1] - times[0])
     mean, stored, ended = span / max(orbit.steps, 1), (rows[0], rows[1]), good < samples
     return Run(

@@ -59,6 +59,24 @@ def test_a_fall_into_the_centre_goes_on() -> None:
     assert '"regularised" goes through' in ended.messages[0]
 
 
+def test_a_centre_elsewhere() -> None:
+    """Moved by (0.3, −7): the same orbit, moved."""
+    moved = COMET.replace("[0.05, 0.0]", "[0.35, -7.0]").replace("a = 2.0", "a = 2.0\ncentre = [0.3, -7.0]")
+    moved = moved.replace("y/50", "(y + 7)/50")
+    here, there = of(COMET), of(moved)
+    assert there.ok
+    assert there.q == pytest.approx(here.q + np.array([0.3, -7.0]), abs=1e-7)
+
+
+@pytest.mark.slow
+def test_of_two_centres_the_nearest_is_gone_round() -> None:
+    two = COMET.replace("[[effect]]", '[[effect]]\nkind = "inverse_distance"\na = 0.3\ncentre = [3, 1]\n[[effect]]', 1)
+    found = of(two.replace("duration = 9.0", "duration = 2.0"))
+    other = of(two.replace("duration = 9.0", "duration = 2.0").replace("regularised", "sofroniou_spaletta10"))
+    assert found.ok
+    assert found.q == pytest.approx(other.q, abs=1e-6)
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations_with_replacement, pairwise
+from itertools import pairwise
 from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.expansions import Series
-from canon.checker.functions import Unknown
+from canon.checker.functions import Unreadable
 from canon.checker.intervals import Intervals
 from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_positive
-from canon.checker.shapes import is_smooth
+from canon.checker.shapes import has_complex, is_smooth
 from canon.checker.statement import Statement
 from canon.checker.tendency import fades, towards
 
@@ -24,9 +24,24 @@ STEPS = (40, 60, 80)
 """Of a limit, so far towards it: at distances 2^-k, or at 2^k."""
 
 
-def _end(s: Statement, text: Any) -> int | str:
-    """An end of an interval: a formula, or "infinity" with its sign."""
-    return text if text in ("infinity", "-infinity") else s.f.read(text, s.names)
+def _end(s: Statement, text: Any, x: str) -> int | str:
+    """An end of an interval, or a limit: a formula without the name that moves, or "infinity" with its sign."""
+    if text in ("infinity", "-infinity"):
+        return str(text)
+    found = s.f.read(text, s.names)
+    if moves(s, found, x):
+        raise Unreadable(f"{x} moves: {str(text)[:40]!r} is nothing that it moves to")
+    return found
+
+
+def moves(s: Statement, a: int, x: str) -> bool:
+    """Whether a name is in a formula."""
+    return any(s.f.ops[b] == ("s", x) for b in s.f.reach(a))
+
+
+def _is_free(s: Statement, x: str) -> bool:
+    """Whether nothing is said of a name but that it is real: else what is 0 there may not be 0 along its range."""
+    return not ({*s.words.get(x, ())} - {"real"} or s.surface or any(moves(s, a, x) for a, _ in s.conditions))
 
 
 def by_antiderivative(s: Statement, inside: int, x: str, ends: Sequence[int | str], total: int) -> Case | None:
@@ -40,7 +55,7 @@ def by_antiderivative(s: Statement, inside: int, x: str, ends: Sequence[int | st
         return None
     F = f.read(text, s.names)
     finite = [end for end in ends if isinstance(end, int)]
-    if len(finite) == 2 and is_smooth(s, F, x):
+    if len(finite) == 2 and _is_free(s, x) and is_smooth(s, F, x):
         low, high = (f.substitute(F, {x: end}) for end in finite)
     else:
         kept = s.conditions, s.words
@@ -60,7 +75,7 @@ def by_antiderivative(s: Statement, inside: int, x: str, ends: Sequence[int | st
 def _limits(s: Statement, F: int, x: str, ends: Sequence[int | str]) -> tuple[int, int] | None:
     """What F tends to at the ends, if it is smooth between; the domain must say no more of x than that it is there."""
     f, t = s.f, s.f.node("s", x)
-    if any(f.ops[b] == ("s", x) for a, _ in s.conditions for b in f.reach(a)) or s.surface:
+    if any(moves(s, a, x) for a, _ in s.conditions) or s.surface or has_complex(s):
         return None
     low, high = ends
     words = {*s.words.get(x, ())} - {"real"}
@@ -94,7 +109,7 @@ def by_gauss(s: Statement, inside: int, x: str, ends: Sequence[int | str], total
     """
     f, nothing, factors = s.f, {x: s.f.number(0)}, [inside]
     outer, waves, exponents = [f.number(1)], list[tuple[str, int]](), list[int]()
-    while factors and list(ends) == ["-infinity", "infinity"]:
+    while factors and list(ends) == ["-infinity", "infinity"] and _is_free(s, x):
         a = factors.pop()
         op = f.ops[a]
         if all(f.ops[b] != ("s", x) for b in f.reach(a)):
@@ -126,7 +141,9 @@ def integral(s: Statement) -> Case:
     f, claim, x = s.f, s.claim, str(s.claim["variable"])
     s.declared |= {x}
     inside, equals = f.read(claim["f"], s.names), s.key("equals")
-    ends = [_end(s, claim[word]) for word in ("from", "to")]
+    ends = [_end(s, claim[word], x) for word in ("from", "to")]
+    if moves(s, equals, x):
+        raise Unreadable(f"{x} is the variable of integration: the integral doesn't depend on it")
     s.written += [end for end in ends if isinstance(end, int)]
 
     def measured(numbers: Numbers, of: Mapping[str, Any]) -> list[Any]:
@@ -165,63 +182,6 @@ def integral(s: Statement) -> Case:
     return replace(case, mentions=[inside])
 
 
-def _is_linear(s: Statement) -> bool:
-    """Whether Hamilton's equations are linear in variables of which nothing is assumed: their solutions never end."""
-    f, z = s.f, [*s.q, *s.p]
-    if any(word != "real" for name in (*z, s.time) for word in s.words.get(name, [])):
-        return False
-    second = [f.slope(f.slope(s.H, x), y) for x, y in combinations_with_replacement(z, 2)]
-    names = {f.ops[b][1] for a in second for b in f.reach(a) if f.ops[b][0] == "s"}
-    return names.isdisjoint((*z, s.time))
-
-
-def average(s: Statement) -> Case:
-    """The average of f over time: by a virial, whose rate has none; or along a motion, by an antiderivative."""
-    f, claim = s.f, s.claim
-    if s.direction != "none":
-        raise Unknown("an average beside a map")
-    value, equals = s.key("f"), s.key("equals")
-    if "virial" in claim:
-        G, bound = s.key("virial"), s.key("bound")
-
-        def rate(a: int) -> int:
-            return f.add(f.bracket(a, s.H, f.pairs), f.slope(a, s.time))
-
-        mean = f.sub(value, rate(G))
-        if s.verdict == "refuted":  # motions that leave the domain are none that the claim is about
-            zeros = [rate(a) for a in (mean, bound, *(a for a, _ in s.conditions))]
-            bounded = all(is_positive(s, a, strict=False, real=True) for a in (f.sub(bound, G), f.add(bound, G)))
-            against = "" if bounded else "that the virial is bounded as it says"
-            against = against or ("" if _is_linear(s) else "that some of its motions go on for ever")
-            return Case([f.sub(mean, equals)], granted=zeros, against=against)
-        zeros = [rate(mean), rate(bound), f.sub(mean, equals)]
-        return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)])
-    if "coordinate" in claim:
-        raise Unknown("an average over an orbit")
-    u = str(claim["parameter"])
-    s.declared |= {u}
-    moved = {name: f.read(text, s.names) for name, text in claim["motion"].items()}
-    clock = moved.get(s.time, f.node("s", s.time))
-    s.written.clear()  # its formulas have values along the motion, for all of the stretch
-    ends = [f.read(claim[word], s.names) for word in ("from", "to")]
-    pace = f.slope(clock, u)
-    stretch = f.sub(f.substitute(clock, {u: ends[1]}), f.substitute(clock, {u: ends[0]}))
-    case = by_antiderivative(s, f.mul(f.substitute(value, moved), pace), u, ends, f.mul(equals, stretch))
-    if case is None:
-        raise Unknown("an average without an antiderivative that is seen to be smooth")
-    zeros = [*case.zeros]
-    grows = is_positive(s, pace, strict=True, real=True)
-    for q, p in zip(s.q, s.p, strict=True) if s._H is not None else ():
-        for x, other, sign in ((q, p, 1), (p, q, -1)):
-            slope = f.mul(f.number(sign), f.substitute(f.slope(s.H, other), moved), pace)
-            zeros.append(f.sub(f.slope(moved[x], u), slope))
-    smooth = all(is_smooth(s, a, u) for a in moved.values())
-    if s.verdict == "refuted":
-        return replace(case, zeros=zeros, against="" if grows else "that time grows along the motion")
-    trusted = "" if smooth else "that the motion has no pole"
-    return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)], trusted=trusted)
-
-
 def _pieces(numbers: Numbers, a: Any, b: Any) -> list[Any]:
     mp = numbers.mp
     if mp.isfinite(a) and mp.isfinite(b):
@@ -255,7 +215,7 @@ def limit(s: Statement) -> Case:
     """f tends to `equals`: by its expansion, or measured at points that come nearer and nearer."""
     f, claim, x = s.f, s.claim, str(s.claim["variable"])
     s.declared |= {x}
-    inside, to, equals = f.read(claim["f"], s.names), _end(s, claim["to"]), _end(s, claim["equals"])
+    inside, to, equals = f.read(claim["f"], s.names), _end(s, claim["to"], x), _end(s, claim["equals"], x)
     s.written += [end for end in (to, equals) if isinstance(end, int)]
     sides = {"+": [1], "-": [-1]}.get(str(claim.get("side")), [1, -1] if isinstance(to, int) else [1])
     shown = by_expansion(s, [towards(s, inside, x, to, side) for side in sides], equals)
@@ -298,6 +258,5 @@ def _distance(numbers: Numbers, values: list[Any], equals: Any) -> Any:
 
 KINDS: dict[str, Callable[[Statement], Case]] = {
     "integral": integral,
-    "average": average,
     "limit": limit,
 }

@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from canon.checker import actions, algebras, calculus, constraints, dimensions, matrices, normal_forms, variations
+from canon.checker import (
+    actions,
+    algebras,
+    averages,
+    calculus,
+    constraints,
+    dimensions,
+    matrices,
+    normal_forms,
+    variations,
+)
 from canon.checker import obligations as mechanics
 from canon.checker.case import Case
 from canon.checker.followed import at_random, is_identity
@@ -111,6 +121,7 @@ KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {
     **mechanics.KINDS,
     **matrices.KINDS,
     **actions.KINDS,
+    **averages.KINDS,
     **calculus.KINDS,
     **normal_forms.KINDS,
     **variations.KINDS,

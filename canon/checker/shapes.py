@@ -9,6 +9,8 @@ from canon.checker.statement import Statement
 
 SMOOTH = ("sin", "cos", "exp", "sinh", "cosh", "tanh", "atan", "asinh")
 """Functions that are smooth at every real number."""
+ENTIRE = ("sin", "cos", "exp", "sinh", "cosh")
+"""Those that are smooth at every complex one, too: tanh has poles there, and atan and asinh have cuts."""
 
 
 def is_rational(s: Statement, a: int, names: Iterable[str] | None = None) -> bool:
@@ -32,6 +34,8 @@ def is_smooth(s: Statement, a: int, x: str, *, anywhere: bool = True) -> bool:
     `anywhere`, but where the conditions hold.
     """
     f, moving = s.f, set[int]()
+    real = not has_complex(s, a)
+    smooth = (*SMOOTH, *f.functions) if real else ENTIRE
     assumed = s.words.get(x, ["real"]) not in (["real"], []) or any(
         f.ops[b] == ("s", x) for c, _ in s.conditions for b in f.reach(c)
     )
@@ -40,9 +44,9 @@ def is_smooth(s: Statement, a: int, x: str, *, anywhere: bool = True) -> bool:
         if op != ("s", x) and not moving & {*f.parts(b)}:
             continue
         moving.add(b)
-        if op[0] in "s+*" or (op[0] == "^" and op[2] > 0) or (op[0] == "f" and op[1] in (*SMOOTH, *f.functions)):
+        if op[0] in "s+*" or (op[0] == "^" and op[2] > 0) or (op[0] == "f" and op[1] in smooth):
             continue
-        if (anywhere and assumed) or "complex" in {word for words in s.words.values() for word in words}:
+        if (anywhere and assumed) or not real:
             return False
         inner = f.ops[op[3][0]] if op[0] == "f" and len(op[3]) == 1 else ("", "")
         if op[:2] == ("f", "tan") and inner[:2] in (("f", "asin"), ("f", "atan")):
@@ -52,11 +56,25 @@ def is_smooth(s: Statement, a: int, x: str, *, anywhere: bool = True) -> bool:
             if not Signs(s).is_positive(rest, strict=True):
                 return False
             continue
-        below = op[0] == "^" and Signs(s).is_nowhere_zero(op[1])
+        below = op[0] == "^" and _is_apart(s, op[1])
         root = op[0] == "f" and op[1] in ("power", "log") and Signs(s).is_positive(op[3][0], strict=True)
         if not (below or root):
             return False
     return True
+
+
+def _is_apart(s: Statement, a: int) -> bool:
+    """Whether a formula is seen to be 0 nowhere, factor by factor."""
+    op = s.f.ops[a]
+    if op[0] == "*":
+        return all(_is_apart(s, b) for b in s.f.parts(a))
+    return _is_apart(s, op[1]) if op[0] == "^" else Signs(s).is_nowhere_zero(a)
+
+
+def has_complex(s: Statement, *targets: int) -> bool:
+    """Whether the imaginary unit, or a name that may be complex, is in these formulas (in any, where none is given)."""
+    names = {op[1] for op in (map(s.f.ops.__getitem__, s.f.reach(*targets)) if targets else s.f.ops) if op[0] == "s"}
+    return "1j" in names or any("complex" in s.words.get(name, ()) for name in names)
 
 
 def is_product_of_nonzeros(s: Statement, a: int) -> bool:
@@ -81,7 +99,8 @@ def is_smooth_there(s: Statement, a: int) -> bool:
         inverted = op[0] == "^" and op[2] < 0 and not is_product_of_nonzeros(s, op[1])
         if inverted and not any(c[0] == "^" and c[2] < 0 and c[1] == op[1] for c in (f.ops[k] for k in written)):
             return False
-        smooth = op[0] != "f" or op[1] in (*SMOOTH, *f.functions) or (op[1] in ("power", "log") and b in written)
+        regular = ENTIRE if has_complex(s, a) else (*SMOOTH, *f.functions)
+        smooth = op[0] != "f" or op[1] in regular or (op[1] in ("power", "log") and b in written)
         if not smooth:
             return False
     return True

@@ -10,6 +10,7 @@ from canon.checker.expansions import EXPONENTIAL, Expansion, NoSeries, Series
 from canon.checker.followed import FAILURES
 from canon.checker.formulas import ZERO
 from canon.checker.positive import is_positive
+from canon.checker.shapes import has_complex
 from canon.checker.statement import Statement
 
 ORDERS, ROOTS = (6, 14), (1, 2)
@@ -19,8 +20,7 @@ ORDERS, ROOTS = (6, 14), (1, 2)
 def towards(s: Statement, inside: int, x: str, to: Any, side: int) -> Series | None:
     """The expansion of a formula where a name tends to a formula, or an infinity, from one side; None where none is
     seen. It is known up to the constant, or has a pole."""
-    f = s.f
-    if "complex" in {word for words in s.words.values() for word in words} or ("s", "1j") in f.ops:
+    if has_complex(s):
         return None
     for expansion in _expansions(s, inside, x, to, side):
         try:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from canon.claims.along_a_range import Unproved, holds, is_positive, range_of
+from canon.claims.along_a_range import Range, Unproved, holds, is_positive, range_of
 from canon.claims.average_orbit import over_orbits
 from canon.claims.eternal import goes_on_for_ever
 from canon.claims.integral import integral_is
@@ -120,6 +120,9 @@ def _along(question: Question) -> Outcome:
     growth = question.load(sp.diff(clock, u))
     if not holds(question, Requirement("positive", (growth,), ""), span.inside, span):
         return Outcome("undecided", note=f"it isn't shown that {space.t} grows with {u} all along the stretch")
+    beyond = _beyond(question, f, motion, span)
+    if beyond is not None:
+        return Outcome("undecided", note=f"it isn't shown that {beyond.text} all along the motion")
     solved = _solves(question, motion, u, span.inside)
     images = {s: m.expr for s, m in motion.items()}
     integrand = as_formula(replaced(f.expr, images) * sp.diff(clock, u))
@@ -130,6 +133,21 @@ def _along(question: Question) -> Outcome:
     total = question.tape.times(question.load(claimed), question.load(stretch))
     outcome = integral_is(question, span, integrand, question.load(integrand), total, question.key("antiderivative"))
     return combined([solved, outcome]) if solved is not None else outcome
+
+
+def _beyond(question: Question, f: Formula, motion: Mapping[sp.Symbol, Formula], span: Range) -> Requirement | None:
+    """What the file demands of the variables, or assumes of them, and isn't shown to hold along the motion."""
+    tape, space = question.tape, question.space
+    images = {tape.symbol(x): question.load(formula) for x, formula in motion.items()}
+    left = {tape.symbol(x) for x in space.old if x not in motion}
+    formulas = (f,) if question.subject.hamiltonian is None else (f, question.hamiltonian())
+    known = {(r.kind, r.nodes) for r in span.inside.requirements}
+    for r in question.region(*formulas, images=images).requirements:
+        if (r.kind, r.nodes) in known or any(left & {*tape.support(n)} for n in r.nodes):
+            continue
+        if not holds(question, r, span.inside, span):
+            return r
+    return None
 
 
 def _solves(question: Question, motion: Mapping[sp.Symbol, Formula], u: sp.Symbol, region: Region) -> Outcome | None:

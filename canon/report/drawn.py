@@ -12,7 +12,8 @@ import numpy as np
 
 from canon.interruption import interruptible
 from canon.numeric.integrate import integrate
-from canon.scenes.simulate import AS_A_WHOLE, Result
+from canon.scenes.external import NAME as EXTERNAL
+from canon.scenes.simulate import Result
 
 CORNER: Final = 0.12
 """Radians by which a line may turn at a state, at nine states in ten, and still look smooth."""
@@ -32,7 +33,7 @@ def drawn(result: Result) -> Result:
         finer == 1
         or planned.interrupted
         or planned.good < run.samples
-        or result.scene.settings.integrator in AS_A_WHOLE
+        or result.scene.settings.integrator == EXTERNAL
         or run.taken is not None
         or result.scene.model.strings
         or seconds > LONGEST

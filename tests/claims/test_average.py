@@ -170,3 +170,21 @@ def test_over_an_orbit(status, H, f, equals, more, expected):
 def test_faults_over_an_orbit(ask, H, claim, message):
     with pytest.raises((InputError, AssertionError), match=message):
         ask(claim, symbols=SYMBOLS, hamiltonian=f'H = "{H}"')
+
+
+ROUND = 'kind = "average"\nf = "{f}"\nequals = "{equals}"\nparameter = "u"\nfrom = "0"\nto = "{to}"\n'
+ROUND += 'motion = {{ q = "cos(u)", p = "-sin(u)", t = "u" }}'
+
+
+@pytest.mark.parametrize(
+    ("f", "equals", "to", "symbols", "where", "expected"),
+    [
+        ("abs(q)", "0", "2*pi", 'q = "positive"', "", "undecided"),  # 2/π, were q not said to be positive
+        ("abs(q)", "2*sqrt(2)/pi", "pi/4", 'q = "positive"', "", "proved"),
+        ("q**2", "1/2", "2*pi", "", 'where = ["q > 5"]', "undecided"),
+        ("q**2", "1/2", "2*pi", "", 'where = ["q > -5"]', "proved"),
+    ],
+)
+def test_a_motion_stays_in_the_domain(status, f, equals, to, symbols, where, expected):
+    claim = ROUND.format(f=f, equals=equals, to=to)
+    assert status(claim, symbols=symbols, domain=where, hamiltonian='H = "p**2/2 + q**2/2"') == expected

@@ -1,0 +1,98 @@
+"""What claims about averages over time ask for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations_with_replacement
+
+from canon.checker.calculus import by_antiderivative, moves
+from canon.checker.case import Case
+from canon.checker.functions import Unknown, Unreadable
+from canon.checker.positive import is_positive
+from canon.checker.shapes import is_smooth
+from canon.checker.statement import Statement
+
+
+def _is_linear(s: Statement) -> bool:
+    """Whether Hamilton's equations are linear in variables of which nothing is assumed: their solutions never end."""
+    f, z = s.f, [*s.q, *s.p]
+    if any(word != "real" for name in (*z, s.time) for word in s.words.get(name, [])):
+        return False
+    second = [f.slope(f.slope(s.H, x), y) for x, y in combinations_with_replacement(z, 2)]
+    names = {f.ops[b][1] for a in second for b in f.reach(a) if f.ops[b][0] == "s"}
+    return names.isdisjoint((*z, s.time))
+
+
+def average(s: Statement) -> Case:
+    """The average of f over time: by a virial, whose rate has none; or along a motion, by an antiderivative."""
+    f, claim = s.f, s.claim
+    if s.direction != "none":
+        raise Unknown("an average beside a map")
+    value, equals = s.key("f"), s.key("equals")
+    if "virial" in claim:
+        G, bound = s.key("virial"), s.key("bound")
+
+        def rate(a: int) -> int:
+            return f.add(f.bracket(a, s.H, f.pairs), f.slope(a, s.time))
+
+        mean = f.sub(value, rate(G))
+        if s.verdict == "refuted":  # motions that leave the domain are none that the claim is about
+            zeros = [rate(a) for a in (mean, bound, *(a for a, _ in s.conditions))]
+            bounded = all(is_positive(s, a, strict=False, real=True) for a in (f.sub(bound, G), f.add(bound, G)))
+            against = "" if bounded else "that the virial is bounded as it says"
+            against = against or ("" if _is_linear(s) else "that some of its motions go on for ever")
+            return Case([f.sub(mean, equals)], granted=zeros, against=against)
+        zeros = [rate(mean), rate(bound), f.sub(mean, equals)]
+        return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)])
+    if "coordinate" in claim:
+        raise Unknown("an average over an orbit")
+    u = str(claim["parameter"])
+    s.declared |= {u}
+    moved = {name: f.read(text, s.names) for name, text in claim["motion"].items()}
+    if not moved.keys() <= {*s.q, *s.p, s.time}:
+        raise Unreadable("what moves along a motion are coordinates, momenta and time")
+    stays = _stays(s, moved, s.written)
+    clock = moved.get(s.time, f.node("s", s.time))
+    s.written.clear()  # its formulas have values along the motion, for all of the stretch
+    ends = [f.read(claim[word], s.names) for word in ("from", "to")]
+    pace = f.slope(clock, u)
+    stretch = f.sub(f.substitute(clock, {u: ends[1]}), f.substitute(clock, {u: ends[0]}))
+    case = by_antiderivative(s, f.mul(f.substitute(value, moved), pace), u, ends, f.mul(equals, stretch))
+    if case is None:
+        raise Unknown("an average without an antiderivative that is seen to be smooth")
+    zeros = [*case.zeros]
+    grows = is_positive(s, pace, strict=True, real=True)
+    for q, p in zip(s.q, s.p, strict=True) if s._H is not None else ():
+        for x, other, sign in ((q, p, 1), (p, q, -1)):
+            slope = f.mul(f.number(sign), f.substitute(f.slope(s.H, other), moved), pace)
+            zeros.append(f.sub(f.slope(moved[x], u), slope))
+    smooth = all(is_smooth(s, a, u) for a in moved.values())
+    against = "" if grows else "that time grows along the motion"
+    against = against or ("" if stays else "that the motion stays in the domain")
+    if s.verdict == "refuted":
+        return replace(case, zeros=zeros, against=against)
+    trusted = "that the motion stays in the domain" if not stays else "" if smooth else "that the motion has no pole"
+    return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)], trusted=trusted)
+
+
+def _stays(s: Statement, moved: Mapping[str, int], written: Sequence[int]) -> bool:
+    """Whether what is said of the variables, and what the formulas demand of them, holds all along a motion.
+
+    A root, or a denominator, is asked of the parameter as a function of it is, whose value matters everywhere.
+    """
+    f = s.f
+    for name, a in moved.items():
+        for word in {*s.words.get(name, ())} - {"real"}:
+            if word not in ("positive", "nonnegative") or not is_positive(s, a, strict=word == "positive", real=True):
+                return False
+    touched = [(a, kind) for a, kind in s.conditions if any(moves(s, a, name) for name in moved)]
+    if any(kind != "positive" for _, kind in touched) or (touched and s.surface):
+        return False
+    along = [f.substitute(a, moved) for a, _ in touched]
+    own = [f.substitute(a, moved) for a in (*written, *([s.H] if s._H is not None else []))]
+    u = str(s.claim["parameter"])
+    return all(is_positive(s, a, strict=True, real=True) for a in along) and all(is_smooth(s, a, u) for a in own)
+
+
+KINDS: dict[str, Callable[[Statement], Case]] = {"average": average}

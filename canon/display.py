@@ -18,7 +18,12 @@ def status_in_html(status: str, text: str) -> str:
 
 def list_in_html(items: Iterable[str]) -> str:
     """Lines of text as a list; nothing for none."""
-    lines = "".join(f"<li>{escape(item)}</li>" for item in items)
+    return items_in_html(map(escape, items))
+
+
+def items_in_html(items: Iterable[str]) -> str:
+    """A list of what is HTML already; nothing for none."""
+    lines = "".join(f"<li>{item}</li>" for item in items)
     return f'<ul style="margin:0.2em 0">{lines}</ul>' if lines else ""
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final, Literal
 
-from canon.display import list_in_html, status_in_html
+from canon.display import items_in_html, status_in_html
 from canon.errors import ClaimFailed
+from canon.typeset.mixed import in_html, in_latex, in_markdown, in_text, tidied
 
 Status = Literal["proved", "refuted", "supported", "undecided"]
 
@@ -50,7 +51,8 @@ class Verdict:
 
     `proved` rests on an exact argument (`certificate`), `refuted` on a point at which the claim fails by more than
     a rigorous bound (`witness`) or on an exact argument (`witness` None), `supported` on `numeric` evidence or on a
-    bounded probability of error; `undecided` says in `method` and `detail` what was tried.
+    bounded probability of error; `undecided` says in `method` and `detail` what was tried. `matters` are the names of
+    the witness on which the refutation depends, where others stand in it too: these alone are shown to people.
     """
 
     status: Status
@@ -62,6 +64,7 @@ class Verdict:
     numeric: Evidence | None = None
     certificate: Mapping[str, Any] | None = None
     detail: Mapping[str, Any] = field(default_factory=dict)
+    matters: tuple[str, ...] | None = None
 
     def __post_init__(self) -> None:
         if self.status not in STATUSES:
@@ -85,6 +88,12 @@ class Verdict:
             f"the claim is {self.status}, which is neither true nor false: look at .status, or ask with .require()"
         )
 
+    @property
+    def shown_witness(self) -> Mapping[str, Any]:
+        """The witness without names on which the refutation doesn't depend; empty where there is none."""
+        witness = self.witness or {}
+        return witness if self.matters is None else {name: witness[name] for name in self.matters}
+
     def require(self) -> Verdict:
         """This verdict, if it is `proved`.
 
@@ -95,31 +104,35 @@ class Verdict:
         return self
 
     def __str__(self) -> str:
+        return "\n".join([self._heading(), *(f"  {in_text(line)}" for line in self._told(_value))])
+
+    def _heading(self) -> str:
         name = f"{self.kind} ({self.title})" if self.title else self.kind
         how = f" by {self.method}" if self.method else ""
-        lines = [f"{self.status}: {name}{how}, {_duration(self.seconds)}"]
+        return f"{self.status}: {name}{how}, {_duration(self.seconds)}"
+
+    def _told(self, shown: Callable[[object], str]) -> Iterator[str]:
+        """What the verdict says below its first line, formulas in the language of claim files."""
         if self.witness is not None:
-            lines.append("  at " + ", ".join(f"{key} = {_value(value)}" for key, value in self.witness.items()))
-        lines += [f"  {key.replace('_', ' ')}: {_value(value)}" for key, value in self.detail.items()]
+            yield "at " + ", ".join(_coordinate(key, value, shown) for key, value in self.shown_witness.items())
+        for key, value in self.detail.items():
+            yield f"{key.replace('_', ' ')}: {shown(value)}"
         if self.numeric is not None and (self.status in ("supported", "undecided") or self.numeric.points > GLANCES):
-            lines.append(f"  {self.numeric.words(NUMBERS.get(self.kind, 'largest residual'))}")
-        return "\n".join(lines)
+            yield self.numeric.words(NUMBERS.get(self.kind, "largest residual"))
 
     def _repr_markdown_(self) -> str:
-        first, *rest = str(self).split("\n")
-        status, _, remainder = first.partition(": ")
-        items = "".join(f"\n- {_escaped(line.strip())}" for line in rest)
+        status, _, remainder = self._heading().partition(": ")
+        items = "".join(f"\n- {in_markdown(line, _escaped)}" for line in self._told(_listed))
         return f"**{status}**: {_escaped(remainder)}" + (f"\n{items}" if items else "")
 
     def _repr_html_(self) -> str:
-        first, *rest = str(self).split("\n")
-        words = first.partition(": ")[2].replace(self.kind, self.kind.replace("_", " "), 1)
-        return f"<div>{status_in_html(self.status, words)}{list_in_html(map(str.strip, rest))}</div>"
+        words = self._heading().partition(": ")[2].replace(self.kind, self.kind.replace("_", " "), 1)
+        items = items_in_html(map(in_html, self._told(_listed)))
+        return f"<div>{status_in_html(self.status, words)}{items}</div>"
 
     def _repr_latex_(self) -> str:
         words = self.kind.replace("_", r"\ ")
-        point = (self.witness or {}).items()
-        at = ",\\ ".join(rf"\mathtt{{{_tex(key)} = {_tex(_value(value))}}}" for key, value in point)
+        at = ",\\ ".join(in_latex(_coordinate(k, v, _listed)).replace("$", "") for k, v in self.shown_witness.items())
         where = rf"\ \text{{at}}\ {at}" if at else ""
         return rf"$\textbf{{{self.status}}}\colon\ \mathrm{{{words}}}{where}$"
 
@@ -129,9 +142,10 @@ def _escaped(text: str) -> str:
     return text.replace("*", r"\*").replace("_", r"\_")
 
 
-def _tex(text: str) -> str:
-    """A name or a formula as it is written, for LaTeX."""
-    return text.replace("_", r"\_").replace("{", r"\{").replace("}", r"\}").replace("**", r"{*}{*}")
+def _coordinate(name: str, value: object, shown: Callable[[object], str]) -> str:
+    """name = value; of an arbitrary function the one that was chosen, in its argument a or its arguments a1, a2, …"""
+    text = shown(value)
+    return f"{name} = {tidied(text) if isinstance(value, str) else text}"
 
 
 def _duration(seconds: float) -> str:
@@ -146,3 +160,12 @@ def _value(value: object) -> str:
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value(item) for item in value) + "]"
     return str(value)
+
+
+def _listed(value: object) -> str:
+    """The same with an equality for each pair, which can be set as formulas."""
+    if isinstance(value, Mapping) and set(value) != {"re", "im"}:
+        return ", ".join(f"{key} = {_listed(item)}" for key, item in value.items())
+    if isinstance(value, (list, tuple)):
+        return ", ".join(map(_listed, value))
+    return _value(value)

@@ -9,13 +9,14 @@ import os
 import pytest
 from hypothesis import HealthCheck, settings
 
-settings.register_profile("dev", max_examples=25, deadline=None, print_blob=True)
+PATIENT = [HealthCheck.too_slow]
+"""How long examples take to make depends on what else the machine does."""
+
+settings.register_profile("dev", max_examples=25, deadline=None, print_blob=True, suppress_health_check=PATIENT)
 settings.register_profile(
-    "ci", max_examples=40, deadline=None, derandomize=True, database=None, suppress_health_check=[HealthCheck.too_slow]
+    "ci", max_examples=40, deadline=None, derandomize=True, database=None, suppress_health_check=PATIENT
 )
-settings.register_profile(
-    "thorough", max_examples=2000, deadline=None, print_blob=True, suppress_health_check=[HealthCheck.too_slow]
-)
+settings.register_profile("thorough", max_examples=2000, deadline=None, print_blob=True, suppress_health_check=PATIENT)
 
 PROFILE = os.environ.get("CANON_PROFILE", "dev")
 settings.load_profile(PROFILE)

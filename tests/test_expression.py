@@ -222,4 +222,4 @@ def test_no_formula_takes_long(text):
         read(text[:20000], WORDS)
     except InputError as error:
         assert len(str(error)) < 500  # noqa: PT017 - refused or read, but at once
-    assert time.process_time() - start < 3
+    assert time.process_time() - start < 10

@@ -148,7 +148,7 @@ class AuditReport:
         first, *rest = str(self).split("\n")
         measured = [*self.brackets.values(), self.symplectic, self.volume, *self.invariants]
         names = [
-            *self.brackets,
+            *(defect.label for defect in self.brackets.values()),
             "M J Mᵀ − c J",
             "|det M|",
             *(f"invariant {k + 1}" for k in range(len(self.invariants))),

@@ -28,10 +28,11 @@ class Residual:
 
 @dataclass(frozen=True)
 class Finding:
-    """A residual with the decider's answer about it."""
+    """A residual with the decider's answer about it; of a refutation, the names that its witness is `tied` to."""
 
     residual: Residual
     answer: Answer
+    tied: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import sympy as sp
 
 from canon.budget import Budget
 from canon.claims.chart import Chart, chart_of, required_of
+from canon.claims.matters import tied_to
 from canon.claims.outcome import Finding, Outcome, Residual, combined, exact, outcome_of
 from canon.claims.show import shown
 from canon.decide import ladder
@@ -241,12 +242,16 @@ class Question:
     ) -> Outcome:
         part = budget.share(FOR_PROOFS)
         answers = ladder.vanish(self.tape, _nodes(batch), region, budget=part, seed=self.seed, known=points)
-        findings = [Finding(residual, answer) for residual, answer in zip(batch, answers, strict=True)]
+        findings = [self._finding(residual, answer, region) for residual, answer in zip(batch, answers, strict=True)]
         outcome = combined(outcome_of(finding) for finding in findings)
         if outcome.status in ("supported", "undecided") and not budget.spent():
             unproved = [f.residual for f in findings if f.answer.status != "proved"]
             return self._beside(outcome, self.sampled(unproved, region, SUPPORT_POINTS, budget))
         return outcome
+
+    def _finding(self, residual: Residual, answer: ladder.Answer, region: Region) -> Finding:
+        tied = tied_to(self.tape, residual.node, region) if answer.witness is not None else frozenset[str]()
+        return Finding(residual, answer, tied)
 
     def sampled(self, batch: Sequence[Residual], region: Region, points: int, budget: Budget | None = None) -> Outcome:
         """Numerical evidence: refuted where a ball excludes 0, else supported."""
@@ -257,7 +262,7 @@ class Question:
         if answer is not None and answer.status == "refuted":
             index = getattr(answer, "index", None)
             residual = batch[index if index is not None else 0]
-            return outcome_of(Finding(residual, answer))
+            return outcome_of(self._finding(residual, answer, region))
         if evidence is None or not evidence.points:
             ladder.vanish(self.tape, [self.tape.zero], region, budget=budget or self.budget, seed=self.seed)
             return Outcome("undecided", note="no sample points could be evaluated")

@@ -171,7 +171,7 @@ class _Team:
         return {"claim": self.recorder(entry, entry.claim, verdict), "retire": False}
 
     def _cause_of_death(self, worker: _Worker) -> str:
-        worker.process.join(1.0)
+        worker.process.join(10.0)  # it has closed its pipe; what the system writes down of its end may take a while
         return cause_of_death(worker.process.exitcode)
 
 

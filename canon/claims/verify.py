@@ -11,6 +11,7 @@ from canon.budget import Budget
 from canon.claim import Claim
 from canon.claims.agreement import alarm_within, compared
 from canon.claims.kinds import Kind, kind_named
+from canon.claims.matters import mattering
 from canon.claims.no_numbers import sampled_only
 from canon.claims.outcome import Outcome
 from canon.claims.question import Question
@@ -138,6 +139,7 @@ def _verdict(question: Question, outcome: Outcome, seconds: float) -> Verdict:
         numeric=outcome.numeric,
         certificate=_certificate(question, outcome) if outcome.status in ("proved", "refuted") else None,
         detail=detail,
+        matters=mattering(outcome),
     )
 
 

@@ -74,6 +74,10 @@ def _notation(record: Record, encoding: str) -> str:
     """Return the record as JSON; letters that the encoding doesn't have are escaped, never replaced."""
     import json
 
+    from canon.report.words import MATTERS
+
+    claims = [{key: value for key, value in claim.items() if key != MATTERS} for claim in record["claims"]]
+    record = {**record, "claims": claims}
     text = json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
     try:
         text.encode(encoding)

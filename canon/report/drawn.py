@@ -12,8 +12,7 @@ import numpy as np
 
 from canon.interruption import interruptible
 from canon.numeric.integrate import integrate
-from canon.scenes.external import NAME as EXTERNAL
-from canon.scenes.simulate import Result
+from canon.scenes.simulate import AS_A_WHOLE, Result
 
 CORNER: Final = 0.12
 """Radians by which a line may turn at a state, at nine states in ten, and still look smooth."""
@@ -33,7 +32,7 @@ def drawn(result: Result) -> Result:
         finer == 1
         or planned.interrupted
         or planned.good < run.samples
-        or result.scene.settings.integrator == EXTERNAL
+        or result.scene.settings.integrator in AS_A_WHOLE
         or run.taken is not None
         or result.scene.model.strings
         or seconds > LONGEST

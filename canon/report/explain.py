@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Final
 
-from canon.report.words import PRICE, Record, duration, name, value, visible
+from canon.report.words import PRICE, Record, duration, name, shown_witness, value, visible
+from canon.typeset.mixed import tidied
 from canon.verdict import GLANCES, NUMBERS
 
 FEW: Final = 12
@@ -51,12 +52,17 @@ def _failure(claim: Record) -> str:
     parts = ["it fails" if not fails else f"{value(fails)} fails"]
     if residual:
         parts.append(f"by {_rounded(residual)}")
-    if claim["witness"]:
-        places = ", ".join(f"{visible(key)} = {value(datum)}" for key, datum in claim["witness"].items())
+    if witness := shown_witness(claim):
+        places = ", ".join(f"{visible(key)} = {_coordinate(datum)}" for key, datum in witness.items())
         parts.append(f"at {places}")
     else:
         parts.append("by an exact argument, wherever the formulas are defined")
     return " ".join(parts)
+
+
+def _coordinate(datum: object) -> str:
+    """Return a coordinate's value, or of an arbitrary function the one that was chosen."""
+    return value(tidied(datum) if isinstance(datum, str) else datum)
 
 
 def _rounded(residual: object) -> str:

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 from canon.claim import Claim
 from canon.claims.worker import Entry
-from canon.report.words import PRICE
+from canon.report.words import MATTERS, PRICE
 from canon.verdict import STATUSES, Evidence, Verdict
 
 FORMAT: Final = 1
@@ -18,7 +18,7 @@ Record = dict[str, Any]
 
 def claim_record(entry: Entry, claim: Claim, verdict: Verdict) -> Record:
     """Return a verdict as data: where the claim stands, what was found, and whether that was expected."""
-    return {
+    made = {
         "file": entry.file,
         "index": entry.index,
         "kind": claim.kind,
@@ -32,6 +32,7 @@ def claim_record(entry: Entry, claim: Claim, verdict: Verdict) -> Record:
         "certificate": None,
         "detail": {str(key): plain(value) for key, value in verdict.detail.items()} | _price(verdict),
     }
+    return made if verdict.matters is None else {**made, MATTERS: list(verdict.matters)}
 
 
 def _price(verdict: Verdict) -> Record:

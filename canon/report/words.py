@@ -6,9 +6,13 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
+from canon.typeset.mixed import in_text
+
 Record = Mapping[str, Any]
 PRICE: Final = "one_digit_more"
 """The key of a verdict\'s detail that reports in words leave out."""
+MATTERS: Final = "matters"
+"""The key under which a record has the witness's names that are worth showing; it is for words, and not in the JSON."""
 
 SYMBOLS: Final[Mapping[str, str]] = {"proved": "✓", "refuted": "✗", "supported": "≈", "undecided": "?"}
 LONGEST: Final = 400
@@ -45,8 +49,14 @@ def duration(seconds: float) -> str:
     return f"{seconds:.3g} s" if seconds < 1000 else f"{seconds:.0f} s"
 
 
+def shown_witness(claim: Record) -> Mapping[str, Any]:
+    """Return the witness without what the refutation doesn't depend on; empty where there is none."""
+    witness, names = claim["witness"] or {}, claim.get(MATTERS)
+    return {name: witness[name] for name in names if name in witness} if isinstance(names, list) else witness
+
+
 def value(datum: object) -> str:
-    """Return data as a physicist writes it: complex numbers as sums, lists in brackets, long formulas cut."""
+    """Return data as a physicist writes it: complex numbers as sums, powers as q^2, long formulas cut."""
     text = _written(datum)
     return text if len(text) <= LONGEST else f"{text[:LONGEST]} … ({len(text)} characters)"
 
@@ -60,7 +70,7 @@ def _written(datum: object) -> str:
         return "; ".join(_written(item) for item in datum)
     if isinstance(datum, bool):
         return "yes" if datum else "no"
-    return visible(str(datum))
+    return visible(in_text(str(datum)))
 
 
 def closing(record: Record, *, seconds: float, interrupted: int = 0) -> str:

@@ -28,10 +28,15 @@ from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.price import price
 from canon.scenes.problem import Problem, problem_of
+from canon.scenes.regularised import NAME as REGULARISED
+from canon.scenes.regularised import is_regularised, run_regularised
 from canon.scenes.saved import Arrays, differing_versions, engine_for, integrator_of, restored, resumable, saved
 from canon.scenes.scattering import Scattered, scattered
 from canon.scenes.scene import Scene, Settings
 from canon.scenes.string_events import Event, events_of
+
+AS_A_WHOLE: Final = {EXTERNAL: run_externally, REGULARISED: run_regularised}
+"""What makes a run by steps that aren't of equal time, and can't be gone on with."""
 
 HURRY: Final = 0.3
 """Seconds that monitors get after somebody has stopped the run."""
@@ -84,16 +89,16 @@ def simulate(
     _check_start(scene)
     begun = time.process_time()
     settings = scene.settings
-    if settings.integrator == EXTERNAL:
+    if settings.integrator in AS_A_WHOLE:
         if resume is not None:
-            raise InputError(f"a run of {EXTERNAL} is not gone on with: it is made anew, and as a whole")
-        problem, choice, planned = run_externally(scene)
+            raise InputError(f"a run of {settings.integrator} is not gone on with: it is made anew, and as a whole")
+        problem, choice, planned = AS_A_WHOLE[settings.integrator](scene)
     else:
         problem, choice, planned = _run(scene, entered, watch=watch, keep=keep, resume=resume, warn=warn)
     run = planned.run
     state = (np.array(scene.q), np.array(scene.p))
     operations = None
-    if settings.integrator != EXTERNAL:
+    if settings.integrator not in AS_A_WHOLE:
         operations = operations_per_step(problem.value, choice.method, state, compensated=run.compensated)
     q, p = (np.asarray(slot)[: planned.good] for slot in run.states)
     times = run.times[: planned.good]
@@ -219,7 +224,7 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
         by_hand = "" if scene.settings.step is None else f", or a step of {run.step:.3g} is too long"
         messages.append(
             f"ended at t = {last:.6g}: before t = {after:.6g} the orbit runs into a singularity (a blow-up or a "
-            f"collision), or is too sensitive to be followed{by_hand}"
+            f"collision), or is too sensitive to be followed{by_hand}{_through(scene)}"
         )
         ok = False
     elif scene.settings.accuracy is not None and not planned.reached:
@@ -239,6 +244,13 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
             messages.append(f"{reading.name}: {reading.alarm}")
             ok = False
     return tuple(messages), ok
+
+
+def _through(scene: Scene) -> str:
+    """What may help where an orbit ended, if it is one about an attracting centre."""
+    if scene.settings.integrator in AS_A_WHOLE or not is_regularised(scene):
+        return ""
+    return f'; if it is a collision with the attracting centre, integrator = "{REGULARISED}" goes through it'
 
 
 def _reached(planned: Planned) -> str:

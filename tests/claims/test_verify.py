@@ -18,7 +18,7 @@ from canon.domain import Condition
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import PhaseSpace, Transformation
-from canon.mechanics.statements import independent
+from canon.mechanics.statements import identity, independent
 
 SPACE = PhaseSpace("q", "p", new=("Q", "P"), positive="m")
 q, p, m = SPACE.symbols("q p m")
@@ -193,3 +193,18 @@ def test_coefficients_that_are_no_numbers_of_the_rationals_are_not_expanded(monk
     assert not never_zero((1 + a * sp.sin(1)) * (2 + a**2 * sp.cos(2)) + sp.cos(a**0) * a)
     monkeypatch.undo()
     assert never_zero(a**2 + a + 1)
+
+
+def test_what_a_refutation_depends_on() -> None:
+    """{r, p_r} is off at x, y; which momenta a point has doesn't matter, and nobody is shown them."""
+    space = PhaseSpace("x y", "px py", new=("r phi", "pr L"))
+    x, y, px, py = space.symbols("x y px py")
+    polar = Transformation(space, Q=[sp.sqrt(x**2 + y**2), sp.atan2(y, x)], P=[x * px + y * py, x * py - y * px])
+    found = verify(polar.canonical())
+    assert found.matters == ("x", "y")
+    assert set(found.witness or {}) == {"x", "y", "px", "py"}
+    assert "px =" not in str(found)
+    assert "px =" not in found._repr_latex_()
+    tied = verify(identity(space.where("px + x > 0", "px < y + 20"), x, 2 * x))
+    assert tied.matters == ("px", "x", "y")  # the domain ties px to x, and y to px; py is free
+    assert verify(identity(space, x * y * px * py, 1)).matters is None

@@ -34,6 +34,9 @@ def verify(claim: Claim, *, budget: float, seed: int, method: str, accuracy: flo
         raise ZeroDivisionError("division by zero")
     if kind == "nap":
         time.sleep(0.3)
+    if kind == "gate":
+        while not Path(os.environ["GATE"]).exists():
+            time.sleep(0.02)
     if kind == "sleep":
         if mark := os.environ.get("ASLEEP"):
             Path(mark).touch()

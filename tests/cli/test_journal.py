@@ -178,17 +178,19 @@ STAND_IN = Path(__file__).with_name("stand_in.py")
 def test_killed_outright_and_resumed_by_two_at_once(tmp_path: Path) -> None:
     """SIGKILL leaves nobody the time to write anything; then two runs go on with one journal."""
     file, kept = tmp_path / "claims.toml", tmp_path / "journal"
-    file.write_text("fine " * 30 + "nap " * 16 + "!false " * 10)
+    file.write_text("fine " * 30 + "gate " * 16 + "!false " * 10)
     command = [sys.executable, str(STAND_IN), "verify", "--json", str(file), "--resume", str(kept), "--jobs", "2"]
-    first = subprocess.Popen(command, stdout=subprocess.DEVNULL)
-    deadline = time.monotonic() + 30
-    while not (kept.exists() and kept.read_bytes().count(b"\n") >= 32) and time.monotonic() < deadline:
+    command += ["--budget", "300"]
+    gated = {**os.environ, "GATE": str(tmp_path / "open")}
+    first = subprocess.Popen(command, stdout=subprocess.DEVNULL, env=gated)
+    deadline = time.monotonic() + 60
+    while not (kept.exists() and kept.read_bytes().count(b"\n") == 30) and time.monotonic() < deadline:
         time.sleep(0.01)
     first.send_signal(signal.SIGKILL)
     first.wait()
-    written = kept.read_bytes().count(b"\n")
-    assert 32 <= written < 56
-    both = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True) for _ in range(2)]
+    assert kept.read_bytes().count(b"\n") == 30
+    (tmp_path / "open").touch()
+    both = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=gated) for _ in range(2)]
     records = [json.loads(process.communicate(timeout=60)[0]) for process in both]
     for record in records:
         assert [claim["index"] for claim in record["claims"]] == list(range(56))

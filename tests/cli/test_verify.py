@@ -236,3 +236,18 @@ def test_the_same_seed_gives_the_same_answer(file: Any, capsys: pytest.CaptureFi
         return [claim | {"seconds": 0} for claim in found["claims"]]
 
     assert answer("3") == answer("3")
+
+
+def test_people_see_what_a_refutation_depends_on_and_programs_the_whole_point(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """{q, p} = q + 1 fails where q isn't 0, whatever p is."""
+    text = '[phase_space]\nq = ["q"]\np = ["p"]\n[[claim]]\nkind = "bracket"\nf = "q"\ng = "p"\nequals = "q + 1"\n'
+    (tmp_path / "a.toml").write_text(text, encoding="utf-8")
+    assert main(["verify", str(tmp_path / "a.toml"), "--jobs", "1"]) == 1
+    shown = capsys.readouterr().out
+    assert re.search(r"at q = \S+\n", shown), shown
+    assert main(["verify", str(tmp_path / "a.toml"), "--jobs", "1", "--json"]) == 1
+    (claim,) = json.loads(capsys.readouterr().out)["claims"]
+    assert claim["witness"].keys() == {"q", "p"}
+    assert "matters" not in claim

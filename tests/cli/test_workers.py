@@ -28,8 +28,8 @@ def answer(*arguments: object) -> tuple[int, dict]:
 @pytest.fixture(scope="module")
 def mixed(tmp_path_factory: pytest.TempPathFactory) -> tuple[int, dict]:
     file = tmp_path_factory.mktemp("claims") / "mixed.toml"
-    file.write_text("fine false !false hang die devour ill flaw chatter fine")
-    return answer(file, "--budget", "0.2", "--jobs", "2")
+    file.write_text("fine false !false hang@0.2 die devour ill flaw chatter fine")
+    return answer(file, "--budget", "60", "--jobs", "2")
 
 
 def test_every_claim_has_its_answer_in_order(mixed: tuple[int, dict]) -> None:
@@ -72,7 +72,7 @@ def test_an_ill_posed_claim_is_an_error_with_its_place(mixed: tuple[int, dict]) 
 
 def test_a_claim_that_hangs_is_stopped_soon_after_its_budget(mixed: tuple[int, dict]) -> None:
     (claim,) = [claim for claim in mixed[1]["claims"] if claim["kind"] == "hang"]
-    assert 0.2 < claim["seconds"] < 5
+    assert 0.2 < claim["seconds"] < 30
 
 
 def test_a_claims_own_budget_wins_and_settings_arrive(tmp_path: Path) -> None:
@@ -125,8 +125,8 @@ def test_an_interruption_keeps_what_is_known_and_leaves_no_process(tmp_path: Pat
     assert first.startswith("✓ proved")
     pressed = time.monotonic()
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=20)
-    assert time.monotonic() - pressed < 5  # a tenth of that, when the machine has nothing else to do
+    out, err = process.communicate(timeout=60)
+    assert time.monotonic() - pressed < 20  # half a second, when the machine has nothing else to do
     assert process.returncode == 130
     assert err == ""
     assert "1 claim in 1 file: 1 proved, 1 not checked (interrupted) in" in out
@@ -141,7 +141,7 @@ def test_workers_end_when_their_parent_is_killed(tmp_path: Path) -> None:
     process.stdout.readline()
     process.kill()
     process.communicate(timeout=20)
-    deadline = time.monotonic() + 10
+    deadline = time.monotonic() + 60
     while _running(str(file)) and time.monotonic() < deadline:
         time.sleep(0.05)
     assert not _running(str(file))
@@ -164,7 +164,7 @@ def test_a_worker_whose_parent_is_killed_ends_though_it_is_busy(
     assert set(_running(str(file))) > {str(process.pid)}
     process.kill()
     process.communicate(timeout=20)
-    deadline = time.monotonic() + 20
+    deadline = time.monotonic() + 60
     while _running(str(file)) and time.monotonic() < deadline:
         time.sleep(0.05)
     assert not _running(str(file))

@@ -10,6 +10,7 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from itertools import count
 from pathlib import Path
 
@@ -257,10 +258,11 @@ def test_a_product_that_holds_the_interpreter_is_killed(monkeypatch: pytest.Monk
         return real(claim, **options)
 
     monkeypatch.setattr(deciders, "verify", runaway)
-    entries = [Entry("claims.toml", claim.index, claim) for claim in read_text(CLAIMS).claims]
+    first, *others = read_text(CLAIMS).claims
+    entries = [Entry("claims.toml", claim.index, claim) for claim in (replace(first, budget=0.3), *others)]
     start = time.monotonic()
-    answers = dict(runs.run(entries, Settings(budget=0.3), claim_record, jobs=1, start_method="fork"))
-    assert time.monotonic() - start < 20
+    answers = dict(runs.run(entries, Settings(budget=60.0), claim_record, jobs=1, start_method="fork"))
+    assert time.monotonic() - start < 60
     assert answers[0]["claim"]["verdict"] == "undecided"
     assert answers[0]["claim"]["detail"]["note"] == "stopped: still busy well past its budget of 0.3 s"
     assert answers[1]["claim"]["verdict"] == "refuted"

@@ -14,17 +14,21 @@ from canon.claims.verify import verify
 from canon.claims.worker import Entry
 from canon.cli.main import main
 from canon.report.certificate_file import certified
-from canon.report.proof.blocks import Items, Section
-from canon.report.proof.in_latex import LATEX
-from canon.report.proof.in_mathml import MATHML
-from canon.report.proof.in_text import PLAIN
-from canon.report.proof.letters import split_name
-from canon.report.proof.notation import written
+from canon.report.proof.blocks import Display, Grid, Items, Paragraph, Section, paragraph
+from canon.report.proof.fitted import LINE, fitted
+from canon.report.proof.latex import document as document_in_latex
+from canon.report.proof.latex import section as section_in_latex
 from canon.report.proof.plain import section
 from canon.report.proof.statement import statement
 from canon.report.proof.structure import LONG, polynomial, structured
-from canon.report.proof.trees import tree_of
 from canon.report.proof_file import NOTATIONS, document, rendered
+from canon.typeset.in_latex import LATEX
+from canon.typeset.in_mathml import MATHML
+from canon.typeset.in_room import room
+from canon.typeset.in_text import PLAIN
+from canon.typeset.letters import split_name
+from canon.typeset.notation import written
+from canon.typeset.trees import Tree, tree_of
 
 FILE = """\
 title = "Polar <b>coordinates</b> & $their$ momenta"
@@ -249,3 +253,51 @@ def test_long_formulas_are_shown_by_structure() -> None:
     assert (named[0][0], written(named[0][1], PLAIN)) == ("u2", "√(x^2 + 3 y^2 + z)")
     long = polynomial({f"x^{k}": str(k) for k in range(2, 40)})
     assert written(structured(long, set())[0], PLAIN).endswith("⋯ (33 terms)")
+
+
+SUMS = [" + ".join(f"{term}**{k}" for k in range(20)) for term in ("u1*x", "sin(y)")]
+WIDE = tree_of(f"r = ({SUMS[0]})/(u1 + {SUMS[1]})")
+"""A fraction that is wider than a page, above and below."""
+
+
+def _section(*blocks: Any) -> Section:
+    return fitted(Section("wide", "", "proved", "", (), (), blocks, ()))
+
+
+def test_what_is_too_wide_for_a_page_gets_a_name() -> None:
+    """The fraction of two new names, u2 over u3, and what they are: u1 has a meaning already."""
+    (shown,) = _section(Display((WIDE,))).proof
+    assert isinstance(shown, Display)
+    assert [written(line, PLAIN)[:12] for line in shown.lines] == ["r = u2/u3", "u2 = u1 x^0 ", "u3 = u1 + si"]
+    assert all(room(part) <= LINE for line in shown.lines for part in line.below() if part.kind == "fraction")
+    narrow = Display((tree_of("r = sin(x)/y"),))
+    assert _section(narrow).proof == (narrow,)
+
+
+def test_a_wide_formula_among_words_is_explained_behind_them() -> None:
+    (shown,) = _section(paragraph("where ", WIDE, " holds")).proof
+    assert isinstance(shown, Paragraph)
+    text = " ".join("".join(p if isinstance(p, str) else written(p, PLAIN) for p in shown.words).split())
+    assert text.startswith("where r = u2/u3 holds; here u2 = u1 x^0 +")
+
+
+def test_a_wide_matrix_has_names_for_its_entries() -> None:
+    entry = WIDE.parts[1]
+    grid = Grid(Tree("name", "M"), ("Q", "P"), ("q", "p"), ((entry, Tree("number", "0")), (entry, Tree("name", "q"))))
+    first, _, lines = _section(grid).proof
+    assert isinstance(first, Grid)
+    assert isinstance(lines, Display)
+    assert [written(e, PLAIN) for row in first.entries for e in row] == ["u2", "0", "u3", "q"]
+    assert written(lines.lines[0], PLAIN).startswith("u2 = u4/u5")
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+def test_no_line_is_wider_than_the_page(tmp_path: Path) -> None:
+    long = " + ".join(f"omega_{k}*cos(theta)*(p_x - m*V(x, y))**2" for k in range(9))
+    wide = [WIDE, tree_of(f"s = sqrt({long})*exp({long})"), tree_of(f"t = ({long})**2*({long})"), tree_of(long)]
+    text = document_in_latex("wide", ["\n".join(section_in_latex(_section(Display(tuple(wide)))))], "")
+    (tmp_path / "wide.tex").write_text(text, encoding="utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-draftmode", "-halt-on-error", "wide.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120, errors="replace")
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert all(float(points) < 10 for points in re.findall(r"Overfull .hbox \(([\d.]+)pt", done.stdout)), done.stdout

@@ -20,7 +20,7 @@ from canon.report.proof.findings import details, open_question, refutation
 from canon.report.proof.matrix import jacobian
 from canon.report.proof.statement import names_of
 from canon.report.proof.structure import LONG, cut, polynomial, structured
-from canon.report.proof.trees import Tree, times, tree_of
+from canon.typeset.trees import Tree, times, tree_of
 
 Data = Mapping[str, Any]
 Blocks = list[Block]

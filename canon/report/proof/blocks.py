@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from canon.report.proof.trees import Tree, tree_of
+from canon.typeset.trees import Tree, tree_of
 
 Piece = str | Tree
 Words = tuple[Piece, ...]

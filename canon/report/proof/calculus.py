@@ -8,7 +8,7 @@ from typing import Any, Final
 from canon.report.proof.blocks import Block, Display, listed, paragraph
 from canon.report.proof.lines import formulas, names_of
 from canon.report.proof.structure import LONG, structured
-from canon.report.proof.trees import Tree, tree_of
+from canon.typeset.trees import Tree, tree_of
 
 Tables = Mapping[str, Any]
 Blocks = list[Block]

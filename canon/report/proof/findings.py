@@ -8,8 +8,9 @@ from typing import Any, Final
 
 from canon.report.proof.blocks import Block, Items, Piece, display, paragraph
 from canon.report.proof.structure import cut
-from canon.report.proof.trees import Tree, tree_of
-from canon.report.words import PRICE, value
+from canon.report.words import PRICE, shown_witness, value
+from canon.typeset.mixed import pieces, tidied
+from canon.typeset.trees import tree_of
 
 Data = Mapping[str, Any]
 Blocks = list[Block]
@@ -21,22 +22,23 @@ def refutation(tables: Data, certificate: Data, record: Data) -> Blocks:
     if witness is None:
         note = detail.get("note") or detail.get("fails") or record["method"] or "a theorem"
         return [
-            paragraph(f"It fails by an exact argument, wherever the formulas are defined: {note}."),
+            paragraph("It fails by an exact argument, wherever the formulas are defined: ", *_said(str(note)), "."),
             *details(record),
         ]
-    numbers = {n: v for n, v in witness.items() if not _is_formula(v)}
-    functions = {n: v for n, v in witness.items() if _is_formula(v)}
+    shown = shown_witness(record)
+    numbers = {n: v for n, v in shown.items() if not _is_formula(v)}
+    functions = {n: v for n, v in shown.items() if _is_formula(v)}
     found: Blocks = [
         paragraph("At the point", lead="Witness."),
         display(*(f"{n} = {_number(v)}" for n, v in numbers.items())),
     ]
     if functions:
-        chosen = [f"`{n}` that of `{value(v)}`" for n, v in functions.items()]
+        chosen = [f"`{n}` that of `{tidied(str(v))}`" for n, v in functions.items()]
         found.append(paragraph(f"with, for arbitrary functions, {', '.join(chosen)}"))
     fails, size = detail.get("fails"), detail.get("residual")
     if fails:
         tail = [" is off by ", _decimal(size)] if size is not None else [" fails"]
-        found.append(paragraph(_label(str(fails)), *tail, _enclosure(record), "."))
+        found.append(paragraph(*_said(str(fails)), *tail, _enclosure(record), "."))
     else:
         found.append(paragraph("the claim fails", _enclosure(record), "."))
     return [*found, *details(record)]
@@ -56,13 +58,13 @@ def _decimal(size: Any) -> Piece:
     return tree_of(value(size)) if not isinstance(size, Mapping) else value(size)
 
 
-def _label(text: str) -> Piece:
-    """A residual's name: {Q, P} as a bracket, other words as they are."""
-    if text.startswith("{") and text.endswith("}") and text.count(",") == 1 and text.count("{") == 1:
-        left, _, right = text[1:-1].partition(",")
-        return Tree("call", "bracket", (tree_of(left.strip()), tree_of(right.strip())))
-    tree = tree_of(text)
-    return text if tree.kind == "verbatim" else tree
+def _said(text: str) -> list[Piece]:
+    """Words with formulas among them, a residual's name {Q, P} for example: each set as what it is."""
+    return [_plain(piece) if isinstance(piece, str) else cut(piece) for piece in pieces(text)]
+
+
+def _plain(words: str) -> str:
+    return f"{' ' * words.startswith(' ')}{value(words)}{' ' * (words.endswith(' ') and bool(words.strip()))}"
 
 
 def _enclosure(record: Data) -> str:
@@ -104,11 +106,22 @@ def details(record: Data) -> Blocks:
     for key, datum in record["detail"].items():
         if (key, datum) == ("scale", "1") or key in SILENT or datum is None or datum in ("", [], {}):
             continue
-        text = value(datum)
-        tree = tree_of(text) if isinstance(datum, str) and key != "note" else None
-        shown: Piece = text if tree is None or tree.kind == "verbatim" else cut(tree)
-        items.append((f"{key.replace('_', ' ')}: ", shown))
+        items.append((f"{key.replace('_', ' ')}: ", *_told(datum)))
     return [paragraph("Found besides:"), Items(tuple(items))] if items else []
+
+
+def _told(datum: Any) -> list[Piece]:
+    """What was found, its formulas set, long ones cut."""
+    if isinstance(datum, Mapping) and set(datum) != {"re", "im"}:
+        rows = [[*_told(str(key)), " = ", *_told(item)] for key, item in datum.items()]
+        return [piece for k, row in enumerate(rows) for piece in ([", "] if k else []) + row]
+    if isinstance(datum, list | tuple):
+        return [piece for k, item in enumerate(datum) for piece in (["; "] if k else []) + _told(item)]
+    if not isinstance(datum, str):
+        return [value(datum)]
+    if (tree := tree_of(datum)).kind != "verbatim":
+        return [cut(tree)]
+    return _said(datum)
 
 
 def side_conditions(certificate: Data) -> Blocks:

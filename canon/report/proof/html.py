@@ -7,9 +7,9 @@ from html import escape
 from typing import Final
 
 from canon.report.proof.blocks import Block, Display, Grid, Items, Paragraph, Section, Words
-from canon.report.proof.in_mathml import MATHML
-from canon.report.proof.notation import written
-from canon.report.proof.trees import Tree
+from canon.typeset.in_mathml import MATHML
+from canon.typeset.notation import written
+from canon.typeset.trees import Tree
 
 STYLE: Final = """\
 :root { color-scheme: light dark; --ink: #1b1b1f; --paper: #fcfcfa; --dim: #5c5c66; --line: #d8d8d2; --box: #f3f3ee;

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import Final
 
 from canon.report.proof.blocks import Block, Display, Grid, Items, Paragraph, Section, Words
-from canon.report.proof.in_latex import LATEX, latex_words
-from canon.report.proof.notation import written
-from canon.report.proof.trees import Tree
+from canon.typeset.in_latex import LATEX, latex_words
+from canon.typeset.notation import written
+from canon.typeset.trees import Tree
 
 HEAD: Final = r"""\documentclass[11pt]{article}
 \usepackage[utf8]{inputenc}
@@ -16,7 +16,7 @@ HEAD: Final = r"""\documentclass[11pt]{article}
 \usepackage[margin=2.3cm]{geometry}
 \newtheorem*{claim}{Claim}
 \allowdisplaybreaks
-\setlength{\parindent}{0pt}\setlength{\parskip}{0.5ex}
+\setlength{\parindent}{0pt}\setlength{\parskip}{0.5ex}\setlength{\emergencystretch}{20em}
 \newenvironment{formulas}{\begin{list}{}{\leftmargin2em\raggedright}\item[]}{\end{list}}
 """
 
@@ -34,7 +34,9 @@ def section(s: Section) -> tuple[str, str, str]:
     word = {"proved": "Proof", "refuted": "Refutation"}.get(s.status, "What is known")
     source = f" ({latex_words(s.source)})" if s.source else ""
     end = r" \qed" if s.status == "proved" else ""
-    heading = f"\\section*{{{latex_words(s.title)}}}\n\\textbf{{{s.status}}}: {latex_words(s.place)}{source}\n"
+    heading = (
+        f"\\section*{{\\raggedright {latex_words(s.title)}}}\n\\textbf{{{s.status}}}: {latex_words(s.place)}{source}\n"
+    )
     rest = [
         "\\begin{claim}",
         *map(_block, s.statement),

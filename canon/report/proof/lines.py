@@ -7,7 +7,7 @@ from typing import Any
 
 from canon.report.proof.blocks import Display
 from canon.report.proof.structure import LONG, structured
-from canon.report.proof.trees import Tree, tree_of
+from canon.typeset.trees import Tree, tree_of
 
 Tables = Mapping[str, Any]
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from canon.report.proof.blocks import Block, Display, Grid, Items, Paragraph, Section, Words
-from canon.report.proof.in_latex import LATEX
-from canon.report.proof.notation import written
-from canon.report.proof.trees import Tree
+from canon.typeset.in_latex import LATEX
+from canon.typeset.notation import written
+from canon.typeset.trees import Tree
 
 
 def document(title: str, sections: Sequence[str], summary: str) -> str:

@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from canon.report.proof.blocks import Block, Grid, paragraph
 from canon.report.proof.structure import LONG
-from canon.report.proof.trees import Tree, tree_of
+from canon.typeset.trees import Tree, tree_of
 
 LARGEST: Final = 6
 WIDEST: Final = 100

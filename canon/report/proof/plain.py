@@ -6,8 +6,8 @@ import textwrap
 from collections.abc import Sequence
 
 from canon.report.proof.blocks import Block, Display, Grid, Items, Paragraph, Section, Words
-from canon.report.proof.in_text import PLAIN
-from canon.report.proof.notation import written
+from canon.typeset.in_text import PLAIN
+from canon.typeset.notation import written
 
 WIDTH = 100
 

@@ -8,6 +8,7 @@ from typing import Any, Final
 from canon.report.proof.argument import argument
 from canon.report.proof.blocks import Section, words
 from canon.report.proof.findings import side_conditions
+from canon.report.proof.fitted import fitted
 from canon.report.proof.statement import setting, statement
 from canon.report.words import duration, visible
 
@@ -27,7 +28,7 @@ def section(record: Data, tables: Data, certificate: Data | None) -> Section:
     if record.get("certificate"):
         close += f" Certificate: {visible(str(record['certificate']))}."
     kind = record["kind"].replace("_", " ")
-    return Section(
+    made = Section(
         title=visible(record["title"] or f"{kind[0].upper()}{kind[1:]}"),
         place=f"{visible(record['file'])} #{record['index'] + 1}, {kind}" if record["file"] else kind,
         status=record["verdict"],
@@ -37,3 +38,4 @@ def section(record: Data, tables: Data, certificate: Data | None) -> Section:
         proof=(*argument(tables, data, record), *side_conditions(data)),
         close=words(close.replace("`", "'")),
     )
+    return fitted(made)

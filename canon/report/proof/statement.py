@@ -9,7 +9,7 @@ from canon.report.proof import calculus
 from canon.report.proof.blocks import Block, Display, Items, Paragraph, display, listed, paragraph, words
 from canon.report.proof.lines import by_structure, formulas, names_of
 from canon.report.proof.structure import LONG, cut
-from canon.report.proof.trees import Tree, tree_of
+from canon.typeset.trees import Tree, tree_of
 
 Tables = Mapping[str, Any]
 Blocks = list[Block]

@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import count
 from typing import Final
 
-from canon.report.proof.trees import Tree
+from canon.typeset.trees import Tree
 
 LONG: Final = 45
 """A formula of more signs is shown by its structure."""
@@ -61,14 +61,12 @@ def _replaced(tree: Tree, part: Tree, name: Tree) -> Tree:
 
 
 def cut(tree: Tree, most: int = MOST_TERMS) -> Tree:
-    """The formula with the rest of each long sum and product left out, and counted."""
+    """The formula with the rest of each long sum left out, and counted."""
     parts = tuple(cut(part, most) for part in tree.parts)
-    if tree.kind not in ("sum", "product") or len(parts) <= most + 1:
+    if tree.kind != "sum" or len(parts) <= most + 1:
         return replace(tree, parts=parts)
-    word = "terms" if tree.kind == "sum" else "factors"
-    more = Tree("more", f"{len(parts) - most + 1} {word}")
-    signs = (*tree.signs[: most - 1], "+") if tree.signs else ()
-    return replace(tree, parts=(*parts[: most - 1], more), signs=signs)
+    more = Tree("more", f"{len(parts) - most + 1} terms")
+    return replace(tree, parts=(*parts[: most - 1], more), signs=(*tree.signs[: most - 1], "+"))
 
 
 def polynomial(table: dict[str, str]) -> Tree:

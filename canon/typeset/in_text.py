@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from canon.report.proof.notation import Notation
+from canon.typeset.notation import Notation
 
 
 def _plain_group(text: str) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Final, NamedTuple
 
-from canon.report.proof.letters import GREEK
-from canon.report.proof.trees import Tree
+from canon.typeset.letters import GREEK
+from canon.typeset.trees import Tree
 
 UPRIGHT: Final = frozenset(
     ["sin", "cos", "tan", "cot", "sec", "csc", "sinh", "cosh", "tanh", "coth", "log", "exp", "det"]

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from html import escape
 from typing import Final
 
-from canon.report.proof.letters import GREEK, split_name
-from canon.report.proof.notation import Notation
+from canon.typeset.letters import GREEK, split_name
+from canon.typeset.notation import Notation
 
 
 def _mathml_name(name: str) -> str:

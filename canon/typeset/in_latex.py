@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
-from canon.report.proof.letters import GREEK, split_name
-from canon.report.proof.notation import UPRIGHT, Notation
+from canon.typeset.letters import GREEK, split_name
+from canon.typeset.notation import UPRIGHT, Notation
 
 LATEX_GREEK: Final = {word: "\\" + word.replace("amda", "ambda") for word in GREEK}
 _SIGNS: Final = {
@@ -54,9 +55,21 @@ def _latex_word(text: str) -> str:
     )
 
 
+WIDE: Final = 160
+"""Signs of LaTeX from which on parentheses let what is between them be broken across lines."""
+
+
 def _latex_fence(left: str, inner: str, right: str) -> str:
     fences = {"{": r"\{", "}": r"\}", "(": "(", ")": ")", "|": "|", "[": "[", "]": "]"}
-    return rf"\left{fences[left]} {inner} \right{fences[right]}"
+    if len(inner) < WIDE:
+        return rf"\left{fences[left]} {inner} \right{fences[right]}"
+    size = "bigg" if r"\frac" in inner else "big"
+    return rf"\{size}l{fences[left]} {inner} \{size}r{fences[right]}"
+
+
+def _latex_power(base: str, up: str) -> str:
+    """Braces hold a base together on its line; what is wide may be broken."""
+    return rf"{base}^{{{up}}}" if re.search(r"\\bigg?r\S+$", base) else rf"{{{base}}}^{{{up}}}"
 
 
 LATEX: Final = Notation(
@@ -67,7 +80,7 @@ LATEX: Final = Notation(
     row="".join,
     fenced=_latex_fence,
     fraction=lambda over, under: rf"\frac{{{over}}}{{{under}}}",
-    power=lambda base, up: rf"{{{base}}}^{{{up}}}",
+    power=_latex_power,
     root=lambda inner, degree: rf"\sqrt{'' if degree == '2' else f'[{degree}]'}{{{inner}}}",
     times=r"\,",
     apply=r"\!",

@@ -21,7 +21,8 @@ from canon.claims.solved_orbits import guarded, square_is_right
 from canon.decide.answer import show_ball
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import Ball, evaluate, precision
-from canon.decide.orbit_quadrature import BITS, Integrand, Orbit, action, backward_too, libration, period, stays, turn
+from canon.decide.libration import BITS, Integrand, Orbit, libration, stays
+from canon.decide.orbit_quadrature import action, backward_too, period, turn
 from canon.decide.region import Requirement, holds
 from canon.decide.tape import Node
 from canon.domain import nonzero

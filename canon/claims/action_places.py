@@ -20,7 +20,7 @@ from canon.claims.action_orbits import Example
 from canon.claims.chart import chart_of
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import OutOfDomain, evaluate, precision
-from canon.decide.orbit_quadrature import BITS, Integrand
+from canon.decide.libration import BITS, Integrand
 from canon.decide.region import Region, admits
 from canon.decide.search import samples
 from canon.decide.tape import Node, Unsupported

@@ -19,8 +19,8 @@ from canon.claims.solved_orbits import guarded
 from canon.decide.answer import show_ball
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import Ball, evaluate, precision
+from canon.decide.libration import BITS, Values, libration
 from canon.decide.orbit_mean import mean
-from canon.decide.orbit_quadrature import BITS, Values, libration
 from canon.errors import InputError
 from canon.mechanics.action_angle import NotQuadratic
 from canon.verdict import Evidence

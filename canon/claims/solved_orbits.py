@@ -20,7 +20,7 @@ from canon.claims.action_region import Setting, along, is_positive
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import Ball, certainly_positive
-from canon.decide.orbit_quadrature import Integrand
+from canon.decide.libration import Integrand
 from canon.decide.region import Region, Requirement
 from canon.mechanics.action_angle import ClosedAction
 

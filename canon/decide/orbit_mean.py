@@ -10,7 +10,8 @@ from flint import arb
 from canon.decide.arbitrary import rational
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, evaluate, precision
-from canon.decide.orbit_quadrature import BITS, FAILURES, Integrand, Orbit, at_the_edge, integral_between, period
+from canon.decide.libration import BITS, FAILURES, Integrand, Orbit
+from canon.decide.orbit_quadrature import at_the_edge, integral_between, period
 from canon.decide.tape import Node
 
 

@@ -8,8 +8,9 @@ from flint import arb
 
 from canon.budget import Budget
 from canon.decide.enclosure import precision
+from canon.decide.libration import BITS, Integrand, libration, stays
 from canon.decide.orbit_mean import _with_momentum
-from canon.decide.orbit_quadrature import BITS, Integrand, action, backward_too, libration, period, stays, turn
+from canon.decide.orbit_quadrature import action, backward_too, period, turn
 from canon.decide.tape import Tape
 
 Q, E = sp.symbols("q E", real=True)

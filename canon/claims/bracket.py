@@ -17,7 +17,7 @@ import sympy as sp
 from canon.claims.outcome import Outcome, Residual
 from canon.decide import ladder
 from canon.decide.derivative import derivative, poisson_bracket
-from canon.decide.search import Sample
+from canon.decide.sample import Sample
 from canon.decide.tape import Node
 from canon.errors import InputError
 from canon.expression import Formula

@@ -21,7 +21,8 @@ from canon.claims.outcome import Outcome, Residual, combined
 from canon.decide.cells import cells_of
 from canon.decide.derivative import substitute
 from canon.decide.implied import without_implied
-from canon.decide.search import evaluate_again, samples
+from canon.decide.sample import evaluate_again
+from canon.decide.search import samples
 from canon.decide.tape import Unsupported
 from canon.decide.winding import winding_number
 

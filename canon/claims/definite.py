@@ -17,7 +17,8 @@ from canon.decide.derivative import derivative
 from canon.decide.enclosure import evaluate, excludes_zero, precision
 from canon.decide.power_series import Unexpanded
 from canon.decide.region import Region
-from canon.decide.search import ball_point, samples
+from canon.decide.sample import ball_point
+from canon.decide.search import samples
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError
 from canon.expression import Formula

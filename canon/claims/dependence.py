@@ -25,7 +25,8 @@ from canon.claims.show import FAILURES, is_short
 from canon.decide.derivative import rebuild, substitute
 from canon.decide.enclosure import OutOfDomain, evaluate, precision
 from canon.decide.region import Region, Requirement, admits
-from canon.decide.search import Sample, evaluate_again, samples
+from canon.decide.sample import Sample, evaluate_again
+from canon.decide.search import samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.errors import InputError
 from canon.mechanics.formulas import replaced

@@ -133,7 +133,7 @@ def _own_dimension(
     if sample is None:
         return None
     from canon.decide.enclosure import OutOfDomain
-    from canon.decide.search import evaluate_again
+    from canon.decide.sample import evaluate_again
     from canon.decide.tape import Unsupported
 
     for base in bases:

@@ -15,7 +15,8 @@ from canon.claims.implicit_images import DEEP, ImplicitImages, joined, with_caus
 from canon.claims.mixed_derivatives import OnTape
 from canon.claims.other_type import of_type, valued
 from canon.decide.cloud import cloud_around
-from canon.decide.search import Finder, Sample
+from canon.decide.sample import Sample
+from canon.decide.search import Finder
 from canon.decide.tape import Unsupported
 from canon.errors import InputError
 from canon.numeric.implicit import MixedSolution, solve_mixed

@@ -13,7 +13,7 @@ from canon.claims.outcome import Outcome, Residual
 from canon.decide.answer import Witness
 from canon.decide.positive_by_slopes import positive_by_slopes
 from canon.decide.positivity import first_points, is_below, point_below, positive_by_boxes, positive_by_signs
-from canon.decide.search import Sample
+from canon.decide.sample import Sample
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError
 from canon.verdict import Evidence

@@ -21,7 +21,8 @@ from canon.decide import ladder
 from canon.decide.derivative import substitute
 from canon.decide.enclosure import OutOfDomain, evaluate, precision
 from canon.decide.power_series import Unexpanded
-from canon.decide.search import ball_point, samples
+from canon.decide.sample import ball_point
+from canon.decide.search import samples
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError
 from canon.expression import Formula

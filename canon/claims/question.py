@@ -18,8 +18,8 @@ from canon.claims.show import shown
 from canon.decide import ladder
 from canon.decide.derivative import substitute
 from canon.decide.region import Region, Requirement
+from canon.decide.sample import Sample
 from canon.decide.sampling import sample
-from canon.decide.search import Sample
 from canon.decide.tape import Node, Tape
 from canon.decide.to_accuracy import sample_to
 from canon.domain import Domain

@@ -23,7 +23,8 @@ from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import evaluate, precision
 from canon.decide.region import Region, Requirement
-from canon.decide.search import ball_point, samples
+from canon.decide.sample import ball_point
+from canon.decide.search import samples
 from canon.decide.tape import Node
 from canon.errors import InputError
 from canon.expression import Formula

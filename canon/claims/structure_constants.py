@@ -24,7 +24,7 @@ from canon.claims.structure_search import (
     solve,
 )
 from canon.decide.enclosure import precision
-from canon.decide.search import Sample
+from canon.decide.sample import Sample
 from canon.mechanics.algebra import linear
 from canon.sign import declared
 from canon.verdict import Evidence

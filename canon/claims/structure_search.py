@@ -23,7 +23,8 @@ from canon.decide.answer import largest
 from canon.decide.derivative import substitute
 from canon.decide.enclosure import OutOfDomain, excludes_zero, precision
 from canon.decide.region import Region
-from canon.decide.search import Sample, evaluate_again, samples
+from canon.decide.sample import Sample, evaluate_again
+from canon.decide.search import samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.sign import declared
 from canon.verdict import Evidence

@@ -25,7 +25,8 @@ from canon.cost.study import Point, Study
 from canon.decide.enclosure import OutOfDomain
 from canon.decide.floating import UNIT, Rounded, evaluate_many
 from canon.decide.region import Region
-from canon.decide.search import Sample, evaluate_again, samples
+from canon.decide.sample import Sample, evaluate_again
+from canon.decide.search import samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.errors import BudgetExceeded
 from canon.numeric import pairs

@@ -11,7 +11,7 @@ from flint import acb
 from canon.decide.derivative import substitute
 from canon.decide.enclosure import Ball
 from canon.decide.region import Requirement
-from canon.decide.search import Sample, evaluate_again
+from canon.decide.sample import Sample, evaluate_again
 from canon.decide.tape import Node, Tape
 from canon.verdict import Evidence
 

@@ -18,7 +18,8 @@ from canon.decide.arbitrary import ChosenFunction
 from canon.decide.floating import Rounded, evaluate_many
 from canon.decide.proposal import Coordinate
 from canon.decide.region import Requirement
-from canon.decide.search import Finder, Sample
+from canon.decide.sample import Sample
+from canon.decide.search import Finder
 from canon.decide.tape import Node
 
 Array = Any  # numpy arrays of floats or complex numbers

@@ -26,7 +26,8 @@ from canon.decide.intervals import Edge, Interval
 from canon.decide.normal_form import reduce_to_zero
 from canon.decide.region import Region, admits
 from canon.decide.ring import TooCostly
-from canon.decide.search import Sample, ball_point, samples
+from canon.decide.sample import Sample, ball_point
+from canon.decide.search import samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
 from canon.errors import InputError

@@ -15,20 +15,17 @@ from canon.budget import Budget, BudgetExceeded
 from canon.decide import modular
 from canon.decide.answer import Answer, Answers, Witness
 from canon.decide.certificate import Certificate, of_tower
-from canon.decide.constants import number_is_zero
-from canon.decide.continuity import vanishes_by_cells
 from canon.decide.enclosure import Ball, OutOfDomain, excludes_zero
-from canon.decide.equal_on_surface import by_equal_arguments, solved_for
 from canon.decide.intervals import intervals_of
 from canon.decide.normal_form import FIRST, LARGER, reduce_to_zero
-from canon.decide.on_surface import vanishes_on_surface
+from canon.decide.other_arguments import other_argument
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
-from canon.decide.search import Sample, deeply_zero, evaluate_again, extended, samples, some_point
+from canon.decide.sample import Sample, deeply_zero, evaluate_again, extended
+from canon.decide.search import samples, some_point
 from canon.decide.slivers import points_between_zeros
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower
-from canon.errors import InputError
 
 DEEPER = (256, 1024, 4096)
 
@@ -251,46 +248,13 @@ class _Ladder:
 
     def by_other_arguments(self, node: Node, answers: Answers) -> None:
         """Constants, surfaces, and cell by cell."""
-        tape = self.tape
-        try:
-            if self.region.surface:
-                self.tried.append("reduction on the surface")
-                certificate = vanishes_on_surface(tape, node, self.region, self.budget)
-                if certificate is not None:
-                    self.prove(node, answers, "reduction on the surface", certificate)
-                else:
-                    self._by_what_a_surface_gives(node, answers)
-                return
-            if not tape.support(node):
-                self.tried.append("exact constants")
-                if number_is_zero(tape, node, self.budget):
-                    argument = {"argument": "an algebraic number smaller than every nonzero conjugate of it could be"}
-                    self.prove(node, answers, "exact constant", Certificate(lambda: argument))
-                return
-            self.tried.append("cell by cell")
-            found = vanishes_by_cells(tape, node, self.region, self.rng, self.budget)
-            if found is not None:
-                argument, cells = found
-                data = {"argument": argument, "cells": cells, "domain": [r.text for r in self.region.requirements]}
-                self.prove(node, answers, argument, Certificate(lambda: data))
-        except (Unsupported, TooCostly, ZeroDivisionError, OutOfDomain, ArithmeticError) as reason:
-            self.tried.append(f"stopped: {reason}")
 
-    def _by_what_a_surface_gives(self, node: Node, answers: Answers) -> None:
-        """Coordinates that its equations give, and calls whose arguments they make equal."""
-        self.tried.append("equal arguments on the surface")
-        certificate = by_equal_arguments(self.tape, node, self.region, self.budget)
-        if certificate is not None:
-            self.prove(node, answers, "equal arguments on the surface", certificate)
-            return
-        plain = solved_for(self.tape, node, self.region)
-        if plain is None:
-            return
-        with contextlib.suppress(InputError):
-            (answer,) = vanish(self.tape, [plain[0]], plain[1], budget=self.budget.share(0.5))
-            if answer.status == "proved":
-                data = {"argument": f"on the surface, solved for coordinates: {answer.method}"}
-                self.prove(node, answers, f"{answer.method}, on the surface", Certificate(lambda: data))
+        def asked_again(residual: Node, region: Region) -> Answer:
+            return vanish(self.tape, [residual], region, budget=self.budget.share(0.5))[0]
+
+        found = other_argument(self.tape, node, self.region, self.rng, self.budget, self.tried, asked_again)
+        if found is not None:
+            self.prove(node, answers, *found)
 
     def prove(self, node: Node, answers: Answers, method: str, certificate: Certificate) -> None:
         """Record a proof, after looking that no ball contradicts it."""

@@ -22,7 +22,8 @@ from canon.decide.arbitrary import rational
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, excludes_zero, precision
 from canon.decide.region import Region, admits, holds
-from canon.decide.search import Sample, ball_point, samples
+from canon.decide.sample import Sample, ball_point
+from canon.decide.search import samples
 from canon.decide.tape import Node, Tape, Unsupported
 
 BITS = 64

@@ -21,7 +21,8 @@ from canon.decide.intervals import Edge, Interval, declared, exact_affine, inter
 from canon.decide.proposal import Coordinate
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
-from canon.decide.search import Finder, Sample, samples
+from canon.decide.sample import Sample
+from canon.decide.search import Finder, samples
 from canon.decide.signs import classify, sign_of, sign_of_rest
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower, combine

@@ -16,6 +16,7 @@ from flint import arb
 from canon.decide.arbitrary import ChosenFunction
 from canon.decide.derivative import derivative
 from canon.decide.enclosure import OutOfDomain, evaluate, precision
+from canon.decide.sample import ball_point
 from canon.decide.tape import Node, Unsupported
 
 if TYPE_CHECKING:
@@ -58,8 +59,6 @@ def _step(
     overshoot: float,
 ) -> dict[Node, Coordinate] | None:
     """The move along the gradient that brings the target from e ≤ 0 a little beyond 0."""
-    from canon.decide.search import ball_point
-
     tape = finder.tape
     try:
         slopes = {n: derivative(tape, target, n) for n in moving if n in tape.support(target)}

@@ -18,7 +18,8 @@ from canon.decide.answer import Answer, Witness, largest
 from canon.decide.enclosure import excludes_zero
 from canon.decide.proposal import Coordinate
 from canon.decide.region import Region
-from canon.decide.search import Finder, Sample, samples
+from canon.decide.sample import Sample
+from canon.decide.search import Finder, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.verdict import Evidence
 

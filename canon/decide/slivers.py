@@ -22,7 +22,8 @@ from canon.decide.arbitrary import rational
 from canon.decide.derivative import derivative
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, excludes_zero, precision
 from canon.decide.region import Region
-from canon.decide.search import Finder, Sample, ball_point, samples
+from canon.decide.sample import Sample, ball_point
+from canon.decide.search import Finder, samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.sign import declared
 

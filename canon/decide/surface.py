@@ -21,6 +21,7 @@ from canon.decide.components import Piece, pieces
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
 from canon.decide.exact_points import NoZero, algebraic_point
+from canon.decide.sample import ball_point
 from canon.decide.tape import Node, Tape
 
 if TYPE_CHECKING:
@@ -203,8 +204,6 @@ def _solve_newton(
     Matrix: Any = arb_mat if real else acb_mat
     size = len(unknowns)
     with precision(bits):
-        from canon.decide.search import ball_point
-
         fixed = ball_point(exact, {})
         centre = list(ball_point({n: point[n] for n in unknowns}, {}).values())
 

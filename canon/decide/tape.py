@@ -21,14 +21,11 @@ from typing import Any
 
 import sympy as sp
 
+from canon.decide.known_values import at_known_arguments
 from canon.errors import InputError
 
 ZERO = Fraction(0)
 ONE = Fraction(1)
-ANGLES = {"elliptic_f": 0, "elliptic_ei": 0, "elliptic_pii": 1}
-"""Which argument of an incomplete elliptic integral is its angle."""
-COMPLETE = {"elliptic_f": "elliptic_k", "elliptic_ei": "elliptic_e"}
-"""What an incomplete elliptic integral is at π/2; at n π/2 it is n times as much."""
 LONG = 64
 """Terms of a sum, beyond which a difference of two such is merged."""
 
@@ -211,29 +208,9 @@ class Tape:
         return self.root(node, Fraction(1, 2))
 
     def call(self, name: str, *arguments: Node) -> Node:
-        """An elementary or special function; exact values at 0 and 1 are folded in."""
-        value = self.value(arguments[0])
-        if value is not None and len(arguments) == 1:
-            if value == 0 and name in ("sin", "asin", "atan"):
-                return self.zero
-            if value == 0 and name in ("cos", "exp"):
-                return self.one
-            if value == 1 and name == "log":
-                return self.zero
-            if name == "abs":
-                return self.number(abs(value))
-        if name in ANGLES and self.value(arguments[ANGLES[name]]) == 0:
-            return self.zero
-        if name in COMPLETE and (quarters := self._quarter_turns(arguments[0])) is not None:
-            return self.scaled(self.make(("f", COMPLETE[name], arguments[1:])), quarters)
-        return self.make(("f", name, arguments))
-
-    def _quarter_turns(self, node: Node) -> Fraction | None:
-        """n of n π/2, for a whole number n other than 0."""
-        op, pi = self.ops[node], self.constant("pi")
-        turns = Fraction(1) if node == pi else op[2][0][1] if op[0] == "+" and not op[1] and op[2][0][0] == pi else None
-        whole = turns is not None and (op[0] != "+" or len(op[2]) == 1) and (2 * turns).denominator == 1
-        return 2 * turns if whole and turns is not None else None
+        """An elementary or special function; where its value is known it is that."""
+        known = at_known_arguments(self, name, arguments)
+        return self.make(("f", name, arguments)) if known is None else known
 
     def arbitrary(self, name: str, orders: tuple[int, ...], arguments: tuple[Node, ...]) -> Node:
         """The partial derivative of an arbitrary function, at these arguments."""

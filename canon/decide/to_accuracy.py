@@ -11,8 +11,9 @@ from canon.budget import Budget, BudgetExceeded
 from canon.decide.answer import Answer, Witness
 from canon.decide.enclosure import excludes_zero
 from canon.decide.region import Region
+from canon.decide.sample import Sample
 from canon.decide.sampling import sample
-from canon.decide.search import Sample, samples
+from canon.decide.search import samples
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.verdict import Evidence
 

@@ -14,7 +14,7 @@ from canon.decide.enclosure import evaluate, precision
 from canon.decide.generator_values import GeneratorBalls
 from canon.decide.kernel_text import KernelText, cofactors, denominator_of
 from canon.decide.region import Region, Requirement
-from canon.decide.search import Sample
+from canon.decide.sample import Sample
 from canon.decide.tape import Tape
 from canon.special import JacobiDN
 from properties.towers import tower_of

@@ -12,7 +12,7 @@ from canon.budget import Budget
 from canon.decide.enclosure import evaluate, precision
 from canon.decide.loops import Ellipse, _inside, circulation, integral
 from canon.decide.region import Region, Requirement
-from canon.decide.search import Sample
+from canon.decide.sample import Sample
 from canon.decide.tape import Tape
 
 x, y, z = sp.symbols("x y z", real=True)

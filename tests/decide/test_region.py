@@ -7,8 +7,8 @@ import sympy as sp
 from flint import acb, arb
 
 from canon.decide.region import Region, Requirement, admits, affine, bounds, holds
+from canon.decide.sample import Sample, deeply_zero
 from canon.decide.sampling import _evidence_of
-from canon.decide.search import Sample, deeply_zero
 from canon.decide.tape import Tape
 
 x = sp.Symbol("x", real=True)

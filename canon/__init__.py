@@ -6,6 +6,7 @@ The public names below are loaded when they are first used, so `import canon` it
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from canon.homes import HOME_OF
 from canon.version import __version__
 
 if TYPE_CHECKING:
@@ -128,108 +129,6 @@ if TYPE_CHECKING:
     from canon.scenes.audit import audit
     from canon.verdict import Verdict
 
-
-_HOMES: dict[str, tuple[str, ...]] = {
-    "canon.errors": ("CanonError", "ClaimFailed", "InputError"),
-    "canon.verdict": ("Verdict",),
-    "canon.report.proof.of_claim": ("Proof", "proof"),
-    "canon.claim": ("Claim",),
-    "canon.domain": ("Condition", "Domain"),
-    "canon.expression": ("Formula",),
-    "canon.claims.audit_report": ("AuditFailed", "AuditReport"),
-    "canon.scenes.audit": ("audit",),
-    "canon.claims.implicit_images": ("ImplicitImages",),
-    "canon.claims.implicit_map": ("ImplicitMap",),
-    "canon.claims.invariance": ("cartan_loop_invariant", "loop_invariant", "surface_invariant"),
-    "canon.claims.invariance_report": ("Invariance", "NotInvariant"),
-    "canon.claims.certify": ("DefectBound", "certify"),
-    "canon.claims.closure": ("Closure", "closure", "closure_of_fields"),
-    "canon.claims.separability": ("Separability", "separates", "separates_here"),
-    "canon.claims.symplectify": ("MapRepair", "MatrixRepair", "symplectify"),
-    "canon.claims.many": ("verify_many",),
-    "canon.claims.verify": ("verify",),
-    "canon.numeric.actions.bounded": ("Bounded",),
-    "canon.numeric.actions.central": ("central_actions",),
-    "canon.numeric.actions.frequency_analysis": ("Lines", "frequency_lines"),
-    "canon.numeric.actions.separable": ("staeckel_actions",),
-    "canon.numeric.actions.staeckel_angles": ("staeckel_angles",),
-    "canon.numeric.actions.staeckel_frequencies": ("staeckel_frequencies",),
-    "canon.numeric.actions.isochrone": ("isochrone_actions", "isochrone_angle"),
-    "canon.numeric.actions.motion": ("Motion", "motion"),
-    "canon.numeric.actions.orbit": ("Orbit",),
-    "canon.numeric.actions.pendulum": ("pendulum_actions", "pendulum_angle"),
-    "canon.numeric.chains": ("chain_frequencies",),
-    "canon.numeric.lie_sum": ("LieSum", "lie_sum", "nested_bracket"),
-    "canon.numeric.values": ("value_at",),
-    "canon.mechanics.phase_space": ("PhaseSpace",),
-    "canon.mechanics.subject": ("Subject",),
-    "canon.mechanics.transformation": ("Transformation",),
-    "canon.mechanics.generating_function": ("GeneratingFunction",),
-    "canon.mechanics.legendre_conversion": ("recovered",),
-    "canon.mechanics.algebra.from_matrices": ("MatrixAlgebra", "algebra_of_matrices"),
-    "canon.mechanics.algebra.identify": ("Identification", "identify"),
-    "canon.mechanics.algebra.lie_algebra": ("LieAlgebra",),
-    "canon.mechanics.composition": ("compose", "extended_by_time", "identity_transformation"),
-    "canon.mechanics.point_transformation": ("PointTransformation",),
-    "canon.mechanics.hamiltonian": ("Hamiltonian",),
-    "canon.mechanics.hamilton_jacobi": ("CompleteIntegral",),
-    "canon.mechanics.birkhoff": ("NormalForm", "birkhoff_gustavson"),
-    "canon.mechanics.kepler_variables": ("delaunay_variables", "poincare_variables"),
-    "canon.mechanics.lagrangian": ("Lagrangian",),
-    "canon.mechanics.poisson": (
-        "bracket_matrix",
-        "jacobi_sum",
-        "lagrange_bracket",
-        "lagrange_matrix",
-        "poisson_bracket",
-        "standard_j",
-    ),
-    "canon.mechanics.boosts": ("BoostAndRotation", "boost", "compose_boosts", "split_boost"),
-    "canon.mechanics.central_motion": ("RadialRegion", "effective_potential", "radial_regions"),
-    "canon.mechanics.inertia": ("RigidBody", "composite", "point_masses", "polyhedron", "principal_moments"),
-    "canon.mechanics.picard": ("picard",),
-    "canon.numeric.cycloid": ("Descent", "fastest_descent"),
-    "canon.numeric.refraction": ("LayeredRay", "ray_through_layers", "reflected", "refracted"),
-    "canon.numeric.scattering": ("Scattering", "scattering"),
-    "canon.mechanics.two_body": ("TwoBodies", "two_bodies"),
-    "canon.mechanics.four_tensors": (
-        "FourTensor",
-        "doppler",
-        "field_tensor",
-        "fields_of",
-        "four_force",
-        "four_vector",
-        "four_velocity",
-    ),
-    "canon.numeric.normal_modes": ("NormalModes", "Williamson", "normal_modes", "williamson"),
-    "canon.mechanics.lie_series": ("InfinitesimalTransformation", "closed_lie_series", "truncated_lie_series"),
-    "canon.mechanics.separation.actions": ("separated_actions",),
-    "canon.mechanics.separation.characteristic": ("characteristic_function",),
-    "canon.mechanics.separation.coordinates": ("OrthogonalCoordinates", "orthogonal_coordinates"),
-    "canon.mechanics.separation.levi_civita": ("levi_civita",),
-    "canon.mechanics.separation.staeckel": ("Separation", "separation"),
-    "canon.mechanics.conventions": ("GOLDSTEIN", "LANDAU_LIFSHITZ", "SICM", "Conventions"),
-    "canon.mechanics.algebra.roots": ("Root", "RootSystem", "roots_of"),
-    "canon.mechanics.algebra.sums": ("direct_sum", "semidirect_sum"),
-    "canon.mechanics.algebra_statements": ("algebra", "casimir", "group", "matrix_algebra"),
-    "canon.mechanics.statements": (
-        "action",
-        "bracket",
-        "conserved",
-        "equations_of_motion",
-        "frequency",
-        "hamiltonian_field",
-        "identity",
-        "independent",
-        "infinitesimal",
-        "involution",
-        "jacobi",
-        "legendre",
-        "lie_series",
-        "normal_form",
-    ),
-}
-_HOME_OF = {name: module for module, names in _HOMES.items() for name in names}
 
 __all__ = [
     "GOLDSTEIN",
@@ -387,9 +286,9 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    if name not in _HOME_OF:
+    if name not in HOME_OF:
         raise AttributeError(f"module 'canon' has no attribute {name!r}")
-    value = getattr(import_module(_HOME_OF[name]), name)
+    value = getattr(import_module(HOME_OF[name]), name)
     globals()[name] = value
     return value
 

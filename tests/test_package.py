@@ -4,6 +4,7 @@ import subprocess
 import sys
 
 import canon
+from canon.homes import HOMES
 
 
 def test_importing_canon_does_not_import_sympy():
@@ -19,7 +20,7 @@ def test_every_public_name_is_there_and_documented():
 
 
 def test_the_lists_of_names_agree():
-    homes = {name: module for module, names in canon._HOMES.items() for name in names}
+    homes = {name: module for module, names in HOMES.items() for name in names}
     assert {*homes, "__version__"} == {*canon.__all__}
     for name, module in homes.items():
         assert getattr(importlib.import_module(module), name) is getattr(canon, name)

@@ -72,15 +72,15 @@ class Regularised:
             raise InputError(f"the Hamiltonian has no value at the beginning, but {b}")
         return np.array([*u, float(b)]), np.array([*w, 0.0])
 
-    def shown(self, states: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Positions (…, d), momenta (…, d) and times (…) of states (…, n)."""
+    def shown(self, states: State) -> tuple[np.ndarray, np.ndarray]:
+        """Positions (…, d) and momenta (…, d) of states (…, n)."""
         coordinates, momenta = (np.asarray(slot) for slot in states)
         u, w = coordinates[..., :-1], momenta[..., :-1]
         L = matrix(np.moveaxis(u, -1, 0))
         r = (u**2).sum(axis=-1)[..., None]
         q = np.einsum("ij...,...j->...i", L, u)
         p = np.einsum("ij...,...j->...i", L, w) / (2 * r)
-        return self.sign * q, self.sign * p, self.t0 - momenta[..., -1]
+        return self.sign * q, self.sign * p
 
     def pace(self, b: float, duration: float) -> float:
         """The fictitious time in which the oscillator that the motion is without V turns by an angle of one; near a

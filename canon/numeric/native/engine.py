@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.numeric.compiled import compiled_soon
-from canon.numeric.integrators.stepper import Method, Past, Stepper, Time, stepper_of
+from canon.numeric.integrators.stepper import Method, Stepper, Time, stepper_of
 from canon.numeric.native.compile import Code, compiled, processor
 from canon.numeric.native.loop import source_text
 from canon.numeric.native.straight import Layout, Straight, layout_of, straight
@@ -95,7 +95,7 @@ class Native:
                         row[0] = x
                     back = Chunks(0, past.steps, 1, 1, -chunks.h, chunks.t0 + k * chunks.h)
                     _, _, states = other.run(past.stepper.initial(state), rows, back, batched)
-                    return _joined(past)(carry, states, chunks.h, chunks.t0, k)
+                    return _joined(self.stepper)(states, chunks.h, chunks.t0, k)
             return _begun(self.stepper)(carry, chunks.h, chunks.t0, k)
 
     def called(
@@ -193,9 +193,18 @@ def made_native(stepper: Stepper, batched: bool, form: Form) -> Native | None:
 
 
 @lru_cache(maxsize=64)
-def _joined(past: Past) -> Any:
-    """What makes a carry of states of the past, by jax."""
-    return compiled_soon(lambda carry, states, h, t0, k: past.begin(carry, states, Time(t0, h, k)))
+def _joined(stepper: Stepper) -> Any:
+    """What makes a carry of states of the past, by jax: of these alone, since every array that is handed over costs."""
+    import jax
+
+    past = stepper.past
+    assert past is not None
+
+    def begun(states: Any, h: Any, t0: Any, k: Any) -> Any:
+        carry = stepper.initial(jax.tree.map(lambda rows: rows[0], states))
+        return past.begin(carry, states, Time(t0, h, k))
+
+    return compiled_soon(begun)
 
 
 @lru_cache(maxsize=64)

@@ -11,6 +11,7 @@ import sympy as sp
 
 from canon.claims.dimension_keys import Dimension, Dimensions, written
 from canon.claims.outcome import Outcome, Residual
+from canon.claims.own_names import of_integers
 from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node, Tape
 from canon.errors import InputError
@@ -33,6 +34,9 @@ def dimension(question: Question) -> Outcome:
     functions = question.formulas("functions", side="both")
     table: Dimensions = question.key("dimensions")
     claimed: Dimension = question.key("equals")
+    for name, listed in table.items():
+        if any(listed):
+            of_integers(question.space.vocabulary.get(name), "key 'dimensions'")
     bases = sorted({b for listed in table.values() for d in listed for b in d} | {*claimed})
     region = question.region(*functions)
     residuals = []

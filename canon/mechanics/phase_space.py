@@ -122,6 +122,10 @@ class PhaseSpace:
         for name in taken:
             if taken.count(name) > 1:
                 raise InputError(f"{name!r} is declared twice", "phase_space")
+        for variable in variables:
+            if variable.is_integer:
+                aside = ": give time another name, as `time`" if variable == moment else ""
+                raise InputError(f"{variable} is a variable, so it can't be an integer{aside}", "symbols")
         rest = [name for name in words if name not in taken]
         called = tuple(name for name in rest if "function" in words[name])
         for name in called:

@@ -43,3 +43,27 @@ def test_a_law_that_is_associative_with_one_parameter_alone(status):
     for name in ("c", "b_third"):
         law = f'kind = "group"\nfirst = ["a"]\nsecond = ["b"]\ncomposition = ["a + b + a*sin(2*pi*b/{name})"]\n'
         assert status(law + 'equals = "u(1)"', space=LINE, symbols=f'{name} = "real"') == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("claim", "symbols", "sections"),
+    [
+        ('kind = "conserved"\nf = "q - t*cos(2*pi*t)"', 't = "integer"', {"hamiltonian": 'H = "p"'}),
+        ('kind = "frequency"\ncoordinate = "q"\nenergy = "E"\nequals = "cos(2*pi*E)/(2*pi)"', 'E = "integer"',
+         {"hamiltonian": 'H = "p**2/2 + q**2/2"'}),
+        ('kind = "hamilton_jacobi"\nW = "n*q*cos(2*pi*n)"\nconstants = ["n"]\nenergy = "n**2/2"', 'n = "integer"',
+         {"hamiltonian": 'H = "p**2/2"'}),
+        ('kind = "euler_lagrange"\nL = "v**2*cos(2*pi*v)/2"\nvelocities = ["v"]\naccelerations = ["a"]\n'
+         'equations = ["a"]', 'v = "integer"', {}),
+        ('kind = "group"\nfirst = ["a"]\nsecond = ["b"]\ncomposition = ["a + b + sin(2*pi*a)*b**2"]\nequals = "u(1)"',
+         'a = "integer"', {}),
+        ('kind = "casimir"\nf = "cos(2*pi*u)"\ncoordinates = ["u", "v"]\ntensor = [["0", "1"], ["-1", "0"]]',
+         'u = "integer"', {}),
+        ('kind = "dimension"\nfunctions = ["x*cos(2*pi*n)"]\ndimensions = {n = "L", x = "L"}\nequals = "L"',
+         'n = "integer"\nx = "positive"', {}),
+    ],
+)  # fmt: skip
+def test_no_derivative_by_an_integer(ask, claim, symbols, sections):
+    """cos 2πn is 1 for all integers, and so is its derivative 0 where n can't move."""
+    with pytest.raises((InputError, AssertionError), match="integer"):
+        ask(claim, space=LINE, symbols=symbols, **sections)

@@ -91,3 +91,9 @@ def test_a_space_is_a_value():
 def test_a_domain_is_no_relation(domain):
     with pytest.raises(InputError, match=r"space\.where"):
         PhaseSpace("q", "p", domain=domain)
+
+
+def test_no_variable_is_an_integer():
+    for name in ("q", "p", "Q", "t"):
+        with pytest.raises(InputError, match="can't be an integer"):
+            PhaseSpace("q", "p", new=("Q", "P"), integer=name)

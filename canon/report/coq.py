@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Final
 
+from canon.checker.case import Case
 from canon.checker.check import VERSION, check
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
@@ -20,15 +21,16 @@ from canon.checker.statement import Statement
 from canon.decide.ring import TooCostly
 from canon.errors import InputError
 from canon.report.coq_field import Fractions, scaled
-from canon.report.coq_kernels import Kernel, kernel_of
+from canon.report.coq_kernels import Kernel, kernels_of
 from canon.report.coq_powers import powers
 from canon.report.coq_shared import procedure, theorem
-from canon.report.coq_text import identifiers, number, polynomial, term
+from canon.report.coq_text import identifiers, number, polynomial, term, wrapped
 
-HEAD: Final = """\
+LIBRARY: Final = """\
 From Coq Require Import Reals Lra.
 Open Scope R_scope.
-
+"""
+HEAD: Final = f"""{LIBRARY}
 (* What isn't 0: by a hypothesis, perhaps in another form, by its sign, or factor by factor. *)
 Ltac other_form :=
   match goal with
@@ -92,7 +94,7 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
                 _compare("residuals", len(data["residuals"]), len(case.zeros))
             if not all("cofactors" in entry for _, data in pairs for entry in data["residuals"]):
                 _reduced(certificate)
-            body = [text for case, data in pairs for text in _proofs(statement, case.zeros, data)]
+            body = [text for case, data in pairs for text in _proofs(statement, case, data)]
     except (Unknown, Unreadable, TooCostly) as reason:
         raise InputError(f"this certificate can't be put in Coq: {reason}") from None
     except BROKEN as reason:
@@ -104,7 +106,9 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
     products = [PRODUCTS] if any("nonzero_product" in text for text in numbered) else []
     shared = ["\n  all_vanish " in text for text in numbered]
     heads = [*([procedure()] if any(shared) else []), *([] if all(shared) else [HEAD])]
-    return "\n".join([_comment(certificate), *heads, *products, *numbered])
+    if not any(shared) and not any("nonzero" in text for text in numbered):
+        heads = [LIBRARY]
+    return "\n".join([_comment(certificate), *heads, *products, *map(wrapped, numbered)])
 
 
 def _compare(things: str, shown: int, stated: int) -> None:
@@ -123,33 +127,44 @@ def _reduced(certificate: Mapping[str, Any]) -> None:
 
 
 def _comment(certificate: Mapping[str, Any]) -> str:
-    """The claim, for people. What would end a comment, or begin a string in it, is written otherwise."""
+    """The claim, for people."""
     tables = certificate["tables"]
     lines = [f"{certificate['verdict'].capitalize()}: a claim of kind {tables['claim']['kind']}"]
     for section, table in tables.items():
         entries = table.items() if isinstance(table, Mapping) else [("", table)]
         lines += [f"  {section}{'.' if key else ''}{key} = {value}" for key, value in entries]
-    text = "\n   ".join(lines).replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+    text = _harmless("\n   ".join(lines))
     return (
         f"(* {text}\n\n   What must vanish follows from these formulas by differentiation; below it is shown to. *)\n"
     )
 
 
-def _proofs(s: Statement, zeros: Sequence[int], data: Mapping[str, Any]) -> list[str]:
+def _proofs(s: Statement, case: Case, data: Mapping[str, Any]) -> list[str]:
     """A theorem for each residual; one that is the number 0 as it stands needs none."""
     if any("1j" in str(kernel["stands for"]) for kernel in data["kernels"]):
         raise Unknown("complex numbers")
+    zeros, labels = case.zeros, [*case.labels, *[""] * len(case.zeros)]
     open_ = [target for target in zeros if s.f.value(target) is None]
     plain = all("cofactors" in entry or entry.get("argument") in REDUCED for entry in data["residuals"])
     if plain and not s.surface and _size(s.f, open_) > LONG:
         return [_shared(s, open_, data)]
     found = []
-    for target, entry in zip(zeros, data["residuals"], strict=True):
+    for target, entry, label in zip(zeros, data["residuals"], labels, strict=False):
         if "cofactors" not in entry:
             raise Unknown(f"the argument {entry['argument']!r} is no identity that was written down")
         if s.f.value(target) is None:
-            found.append(_theorem(s, target, data, entry))
+            found.append(_named(label) + _theorem(s, target, data, entry))
     return found or ["Theorem RESIDUAL : 0 = 0.\nProof. reflexivity. Qed.\n"]
+
+
+def _named(label: str) -> str:
+    """What a residual is, for people: the bracket, the difference of two sides."""
+    return f"(* {_harmless(label)} *)\n" if label else ""
+
+
+def _harmless(text: str) -> str:
+    """Words for a comment: what would end it, or begin a string in it, is written otherwise."""
+    return text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
 
 
 def _size(f: Formulas, targets: Sequence[int]) -> int:
@@ -171,7 +186,7 @@ def _shared(s: Statement, targets: Sequence[int], data: Mapping[str, Any]) -> st
     free = sorted(used - {kernel["name"] for kernel in kernels})
     words = identifiers([*free, *(kernel["name"] for kernel in kernels)])
     words |= {kernel["name"]: "PI" for kernel in kernels if kernel["stands for"] == "pi"}
-    made = [kernel_of(f, kernel, words) for kernel in kernels]
+    made = kernels_of(f, kernels, words)
     words |= {kernel.name: kernel.word for kernel in made}
     signs = {name: SIGNS[sign].format(words[name]) for name in free for sign in SIGNS if sign in s.words.get(name, ())}
     return theorem(s, targets, atoms, words, kernels, made, signs)
@@ -193,7 +208,7 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
     free = sorted(used - {kernel["name"] for kernel in kernels})
     words = identifiers([*free, *(kernel["name"] for kernel in kernels)])
     words |= {kernel["name"]: "PI" for kernel in kernels if kernel["stands for"] == "pi"}
-    made = [kernel_of(f, kernel, words) for kernel in kernels]
+    made = kernels_of(f, kernels, words)
     words |= {kernel.name: kernel.word for kernel in made}
     fractions = Fractions(f, list(words), atoms)
     equations = [_surface(fractions, name, a, atoms, words) for name, a in on.items()]
@@ -213,12 +228,14 @@ def _theorem(s: Statement, target: int, data: Mapping[str, Any], entry: Mapping[
         *(f"  {h} ->" for h in dict.fromkeys(hypotheses)),
         f"  {residual} = 0.",
     ]
-    steps = ["intros.", *(step for kernel in made for step in kernel.steps), *facts]
+    divides = any(product for _, product in fractions.products())
+    needed = {*entry["cofactors"], *(kernel.name for kernel in made if divides)}
+    steps = ["intros.", *(step for kernel in made for step in kernel.steps_for(kernel.name in needed)), *facts]
     steps += [step for equation in equations for step in equation.steps]
     shown = {a: _fraction(pair, words) for a, pair in atoms.items()}
     steps += _factored(fractions, shown, words, nonzero)
     if not value[0]:
-        steps.append("field; nonzero.")
+        steps.append("field; nonzero." if divides else "field.")
     elif equal is not None and not equal.replaced:
         steps += [*equal.steps, f"field [{' '.join(equal.names)}]; nonzero_product."]
     else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Final
@@ -32,9 +32,19 @@ class Kernel:
     positive: bool
     radicand: tuple[tuple[str, str], ...] = ()
 
+    def steps_for(self, relation: bool) -> tuple[str, ...]:
+        """The steps of its proof; those that give its relation only where that is asked for."""
+        return tuple(step for step in self.steps if relation or f"({self.lemma} :" not in step)
 
-def kernel_of(f: Formulas, kernel: Mapping[str, Any], words: Mapping[str, str]) -> Kernel:
-    """The kernel of a certificate in Coq; `words` are the names in Coq of names and kernels."""
+
+def kernels_of(f: Formulas, kernels: Sequence[Mapping[str, Any]], words: Mapping[str, str]) -> list[Kernel]:
+    """The kernels of a certificate in Coq; `words` are the names in Coq of names and kernels."""
+    functions = {kernel["name"] for kernel in kernels if "relation" not in kernel}
+    return [_kernel(f, kernel, words, functions) for kernel in kernels]
+
+
+def _kernel(f: Formulas, kernel: Mapping[str, Any], words: Mapping[str, str], functions: set[str]) -> Kernel:
+    """One kernel; `functions` are those that are stated by their function alone."""
     name, node, relation = kernel["name"], f.read(kernel["stands for"], {}), kernel.get("relation")
     word, op = words[name], f.ops[node]
     shown = "" if relation is None else polynomial(relation, words)
@@ -52,15 +62,22 @@ def kernel_of(f: Formulas, kernel: Mapping[str, Any], words: Mapping[str, str]) 
         if op[1] == "abs" and relation is not None:
             steps.append(f"assert ({lemma} : {shown} = 0) by (subst {word}; rewrite pow2_abs; first [field | lra]).")
             return Kernel(name, word, (equation,), tuple(steps), shown, lemma, False)
-        if op[1] == "sin" and relation is not None:
+        circle = op[1] == "sin" and _others(kernel) <= functions
+        if circle and relation is not None:
             proof = f"pose proof (sin2_cos2 ({argument})) as circle'; unfold Rsqr in circle'; subst; lra"
             steps.append(f"assert ({lemma} : {shown} = 0) by ({proof}).")
-        if relation is None or op[1] == "sin":
+        if relation is None or circle:
             return Kernel(name, word, (equation,), tuple(steps), shown, lemma, op[1] == "exp")
     positive = kernel["sign"] == "pos"
     hypotheses = ([f"0 < {word}"] if positive else []) + ([] if relation is None else [f"{shown} = 0"])
     steps = [] if relation is None else [f"assert ({lemma} : {shown} = 0) by assumption."]
     return Kernel(name, word, tuple(hypotheses), tuple(steps), shown, lemma, positive)
+
+
+def _others(kernel: Mapping[str, Any]) -> set[str]:
+    """The names in a kernel's relation besides its own: of a sine, the cosine that stands beside it."""
+    names = {factor.partition("^")[0] for monomial in kernel.get("relation", {}) for factor in monomial.split()}
+    return names - {kernel["name"]}
 
 
 def _root(f: Formulas, kernel: Mapping[str, Any], words: Mapping[str, str], radicand: int, relation: str) -> Kernel:

@@ -16,7 +16,7 @@ from canon.claims.certificate_data import certificate, statement_tables
 from canon.claims.reader import read_tables
 from canon.claims.verify import verify
 from canon.errors import InputError
-from canon.report.coq import HEAD, coq_of
+from canon.report.coq import HEAD, LIBRARY, coq_of
 from canon.report.coq_text import identifiers
 
 COQC = shutil.which("coqc")
@@ -121,7 +121,7 @@ def test_a_wrong_coefficient_beside_fractions_is_not_accepted(tmp_path: Path) ->
 
 def test_a_claim_on_a_surface_has_its_equation_as_a_hypothesis() -> None:
     text = coq_of(of_text('kind = "identity"\nlhs = "x**2"\nrhs = "1/p"', '[domain]\non = ["x**2 - 1/p"]'))
-    assert "  x ^ 2 + (- 1) * / p = 0 ->\n" in text
+    assert "  x ^ 2 - / p = 0 ->\n" in text
     unused = coq_of(of_text('kind = "bracket"\nf = "x"\ng = "p"\nequals = "1"', '[domain]\non = ["x*p"]'))
     assert "surface" not in unused[unused.index("Theorem") :]
 
@@ -131,7 +131,7 @@ def test_a_claim_on_a_surface_has_its_equation_as_a_hypothesis() -> None:
 def test_without_the_equation_of_its_surface_a_claim_is_not_accepted(tmp_path: Path) -> None:
     text = coq_of(of_text('kind = "identity"\nlhs = "x**2"\nrhs = "1/p"', '[domain]\non = ["x**2 - 1/p"]'))
     assert coqc(tmp_path, text) == ""
-    free = text.replace("  x ^ 2 + (- 1) * / p = 0 ->\n", "").replace(") by assumption", ") by (field; nonzero)")
+    free = text.replace("  x ^ 2 - / p = 0 ->\n", "").replace(") by assumption", ") by (field; nonzero)")
     assert "Error" in coqc(tmp_path, free)
 
 
@@ -185,7 +185,7 @@ def test_a_title_is_no_code() -> None:
             '[symbols]\nSet = "real"\n"θ" = "real"',
         )
     )
-    comment = text[: text.index(HEAD)]
+    comment = text[: text.index(LIBRARY)]
     assert comment.count("(*") == comment.count("*)") == 1
     assert '"' not in comment
     assert "forall Set_ x3b8 : R" in text.replace("x3b8 Set_", "Set_ x3b8") or "Set_" in text

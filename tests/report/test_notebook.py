@@ -204,3 +204,45 @@ def test_no_bar_where_nobody_looks(capsys: pytest.CaptureFixture[str]) -> None:
     with waiting.progress() as watch:
         watch(0.5)
     assert capsys.readouterr().err == ""
+
+
+BAR = """
+import canon.report.waiting as waiting
+from canon import PhaseSpace, bracket, verify
+waiting.PATIENCE = waiting.SELDOM = 0.0
+space = PhaseSpace("q", "p")
+q, p = space.symbols("q p")
+with waiting.progress("proving") as watch:
+    for power in (1, 2, 3, 4):
+        assert verify(bracket(space, q**power, p, power * q ** (power - 1)))
+        watch(power / 4)
+verify(bracket(space, q**2, p, 3 * q**2))
+"""
+
+
+@pytest.mark.slow
+def test_a_bar_in_a_real_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a notebook's page is sent: one bar, drawn anew in its place and taken away; then the verdict, set."""
+    nbclient, nbformat = pytest.importorskip("nbclient"), pytest.importorskip("nbformat")
+    monkeypatch.setenv("PYTHONPATH", str(Path(__file__).parents[2]))
+    monkeypatch.setenv("PYDEVD_DISABLE_FILE_VALIDATION", "1")
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(BAR)])
+    sent: list[tuple[str, str]] = []
+
+    class Client(nbclient.NotebookClient):
+        def process_message(self, msg: Any, cell: Any, cell_index: int) -> Any:
+            if "data" in msg["content"]:
+                sent.append((msg["msg_type"], msg["content"]["data"]["text/html"]))
+            return super().process_message(msg, cell, cell_index)
+
+    Client(notebook, timeout=120, kernel_name="python3").execute()
+    first, *others, last, verdict = sent
+    assert first[0] == "display_data"
+    assert 'value="25"' in first[1]
+    assert [kind for kind, _ in (*others, last)] == ["update_display_data"] * 4
+    assert 'value="100"' in others[-1][1]
+    assert last[1] == ""
+    assert verdict[0] == "execute_result"
+    assert "refuted" in verdict[1]
+    assert "<math>" in verdict[1]
+    assert [output["data"]["text/html"] for output in notebook.cells[0].outputs] == ["", verdict[1]]

@@ -8,6 +8,8 @@ from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.verdict import Verdict
 
+PATIENT = 60.0
+"""Seconds of a claim's budget: verdicts are to be the same on a machine that is slow, or busy with other things."""
 PLANE = 'q = ["q"]\np = ["p"]\nQ = ["Q"]\nP = ["P"]\n'
 
 
@@ -25,7 +27,7 @@ def ask() -> Callable[..., list[Verdict]]:
     def answers(*claims: str, space: str = PLANE, options: dict | None = None, **sections: str) -> list[Verdict]:
         reading = read_text(_text(space, sections, claims))
         assert not reading.problems, reading.problems
-        return [verify(claim, **(options or {})) for claim in reading.claims]
+        return [verify(claim, **{"budget": PATIENT, **(options or {})}) for claim in reading.claims]
 
     return answers
 

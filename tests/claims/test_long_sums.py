@@ -12,7 +12,7 @@ SLOPE = sp.Add(*[(a + b + 1) * b * q**a * p ** (b - 1) for a in range(SIDE) for 
 
 
 def test_a_bracket_of_many_terms_is_proved_and_named() -> None:
-    found = verify(bracket(SPACE, q, F, SLOPE))
+    found = verify(bracket(SPACE, q, F, SLOPE), budget=60)
     assert found.status == "proved"
     claim = bracket(SPACE, q, F, SLOPE).keys["g"]
     assert claim.label == f"a sum of {SIDE**2} terms"

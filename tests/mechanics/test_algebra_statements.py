@@ -54,8 +54,8 @@ def test_matrices_with_a_parameter():
 
 def test_composition_function():
     doubled = {pair.replace("J", "a"): {n.replace("J", "a"): -2 for n in row} for pair, row in CYCLE.items()}
-    assert verify(group(SPACE, gibbs(1), a, b, equals="so(3)", structure=doubled)).status == "proved"
-    assert verify(group(SPACE, gibbs(sp.Rational(1001, 1000)), a, b, equals="so(3)")).status == "refuted"
+    assert verify(group(SPACE, gibbs(1), a, b, equals="so(3)", structure=doubled), budget=60).status == "proved"
+    assert verify(group(SPACE, gibbs(sp.Rational(1001, 1000)), a, b, equals="so(3)"), budget=60).status == "refuted"
 
 
 def test_a_law_of_many_parameters_that_is_not_associative():
@@ -69,8 +69,8 @@ def test_a_law_of_many_parameters_that_is_not_associative():
     rest = [*rotations, *(R * V + v), *(R * W + v * B[9] + w), A[9] + B[9]]
     phase = A[10] + B[10] + v.dot(R * W)
     right, wrong = (phase + k * v.dot(v) * B[9] for k in (sp.Rational(1, 2), sp.Rational(501, 1000)))
-    assert verify(group(SPACE, [*rest, right], A, B, equals="bargmann")).status == "proved"
-    found = verify(group(SPACE, [*rest, wrong], A, B, equals="bargmann"))
+    assert verify(group(SPACE, [*rest, right], A, B, equals="bargmann"), budget=60).status == "proved"
+    found = verify(group(SPACE, [*rest, wrong], A, B, equals="bargmann"), budget=60)
     assert (found.status, found.detail["fails"]) == ("refuted", "associativity of θ11 at order 3")
 
 

@@ -6,12 +6,12 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import sympy as sp
-from sympy.core.function import AppliedUndef
 
-from canon.claims import algebra_keys, document
+from canon.claims import algebra_keys, document, key_tables
 from canon.claims.dimension_keys import bases_of, read_dimension, read_dimensions
 from canon.claims.document import Table, key
 from canon.claims.ends import read_end, read_side
+from canon.claims.key_tables import Given
 from canon.claims.keys import TENSOR, Form, Key, KeySpec
 from canon.claims.names import Names
 from canon.claims.sections import read_types
@@ -19,8 +19,6 @@ from canon.claims.tensors import read_tensor
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary
 from canon.mechanics.assumptions import symbol_with
-
-HIGHEST_DEGREE = 20
 
 
 def read_keys(table: Table, spec: KeySpec, names: Names) -> Mapping[str, Any]:
@@ -84,17 +82,9 @@ class _Keys:
             return read_end(value, where) or self._formula(value, entry, where)
         if entry.form in ("expressions", "per pair"):
             return self._formulas(word, entry, value)
-        tables = {
-            "tables": self._tables,
-            "functions": self._functions,
-            "calls": self._calls,
-            "degrees": self._degrees,
-            "values": self._fixed,
-            "square": self._square,
-            "fields": self._fields,
-        }
-        if entry.form in tables:
-            return tables[entry.form](entry, value, where)
+        if entry.form in key_tables.FORMS:
+            given = Given(self.names, self.vocabulary, self._name, lambda v, at: self._formula(v, entry, at))
+            return key_tables.FORMS[entry.form](given, value, where)
         simple: Mapping[Form, Callable[[Any, str], Any]] = {
             "name": self._parameter,
             "names": self._velocities,
@@ -188,7 +178,7 @@ class _Keys:
         number = document.whole(value, where)
         lowest, highest = (0, 40) if "parameter" in self.spec.keys else (1, self.names.space.n)
         if "N" in self.spec.keys:
-            lowest, highest = 2, HIGHEST_DEGREE
+            lowest, highest = 2, key_tables.HIGHEST_DEGREE
         if not lowest <= number <= highest:
             raise InputError(f"a whole number from {lowest} to {highest} is expected, not {number}", where)
         return number
@@ -201,25 +191,6 @@ class _Keys:
         wanted = ", ".join(symbol.name for symbol in self.names.space.q)
         raise InputError(f"{name!r} is none of the coordinates {wanted}", where)
 
-    def _fixed(self, entry: Key, value: Any, where: str) -> dict[sp.Symbol, Formula]:
-        """The table name = expression of what is held fixed: parameters, energy, or old variables."""
-        found: dict[sp.Symbol, Formula] = {}
-        for word, given in document.table(value, where).items():
-            symbol = self.vocabulary.symbols.get(word)
-            if symbol is None:
-                raise InputError(self.vocabulary.unknown(word), where)
-            found[symbol] = self._formula(given, entry, f"{where}, {word!r}")
-        return found
-
-    def _degrees(self, entry: Key, value: Any, where: str) -> dict[int, Formula]:
-        """The table degree = polynomial of a normal form."""
-        found: dict[int, Formula] = {}
-        for word, given in document.table(value, where).items():
-            if not (word.isdecimal() and 2 <= int(word) <= HIGHEST_DEGREE):
-                raise InputError(f"degrees from 2 to {HIGHEST_DEGREE} are expected, not {word[:80]!r}", where)
-            found[int(word)] = self._formula(given, entry, f"{where}, degree {word}")
-        return found
-
     def _power(self, value: Any, where: str) -> tuple[sp.Symbol, int]:
         items = document.listing(value, where)
         if len(items) != 2 or not isinstance(items[0], str):
@@ -228,75 +199,6 @@ class _Keys:
         if not 0 <= order <= 40:
             raise InputError(f"an order from 0 to 40 is expected, not {order}", where)
         return self._name(document.name(items[0], where), where), order
-
-    def _tables(self, entry: Key, value: Any, where: str) -> tuple[dict[sp.Symbol, Formula], ...]:
-        """The tables name = value of `solutions`."""
-        found = list[dict[sp.Symbol, Formula]]()
-        for i, item in enumerate(document.listing(value, where), 1):
-            place = f"{where}, table {i}"
-            solution: dict[sp.Symbol, Formula] = {}
-            for word, given in document.table(item, place).items():
-                if not self.vocabulary.declares(word):
-                    raise InputError(self.vocabulary.unknown(word), place)
-                solution[self._name(word, place)] = self._formula(given, entry, f"{place}, {word!r}")
-            if not solution:
-                raise InputError("the table is empty", place)
-            found.append(solution)
-        if not found:
-            raise InputError("at least one table name = value is expected", where)
-        return tuple(found)
-
-    def _call(self, text: Any, entry: Key, where: str) -> sp.Expr:
-        """A function that the file declares, of different names."""
-        call = self._formula(text, entry, where).expr
-        arguments = call.args if isinstance(call, AppliedUndef) else ()
-        if not arguments or len(set(arguments)) < len(arguments) or not all(a.is_Symbol for a in arguments):
-            raise InputError('a declared function of different names is expected, as "x(t)"', where)
-        return call
-
-    def _calls(self, entry: Key, value: Any, where: str) -> tuple[sp.Expr, ...]:
-        found = tuple(self._call(text, entry, where) for text in document.listing(value, where))
-        if not found or len({call.func for call in found}) < len(found):
-            raise InputError('different functions are expected, as in ["u(x, t)"]', where)
-        return found
-
-    def _square(self, entry: Key, value: Any, where: str) -> tuple[tuple[Formula, ...], ...]:
-        rows = document.listing(value, where)
-        if not rows or any(len(document.listing(row, where)) != len(rows) for row in rows):
-            raise InputError("a square matrix is expected, as nested lists", where)
-        return tuple(
-            tuple(self._formula(v, entry, f"{where}, row {i}, column {j}") for j, v in enumerate(row, 1))
-            for i, row in enumerate(rows, 1)
-        )
-
-    def _fields(self, entry: Key, value: Any, where: str) -> tuple[tuple[Formula, ...], ...]:
-        """Vector fields along a path, each with a component for each coordinate; one expression for one coordinate."""
-        n = len(self.names.space.q)
-        if isinstance(value, str) and n == 1:
-            return ((self._formula(value, entry, where),),)
-        rows = document.listing(value, where)
-        if not rows or any(len(document.listing(row, where)) != n for row in rows):
-            raise InputError(f"a list of fields is expected, each a list of {n} components", where)
-        return tuple(
-            tuple(self._formula(v, entry, f"{where}, field {i}, component {j}") for j, v in enumerate(row, 1))
-            for i, row in enumerate(rows, 1)
-        )
-
-    def _functions(self, entry: Key, value: Any, where: str) -> dict[sp.Expr, Formula]:
-        """The table "x(t)" = formula: functions that the file declares, of different names, each with its formula."""
-        found: dict[sp.Expr, Formula] = {}
-        for text, given in document.table(value, where).items():
-            place = f"{where}, {text[:80]!r}"
-            call = self._call(text, entry, place)
-            if any(call.func == other.func for other in found):
-                raise InputError(f"{call.func.__name__!r} is given twice", place)
-            found[call] = self._formula(given, entry, place)
-        if not found:
-            raise InputError('at least one function is expected, as in "x(t)" = "A*cos(t)"', where)
-        for formula in found.values():
-            for name in sorted({call.func.__name__ for call in found} & {name for name, _ in formula.calls}):
-                raise InputError(f"the formula {formula} contains {name!r} itself: write it out", where)
-        return found
 
     def _check_hamiltonian(self, coordinates: tuple[sp.Symbol, ...]) -> None:
         """Refuse a Hamiltonian in phase-space variables that the tensor's bracket doesn't know."""

@@ -26,7 +26,8 @@ import sympy as sp
 
 from canon.errors import InputError
 from canon.numeric.integrators.problem import Splitting, State
-from canon.numeric.split_hamiltonian import Parameters, shear, split_hamiltonian
+from canon.numeric.shears import Parameters, shear
+from canon.numeric.split_hamiltonian import split_hamiltonian
 
 DIGITS: Final = 25
 """Decimal digits with which a state's energy is computed: near the centre it is the difference of larger numbers."""

@@ -12,7 +12,7 @@ from canon.errors import InputError
 from canon.numeric.integrators.problem import Splitting, State
 from canon.numeric.integrators.time_transformation import logarithmic, logarithmic_state
 from canon.numeric.lower import lower_map
-from canon.numeric.split_hamiltonian import Parameters
+from canon.numeric.shears import Parameters
 
 
 @dataclass(frozen=True)

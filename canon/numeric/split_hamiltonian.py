@@ -6,26 +6,18 @@ one part. Beside these: kinetic energy with a quadratic potential and a rotation
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from canon.errors import InputError
-from canon.numeric.gradient import gradient, monomial
+from canon.numeric.gradient import monomial
 from canon.numeric.integrators.parts import commutes, kepler_part, quadratic_part
-from canon.numeric.integrators.problem import ExactPart, Part, Shear, Splitting, clock_part
-from canon.numeric.lower import lower
-from canon.numeric.pair_sum import PairSum
-from canon.numeric.rows import lower_rows, same_shape
-
-WRITTEN_OUT: Final = 12
-"""Coordinates up to which every formula is written out: one orbit of a small system is fastest so."""
-Parameters = Mapping[sp.Symbol, Any]
-Formula = Any
-"""A sympy expression: its operations have no useful types."""
+from canon.numeric.integrators.problem import ExactPart, Part, Splitting, clock_part
+from canon.numeric.shears import Formula, Parameters, shear, sides_of
 
 
 @dataclass(frozen=True)
@@ -59,22 +51,11 @@ def split_hamiltonian(
     return tuple(found for found in order if found is not None)
 
 
-def _sides(term: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol]) -> tuple[int, ...] | None:
-    """For each degree of freedom 1 if q occurs, -1 if p does, 0 if neither; None if both do."""
-    free = term.free_symbols
-    sides = []
-    for x, y in zip(q, p, strict=True):
-        if x in free and y in free:
-            return None
-        sides.append(1 if x in free else -1 if y in free else 0)
-    return tuple(sides)
-
-
 def _shears(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Symbol | None) -> SplitHamiltonian | None:
     groups: list[tuple[list[int], list[sp.Expr]]] = [([-1] * len(q), []), ([1] * len(q), [])]
     mixed = []
     for term in sp.Add.make_args(H):
-        sides = _sides(term, q, p)
+        sides = sides_of(term, q, p)
         if sides is None:
             return None
         if all(side <= 0 for side in sides):
@@ -84,7 +65,7 @@ def _shears(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Sy
         else:
             mixed.append((term, sides))
     for k in (0, 1):
-        used = [_sides(term, q, p) or () for term in groups[k][1]]
+        used = [sides_of(term, q, p) or () for term in groups[k][1]]
         groups[k] = ([next((s[i] for s in used if s[i]), 0) for i in range(len(q))], groups[k][1])
     for term, sides in mixed:
         for place, terms in reversed(groups):
@@ -105,69 +86,6 @@ def _shears(H: Formula, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], t: sp.Sy
 
     kind = "T(p) + V(q)" if not mixed and len(parts) == 2 else f"{len(parts)} shears"
     return SplitHamiltonian(kind, tuple(parts), tuple(names), nystrom, any(timed), build)
-
-
-def shear(
-    H: sp.Expr,
-    q: Sequence[sp.Symbol],
-    p: Sequence[sp.Symbol],
-    t: sp.Symbol | None,
-    parameters: Parameters,
-    name: str = "",
-) -> Shear:
-    """The part with Hamiltonian H, which has q or p, not both, of every degree of freedom, on slots (q, p)."""
-    if _sides(H, q, p) is None:
-        raise InputError(f"{H} has a coordinate together with its own momentum: no shear solves it")
-    rates = [gradient(H, tuple(p)), tuple(-slope for slope in gradient(H, tuple(q)))]
-    slots = tuple(k for k in (0, 1) if any(rate != 0 for rate in rates[k]))
-    values = {symbol: float(value) for symbol, value in parameters.items()}
-    place = (*q, *p, *(() if t is None else (t,)), *values)
-    wanted = tuple(rate for k in slots for rate in rates[k])
-    count = len(q)
-    moment = () if t is None else (0.0,)
-    if wanted and (count > WRITTEN_OUT or H.atoms(PairSum) or same_shape(wanted, (*q, *p), place[2 * count :])):
-        return Shear(slots, _rows(H, wanted, q, p, t, values), name)
-    lowered = lower(wanted, place)
-
-    def rate(state: Any, t_now: Any) -> tuple[Any, ...]:
-        import jax.numpy as jnp
-
-        times = moment if t is None or t_now is None else (t_now,)
-        found = lowered(*state[0], *state[1], *times, *values.values())
-        chunks = []
-        for index, slot in enumerate(slots):
-            components = found[index * count : (index + 1) * count]
-            old = state[slot]
-            if isinstance(old, tuple):
-                chunks.append(tuple(components))
-            else:
-                chunks.append(
-                    jnp.stack([jnp.broadcast_to(jnp.asarray(x, old.dtype), old.shape[1:]) for x in components])
-                )
-        return tuple(chunks)
-
-    return Shear(slots, rate, name)
-
-
-def _rows(H: Formula, wanted: Any, q: Any, p: Any, t: sp.Symbol | None, values: Mapping[Any, float]) -> Any:
-    """The rates of a part with many coordinates: one small program, for slots that are arrays or tuples of them."""
-    free = H.free_symbols
-    read = [k for k, symbols in enumerate((q, p)) if free & {*symbols}]
-    symbols = tuple(symbol for k in read for symbol in (q, p)[k])
-    program = lower_rows(wanted, symbols, (*(() if t is None else (t,)), *values))
-    count = len(q)
-
-    def rate(state: Any, now: Any) -> tuple[Any, ...]:
-        import jax.numpy as jnp
-
-        slots = [jnp.stack(slot) if isinstance(slot, tuple) else slot for slot in (state[k] for k in read)]
-        z = slots[0] if len(slots) == 1 else jnp.concatenate(slots)
-        times = () if t is None else (0.0 if now is None else now,)
-        found = program(z, *times, *values.values())
-        chunks = [found[k : k + count] for k in range(0, len(wanted), count)]
-        return tuple(tuple(x) if isinstance(state[read[0]], tuple) else x for x in chunks)
-
-    return rate
 
 
 def with_clock(parts: Sequence[Part], timed: Sequence[bool], nystrom: bool) -> Splitting:

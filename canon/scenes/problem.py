@@ -16,7 +16,8 @@ from canon.numeric.integrators.side_by_side import SideBySide
 from canon.numeric.pair_sum import PairSum
 from canon.numeric.pendulum_formula import SOURCE as PENDULUM
 from canon.numeric.pendulum_formula import pendulum_of
-from canon.numeric.split_hamiltonian import SplitHamiltonian, quadratic_in, shear, split_hamiltonian, with_clock
+from canon.numeric.shears import shear
+from canon.numeric.split_hamiltonian import SplitHamiltonian, quadratic_in, split_hamiltonian, with_clock
 from canon.scenes.model import Model
 from canon.scenes.rigid_model import KINETIC, rigid_splitting
 from canon.scenes.skates import skate_splitting

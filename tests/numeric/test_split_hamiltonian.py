@@ -9,7 +9,8 @@ from canon.numeric.integrate import integrate
 from canon.numeric.integrators.blanes_moan import BLANES_MOAN_4, BLANES_MOAN_6
 from canon.numeric.integrators.nystrom_8 import NYSTROM_8
 from canon.numeric.integrators.parts import quadratic_part, rayleigh_part
-from canon.numeric.split_hamiltonian import shear, split_hamiltonian
+from canon.numeric.shears import shear
+from canon.numeric.split_hamiltonian import split_hamiltonian
 
 x, y, px, py, t = sp.symbols("x y p_x p_y t", real=True)
 m, B, a = sp.symbols("m B a", positive=True)

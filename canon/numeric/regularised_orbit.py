@@ -103,6 +103,7 @@ def regularised_orbit(
     good = int(np.searchsorted(passed, clock[-1], side="right"))
     found, reach = _at(kepler, method, run, kept, passed[:good])
     q_found, p_found = kepler.shown(found)
+    q_found[0], p_found[0] = q, p  # not rounded there and back
     return RegularisedOrbit(moments, q_found, p_found, run.steps, run.step, reach, run.engine, interrupted)
 
 

@@ -92,7 +92,7 @@ def run_regularised(scene: Scene) -> tuple[Problem, Choice, Planned]:
             step = orbit.reach / FEWEST  # so short a way is one to the last state alone, whatever the step
             continue
         interrupted, step = orbit.interrupted, step / 2
-        run, spent = _run(orbit, times, centre), time.process_time() - before
+        run, spent = _run(orbit, times, centre, scene.q), time.process_time() - before
         whole = bool(runs) and run.completed == runs[-1].completed == settings.samples
         difference = distance(run, runs[-1]) if whole else math.inf
         if len(runs) > 1 and trials[-1].difference < min(difference, ROUNDING):
@@ -173,10 +173,11 @@ def _centres(H: Any, q: Sequence[sp.Symbol]) -> list[np.ndarray]:
     return [*found.values()]
 
 
-def _run(orbit: RegularisedOrbit, times: np.ndarray, centre: np.ndarray) -> Run:
+def _run(orbit: RegularisedOrbit, times: np.ndarray, centre: np.ndarray, begin: Sequence[float]) -> Run:
     samples, good = len(times), len(orbit.q)
     rows = [np.full((samples, orbit.q.shape[1]), np.nan) for _ in range(2)]
     rows[0][:good], rows[1][:good] = orbit.q + centre, orbit.p
+    rows[0][0] = begin
     span = float(times[-1] - times[0])
     mean, stored, ended = span / max(orbit.steps, 1), (rows[0], rows[1]), good < samples
     return Run(

@@ -65,6 +65,8 @@ def test_a_centre_elsewhere() -> None:
     moved = moved.replace("y/50", "(y + 7)/50")
     here, there = of(COMET), of(moved)
     assert there.ok
+    assert there.q[0].tolist() == [0.35, -7.0]
+    assert there.p[0].tolist() == [0.0, 12.0]
     assert there.q == pytest.approx(here.q + np.array([0.3, -7.0]), abs=1e-7)
 
 

@@ -19,6 +19,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from decimal import Decimal, localcontext
 from typing import Any, Final
 
 import numpy as np
@@ -30,7 +31,7 @@ from canon.numeric.shears import Parameters, shear
 from canon.numeric.split_hamiltonian import split_hamiltonian
 
 DIGITS: Final = 25
-"""Decimal digits with which a state's energy is computed: near the centre it is the difference of larger numbers."""
+"""Decimal digits of V in a state's energy, which the sum has twice as many of."""
 DISTANCE: Final = sp.Dummy("r", positive=True)
 """Stands for the distance while a formula is taken apart."""
 Formula = Any
@@ -42,10 +43,11 @@ Vector = Sequence[float] | np.ndarray
 class Regularised:
     """`K`(u, b; w, −t) of H(q, p[, t]), and the `problem` of its motion, on slots (u…, b) and (w…, −t).
 
-    The time of a state is `t0` − its last momentum. `mass` and `strength` are m and k; on a line x keeps the `sign`.
+    The time of a state is `t0` − its last momentum. `rest` is V(q, t), `mass` and `strength` are m and k; on a line x
+    keeps the `sign`.
     """
 
-    H: sp.Expr
+    rest: sp.Expr
     K: sp.Expr
     coordinates: tuple[sp.Symbol, ...]
     momenta: tuple[sp.Symbol, ...]
@@ -67,11 +69,29 @@ class Regularised:
             raise InputError(f"the motion begins at {x}, which is no place that has these coordinates")
         u = preimage(x * self.sign)
         w = 2 * matrix(u).T @ (y * self.sign)
-        exact: dict[Any, Any] = dict(zip(self._place, map(sp.Rational, map(float, [*x, *y, self.t0])), strict=False))
-        b = -self.H.evalf(DIGITS, subs=exact)
-        if not (b.is_real and b.is_finite):
-            raise InputError(f"the Hamiltonian has no value at the beginning, but {b}")
-        return np.array([*u, float(b)]), np.array([*w, 0.0])
+        b = -self.energy(x, y)
+        return np.array([*u, b]), np.array([*w, 0.0])
+
+    def energy(self, q: np.ndarray, p: np.ndarray) -> float:
+        """H of just these numbers at t0, in `DIGITS`: near the centre it is the difference of larger ones.
+
+        **Raises:** `InputError` where V has no value there.
+        """
+        if self.rest == 0:
+            V = Decimal(0)
+        else:
+            exact: dict[Any, Any] = dict(
+                zip(self._place, map(sp.Rational, map(float, [*q, *p, self.t0])), strict=False)
+            )
+            value = self.rest.evalf(DIGITS, subs=exact)
+            if not (value.is_real and value.is_finite):
+                raise InputError(f"the Hamiltonian has no value at the beginning: its potential is {value}")
+            V = Decimal(str(value))
+        with localcontext() as context:
+            context.prec = 2 * DIGITS
+            r = sum((Decimal(float(x)) ** 2 for x in q), Decimal(0)).sqrt()
+            square = sum((Decimal(float(y)) ** 2 for y in p), Decimal(0))
+            return float(square / (2 * Decimal(self.mass)) - Decimal(self.strength) / r + V)
 
     def shown(self, states: State) -> tuple[np.ndarray, np.ndarray]:
         """Positions (…, d) and momenta (…, d) of states (…, n)."""
@@ -162,9 +182,10 @@ def regularised(
     else:
         T, W = (shear(part, coordinates, momenta, None, {}, name) for part, name in ((kinetic, "T"), (well, "V")))
         problem = Splitting((T, W), None, True)
+    potential: Formula = rest.xreplace({DISTANCE: sp.sqrt(sum((x**2 for x in q), sp.S.Zero))})
     place = (*q, *p) if t is None else (*q, *p, t)
     return Regularised(
-        formula, K - strength, coordinates, momenta, problem, float(mass), float(strength), t0, side, place,
+        potential, K - strength, coordinates, momenta, problem, float(mass), float(strength), t0, side, place,
     )  # fmt: skip
 
 

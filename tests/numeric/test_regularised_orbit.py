@@ -1,5 +1,6 @@
 """Levi-Civita's coordinates and Kustaanheimo and Stiefel's: what they are, proved; orbits through collisions there."""
 
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
@@ -114,6 +115,14 @@ def test_states_there_and_back(place: Any, sign: float) -> None:
     if len(q) == 3:
         (u1, u2, u3, u4), (w1, w2, w3, w4) = state[0][:4], state[1][:4]
         assert abs(u1 * w4 - u2 * w3 + u3 * w2 - u4 * w1) < 1e-15
+
+
+def test_the_energy_is_that_of_the_numbers_that_are_given() -> None:
+    """At e = 0.99 it is the difference of sums two hundred times as large, as fractions have it."""
+    x0, v = Fraction(float(ellipse(0.99)[0][0])), Fraction(float(ellipse(0.99)[1][1]))
+    exact = v * v / 2 - 1 / x0
+    assert plane().energy(*ellipse(0.99)) == float(exact)
+    assert plane(BUMP).energy(*ellipse(0.99)) == float(exact + Fraction(1, 1000) / x0**2)
 
 
 SLOW_SPLITTING = pytest.param(SPLITTING, id=SPLITTING.name, marks=pytest.mark.slow)

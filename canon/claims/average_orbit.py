@@ -35,7 +35,10 @@ AVERAGES = 4
 def over_orbits(question: Question) -> Outcome:
     """The average of f over one period of the libration at the energy is `equals`: refuted at one choice of the
     constants, or supported."""
-    f = question.formula("f")
+    f, space = question.formula("f"), question.space
+    moving = {*space.q, space.t} - {question.key("coordinate")}
+    for symbol in sorted(f.expr.free_symbols & moving, key=str):
+        raise InputError(f"{symbol} moves too, and not with the orbit's period: give the `motion`", "key 'f'")
     try:
         setting = setting_of(question, f)
     except NotQuadratic as reason:

@@ -58,6 +58,15 @@ def test_no_average_is_refuted_where_no_motion_goes_on_for_ever(status, H, symbo
     assert status(claim, symbols=SYMBOLS + symbols + "\n", hamiltonian=f'H = "{H}"', **domain) == expected
 
 
+def test_what_moves_besides_is_no_constant_of_an_orbit(ask):
+    """The average of sin t over the period 2π is 0, at no fixed time; that of another coordinate is none."""
+    orbit = 'kind = "average"\nequals = 0\ncoordinate = "q"\nenergy = "E"\n'
+    with pytest.raises((InputError, AssertionError), match="t moves too"):
+        ask(orbit + 'f = "sin(t)"', hamiltonian='H = "p**2/2 + q**2/2"')
+    with pytest.raises((InputError, AssertionError), match="y moves too"):
+        ask(orbit + 'f = "y"', space='q = ["q", "y"]\np = ["p", "py"]\n', hamiltonian='H = "p**2/2 + q**2/2 + py**2/2"')
+
+
 def _motion(f: str, equals: str, motion: str, parameter: str, to: str = "2*pi") -> str:
     head = f'kind = "average"\nf = "{f}"\nequals = "{equals}"\nparameter = "{parameter}"\nfrom = 0\nto = "{to}"\n'
     return head + f"motion = {{{motion}}}"

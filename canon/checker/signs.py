@@ -186,7 +186,7 @@ class Signs:
             if outer and (never or not strict):
                 return self._holds(rest if outer > 0 else minus(rest), strict=strict, depth=depth)
         for other in self._positive:
-            quotient = divided(p, other) if 1 < len(other) < len(p) else None
+            quotient = divided(p, other) if 1 < len(other) <= len(p) else None
             if quotient is not None:
                 return self._holds(quotient, strict=strict, depth=depth - 1)
         rules = self._by_roots, self._by_squares, self._by_conditions, self._by_bounds

@@ -49,6 +49,8 @@ CLAIMS = {
     ("course", "hamilton-jacobi-free-polar"): (1,),
     ("course", "action-angle-oscillator"): (2, 3),
     ("actions", "free-symmetric-top-angles"): (0, 2),
+    ("actions", "tangent-well-action"): (0, 1),
+    ("actions", "double-well-action"): (0,),
     ("course", "limits"): (4, 5, 8, 16, 19, 20, 21, 22),
     ("course", "angle-without-a-shift"): (6, 8),
 }
@@ -58,7 +60,7 @@ IN_PART = {
     ("flows", "pendulum-time-energy", 2): "not in intervals",
     ("transformations", "oscillator-type-2", 0): "on a connected cell",
     ("transformations", "rotating-polar-coordinates", 1): "is exact",
-    ("actions", "heavy-top-actions", 0): "points where it was measured",
+    ("actions", "power-law-action", 1): "points where it was measured",
 }
 PATHS = {(Path(str(file)).parent.name, Path(str(file)).stem): Path(str(file)) for file in files()}
 

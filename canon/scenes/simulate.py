@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from difflib import get_close_matches
 from typing import Final
 
 import numpy as np
@@ -89,10 +90,12 @@ def simulate(
     _check_start(scene)
     begun = time.process_time()
     settings = scene.settings
-    if settings.integrator in AS_A_WHOLE:
+    if near := get_close_matches(settings.integrator or "", AS_A_WHOLE, 1, 0.8):
+        if settings.integrator != near[0]:
+            raise InputError(f"no integrator is called {settings.integrator!r}; there is {near[0]}", "integrator")
         if resume is not None:
-            raise InputError(f"a run of {settings.integrator} is not gone on with: it is made anew, and as a whole")
-        problem, choice, planned = AS_A_WHOLE[settings.integrator](scene)
+            raise InputError(f"a run of {near[0]} is not gone on with: it is made anew, and as a whole")
+        problem, choice, planned = AS_A_WHOLE[near[0]](scene)
     else:
         problem, choice, planned = _run(scene, entered, watch=watch, keep=keep, resume=resume, warn=warn)
     run = planned.run

@@ -86,6 +86,7 @@ def test_of_two_centres_the_nearest_is_gone_round() -> None:
         ('"potential"\nV = "y/50"', '"damping"\nrate = 0.1', "no friction"),
         ('"potential"\nV = "y/50"', '"rotating_frame"\nOmega = 0.1', "nothing else of the momenta"),
         ("a = 2.0", "a = -2.0", "k > 0"),
+        ('"regularised"', '"regularized"', "there is regularised"),
     ],
 )
 def test_what_it_does_not_run(old: str, new: str, message: str) -> None:

@@ -17,6 +17,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.compiled import compiled_soon
 from canon.numeric.engines import Engine
 from canon.numeric.integrate import Run, advance, flow_map, start
 from canon.numeric.integrators.problem import Splitting
@@ -148,7 +149,7 @@ def _halley(problem: Splitting, method: Any, steps: int) -> Any:
 
     moved = jax.vmap(lambda state, length: flow_map(problem, method, steps=steps, h=length / steps)(state))
 
-    @jax.jit
+    @compiled_soon
     def program(begin: Any, wanted: Any, guess: Any, most: Any, rate: Any) -> Any:
         def narrow(loop: Any) -> Any:
             count, _, length, low, high, _, _ = loop

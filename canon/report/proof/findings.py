@@ -11,6 +11,7 @@ from canon.report.proof.structure import cut
 from canon.report.words import PRICE, shown_witness, value
 from canon.typeset.mixed import pieces, tidied
 from canon.typeset.trees import tree_of
+from canon.verdict import STATUSES
 
 Data = Mapping[str, Any]
 Blocks = list[Block]
@@ -119,7 +120,7 @@ def _told(datum: Any) -> list[Piece]:
         return [piece for k, item in enumerate(datum) for piece in (["; "] if k else []) + _told(item)]
     if not isinstance(datum, str):
         return [value(datum)]
-    if (tree := tree_of(datum)).kind != "verbatim":
+    if datum not in STATUSES and (tree := tree_of(datum)).kind != "verbatim":
         return [cut(tree)]
     return _said(datum)
 
@@ -139,6 +140,8 @@ def side_conditions(certificate: Data) -> Blocks:
 
 def _condition(text: str) -> list[Piece]:
     """A condition: its formulas set as such, the words about and between them left words."""
+    if (whole := tree_of(text)).kind != "verbatim":
+        return [whole]
     found: list[Piece] = []
     for piece in WORDS.split(text):
         tree = tree_of(piece)

@@ -11,9 +11,14 @@ from canon.report.proof.findings import side_conditions
 from canon.report.proof.fitted import fitted
 from canon.report.proof.statement import setting, statement
 from canon.report.words import duration, visible
+from canon.typeset.mixed import in_text
 
 Data = Mapping[str, Any]
 NONE: Final[Data] = {"tables": {}, "known": {}, "cases": [], "domain": [], "witness": None}
+
+
+def _spoken(text: str) -> str:
+    return visible(in_text(text))
 
 
 def section(record: Data, tables: Data, certificate: Data | None) -> Section:
@@ -29,10 +34,10 @@ def section(record: Data, tables: Data, certificate: Data | None) -> Section:
         close += f" Certificate: {visible(str(record['certificate']))}."
     kind = record["kind"].replace("_", " ")
     made = Section(
-        title=visible(record["title"] or f"{kind[0].upper()}{kind[1:]}"),
+        title=_spoken(record["title"] or f"{kind[0].upper()}{kind[1:]}"),
         place=f"{visible(record['file'])} #{record['index'] + 1}, {kind}" if record["file"] else kind,
         status=record["verdict"],
-        source=visible(str(tables["claim"].get("source") or tables.get("source") or "")),
+        source=_spoken(str(tables["claim"].get("source") or tables.get("source") or "")),
         setting=tuple(setting(tables)),
         statement=tuple(statement(tables)),
         proof=(*argument(tables, data, record), *side_conditions(data)),

@@ -100,8 +100,8 @@ def _by_its_keys(claim: Tables, tables: Tables) -> Blocks:
 def _value(value: Any) -> list[str | Tree]:
     if isinstance(value, Mapping):
         pairs = [f"`{k.replace(',', ' ,')}`" if k.isidentifier() else k for k in value]
-        texts = [_short(v) for v in value.values()]
-        return [x for name, text in zip(pairs, texts, strict=True) for x in (f"{name} is ", text, "; ")][:-1]
+        texts = [_value(v) for v in value.values()]
+        return [x for name, text in zip(pairs, texts, strict=True) for x in (f"{name} is ", *text, "; ")][:-1]
     if isinstance(value, list):
         return [x for item in value for x in (*_value(item), ", ")][:-1]
     return [_short(value)]

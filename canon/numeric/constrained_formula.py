@@ -9,8 +9,10 @@ import sympy as sp
 
 from canon.numeric.gradient import gradient
 from canon.numeric.integrators.constrained import Constrained, ConstrainedHamiltonian, Drag, Held, check_on_surface
+from canon.numeric.integrators.multipliers import FEW
 from canon.numeric.lower import lower
 from canon.numeric.precision import double
+from canon.numeric.similar_formulas import similar_formulas
 
 
 def constrained(
@@ -28,7 +30,7 @@ def constrained(
 
     Where H is Σ p²/2m + V(q, t), with the `mass` of every coordinate, it is taken so.
     """
-    surfaces = lower(tuple(constraints), (*q, t))
+    surfaces = _surfaces(constraints, q, t)
     moving = any(t in g.free_symbols for g in constraints)
     kinetic = sp.Add(*(y**2 / (2 * m) for y, m in zip(p, mass, strict=True)))
     V: Any = H - kinetic
@@ -40,7 +42,7 @@ def constrained(
         return Constrained(
             tuple(map(float, mass)),
             force,
-            lambda x, now: surfaces(*x, now),
+            surfaces,
             moving,
             drag,
             strings,
@@ -56,7 +58,15 @@ def constrained(
         return jnp.stack(found[:n]), jnp.stack(found[n:])
 
     linear = all(rate.is_polynomial(*p) and sp.Poly(rate, *p).total_degree() <= 1 for rate in velocity)
-    return ConstrainedHamiltonian(hamilton, lambda x, now: surfaces(*x, now), moving, drag, linear, strings)
+    return ConstrainedHamiltonian(hamilton, surfaces, moving, drag, linear, strings)
+
+
+def _surfaces(constraints: Sequence[sp.Expr], q: Sequence[sp.Symbol], t: sp.Symbol) -> Callable[[Any, Any], Any]:
+    """The constraints as functions: a few written out, many by their similarity."""
+    if len(constraints) > FEW:
+        return similar_formulas(constraints, q, t)
+    lowered = lower(tuple(constraints), (*q, t))
+    return lambda x, now: lowered(*x, now)
 
 
 def drag_of(matrix: Any, rest: Sequence[sp.Expr], q: Sequence[sp.Symbol], t: sp.Symbol) -> Drag:

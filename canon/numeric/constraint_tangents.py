@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from canon.numeric.integrators.constrained import Held, dot, gradients, onto_surface
+from canon.numeric.integrators.constrained import Held, gradients, onto_surface
+from canon.numeric.integrators.multipliers import along
 from canon.numeric.precision import double
 
 
@@ -21,7 +22,7 @@ def tangents(problem: Held, q: np.ndarray, p: np.ndarray, t: float) -> np.ndarra
         x, y = z[:n], z[n:]
         values, rows, rates = gradients(problem, x, t)
         velocity = problem.rates(x, y, t)[0]
-        return jnp.stack([*values, *(dot(row, velocity) + rate for row, rate in zip(rows, rates, strict=True))])
+        return jnp.concatenate([jnp.asarray(values), jnp.asarray(along(rows, velocity, rates))])
 
     with double():
         normals = np.asarray(jax.jit(jax.jacfwd(kept))(jnp.concatenate([jnp.asarray(q), jnp.asarray(p)])))
@@ -35,7 +36,7 @@ def tangent_places(problem: Held, q: np.ndarray, t: np.ndarray) -> np.ndarray:
     import jax.numpy as jnp
 
     with double():
-        rows = jax.jit(lambda x, s: jnp.stack(gradients(problem, x, s)[1]))(jnp.asarray(q).T, jnp.asarray(t))
+        rows = jax.jit(lambda x, s: jnp.asarray(gradients(problem, x, s)[1]))(jnp.asarray(q).T, jnp.asarray(t))
         normals = np.moveaxis(np.asarray(rows), -1, 0)
     _, _, bases = np.linalg.svd(normals)
     return np.swapaxes(bases[:, normals.shape[1] :], 1, 2)

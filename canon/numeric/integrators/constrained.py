@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from canon.numeric.small_systems import solve
+from canon.numeric.integrators.multipliers import Rows, along, combined, dot, products, solve_active, stacked
 
 MOST_ITERATIONS: Final = 40
 
@@ -35,13 +35,14 @@ class Drag:
 class Constrained:
     """H = Σ p²/2m + V(q, t), with `mass` of n entries and `force(q, t)` = −∂V/∂q (n, …).
 
-    `constraints(q, t)` is a tuple of scalars (…), at least one, that vanish on the surface. `moving`: they depend on t.
-    Those in `strings` may also be negative; `active` (m,) is 1 for those that act just now, None where all do.
+    `constraints(q, t)`: scalars (…), at least one, that vanish on the surface, a tuple or an array (m, …); `moving`:
+    they depend on t. Those in `strings` may also be negative; `active` (m,) is 1 for those that act just now, None
+    where all do.
     """
 
     mass: tuple[float, ...]
     force: Callable[[Any, Any], Any]
-    constraints: Callable[[Any, Any], tuple[Any, ...]]
+    constraints: Callable[[Any, Any], Any]
     moving: bool = False
     drag: Drag | None = None
     strings: tuple[int, ...] = ()
@@ -57,9 +58,9 @@ class Constrained:
 
         return np.asarray(self.mass).reshape(-1, *(1,) * (like.ndim - 1))
 
-    def pulls(self, q: Any, p: Any, t: Any, rows: Sequence[Any]) -> list[Any]:
+    def pulls(self, q: Any, p: Any, t: Any, rows: Rows) -> Rows:
         """∂²H/∂p² times each row: how a momentum along it moves q."""
-        return [row / self.masses(q) for row in rows]
+        return [row / self.masses(q) for row in rows] if isinstance(rows, list) else rows / self.masses(q)
 
 
 @dataclass(frozen=True)
@@ -67,7 +68,7 @@ class ConstrainedHamiltonian:
     """Any H(q, p, t) by its `hamilton(q, p, t)` = (∂H/∂p, −∂H/∂q), arrays (n, …); `linear`: ∂H/∂p is linear in p."""
 
     hamilton: Callable[[Any, Any, Any], tuple[Any, Any]]
-    constraints: Callable[[Any, Any], tuple[Any, ...]]
+    constraints: Callable[[Any, Any], Any]
     moving: bool = False
     drag: Drag | None = None
     linear: bool = True
@@ -78,55 +79,50 @@ class ConstrainedHamiltonian:
         """∂H/∂p and −∂H/∂q."""
         return self.hamilton(q, p, t)
 
-    def pulls(self, q: Any, p: Any, t: Any, rows: Sequence[Any]) -> list[Any]:
+    def pulls(self, q: Any, p: Any, t: Any, rows: Rows) -> Rows:
         """∂²H/∂p² times each row."""
         import jax
 
-        return [jax.jvp(lambda y: self.hamilton(q, y, t)[0], (p,), (row,))[1] for row in rows]
+        def pull(row: Any) -> Any:
+            return jax.jvp(lambda y: self.hamilton(q, y, t)[0], (p,), (row,))[1]
+
+        return [pull(row) for row in rows] if isinstance(rows, list) else jax.vmap(pull)(rows)
 
 
 Held = Constrained | ConstrainedHamiltonian
 
 
-def dot(a: Any, b: Any) -> Any:
-    """Σ a b over coordinates."""
-    import jax.numpy as jnp
-
-    return jnp.sum(a * b, axis=0)
-
-
-def solve_active(problem: Held, matrix: list[list[Any]], right: list[Any]) -> list[Any]:
-    """The multipliers x with A x = b of the constraints that act, and 0 of the others."""
-    if problem.active is None:
-        return solve(matrix, right)
-    on = [problem.active[k] for k in range(len(right))]
-    rows = [
-        [entry * on[i] * on[j] + (1 - on[i] if i == j else 0.0) for j, entry in enumerate(row)]
-        for i, row in enumerate(matrix)
-    ]
-    return solve(rows, [on[k] * value for k, value in enumerate(right)])
-
-
-def combined(weights: Sequence[Any], rows: Sequence[Any]) -> Any:
-    """Σ w_k row_k."""
-    total = weights[0] * rows[0]
-    for weight, row in zip(weights[1:], rows[1:], strict=True):
-        total = total + weight * row
-    return total
-
-
-def gradients(problem: Held, q: Any, t: Any) -> tuple[list[Any], list[Any], list[Any]]:
-    """The constraints' values, their gradients (n, …), and their partial derivatives by time."""
+def gradients(problem: Held, q: Any, t: Any) -> tuple[Any, Rows, Any]:
+    """The constraints' values, their gradients (n, …), and their partial derivatives by time: lists, or arrays where
+    there are many constraints.
+    """
     import jax
     import jax.numpy as jnp
 
-    values = [*problem.constraints(q, t)]
+    values = stacked(problem.constraints(q, t))
+    if not isinstance(values, list):
+        return _many_gradients(problem, q, t)
     # every orbit's constraint depends on its own coordinates alone, so the gradient of the sum is all gradients
     rows = [jax.grad(lambda x, k=k: jnp.sum(problem.constraints(x, t)[k]))(q) for k in range(len(values))]
     rates = [0.0 * value for value in values]
     if problem.moving:
         moment = jnp.asarray(t, dtype=float)
         rates = [*jax.jvp(lambda s: problem.constraints(q, s), (moment,), (jnp.ones_like(moment),))[1]]
+    return values, rows, rates
+
+
+def _many_gradients(problem: Held, q: Any, t: Any) -> tuple[Any, Any, Any]:
+    import jax
+    import jax.numpy as jnp
+
+    n = len(q)
+    values, push = jax.linearize(lambda x: stacked(problem.constraints(x, t)), q)
+    ones = jnp.broadcast_to(jnp.eye(n).reshape(n, n, *(1,) * (q.ndim - 1)), (n, *q.shape))
+    rows = jnp.swapaxes(jax.vmap(push)(ones), 0, 1)
+    rates = jnp.zeros_like(values)
+    if problem.moving:
+        moment = jnp.asarray(t, dtype=float)
+        rates = jax.jvp(lambda s: stacked(problem.constraints(q, s)), (moment,), (jnp.ones_like(moment),))[1]
     return values, rows, rates
 
 
@@ -141,10 +137,7 @@ def tangent_momentum(problem: Held, q: Any, p: Any, t: Any, turns: int = 1) -> A
     def closer(_: Any, y: Any) -> Any:
         velocity = problem.rates(q, y, t)[0]
         pulls = problem.pulls(q, y, t, rows)
-        matrix = [[dot(a, b) for b in pulls] for a in rows]
-        shift = solve_active(
-            problem, matrix, [dot(row, velocity) + rate for row, rate in zip(rows, rates, strict=True)]
-        )
+        shift = solve_active(problem.active, products(rows, pulls), along(rows, velocity, rates))
         return y - combined(shift, rows)
 
     return closer(0, p) if turns == 1 else lax.fori_loop(0, turns, closer, p)
@@ -155,7 +148,7 @@ def newton_turns(problem: Held) -> int:
     return 1 if isinstance(problem, Constrained) or problem.linear else 5
 
 
-def reactions(problem: Held, q: Any, p: Any, t: Any) -> list[Any]:
+def reactions(problem: Held, q: Any, p: Any, t: Any) -> Any:
     """The multipliers λ of ṗ = F − Σ λ_k ∂g_k/∂q at a state on the surface: the reaction forces are −λ_k ∂g_k/∂q.
 
     From d²g/dt² = 0 along the motion.
@@ -175,7 +168,7 @@ def reactions(problem: Held, q: Any, p: Any, t: Any) -> list[Any]:
 
     bends = jax.jvp(speeds, (q, p, moment), (velocity, force, jnp.ones_like(moment)))[1]
     pulls = problem.pulls(q, p, t, rows)
-    return solve_active(problem, [[dot(a, b) for b in pulls] for a in rows], [*bends])
+    return solve_active(problem.active, products(rows, pulls), stacked(bends))
 
 
 def onto_surface(problem: Held, q: Any, p: Any, t: Any) -> tuple[Any, Any]:
@@ -185,7 +178,7 @@ def onto_surface(problem: Held, q: Any, p: Any, t: Any) -> tuple[Any, Any]:
     def closer(_: Any, x: Any) -> Any:
         values, rows, _ = gradients(problem, x, t)
         pulls = problem.pulls(x, p, t, rows)
-        shift = solve([[dot(a, b) for b in pulls] for a in rows], values)
+        shift = solve_active(None, products(rows, pulls), values)
         return x - combined(shift, pulls)
 
     q = lax.fori_loop(0, MOST_ITERATIONS, closer, q)

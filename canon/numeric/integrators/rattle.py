@@ -21,13 +21,11 @@ from canon.numeric.integrators.constrained import (
     ConstrainedHamiltonian,
     Drag,
     Held,
-    combined,
-    dot,
     gradients,
     newton_turns,
-    solve_active,
     tangent_momentum,
 )
+from canon.numeric.integrators.multipliers import along, combined, products, solve_active
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.traits import Traits
 
@@ -45,12 +43,12 @@ def _step(problem: Constrained) -> StepMap:
         m = problem.masses(q)
         _, rows, _ = gradients(problem, q, t)
         half = p + h / 2 * problem.force(q, t)
-        pulls = [row / m for row in rows]
+        pulls = problem.pulls(q, p, t, rows)
 
         def improve(now: Any) -> tuple[Any, Any]:
             moved, half = now
             missed, here, _ = gradients(problem, moved, t + h)
-            shift = solve_active(problem, [[dot(new, pull) for pull in pulls] for new in here], missed)
+            shift = solve_active(problem.active, products(here, pulls), missed)
             change = combined(shift, pulls)
             return (moved - change, half - combined(shift, rows) / h), _size(change, q)
 
@@ -75,14 +73,16 @@ def _general_step(problem: ConstrainedHamiltonian) -> StepMap:
         def improve(now: Any) -> tuple[Any, Any]:
             moved, half, multipliers = now
             first, force = problem.rates(q, half, t)
-            new_half = p + h / 2 * force - combined([*multipliers], rows)
+            new_half = p + h / 2 * force - combined(multipliers, rows)
             last, _ = problem.rates(moved, half, t + h)
             new = q + h / 2 * (first + last)
             missed, here, _ = gradients(problem, new, t + h)
-            shift = solve_active(problem, [[h * dot(a, b) for b in pulls] for a in here], missed)
+            shift = solve_active(
+                problem.active, products([h * a for a in here] if isinstance(here, list) else h * here, pulls), missed
+            )
             new_half = new_half - combined(shift, rows)
             new = new - h * combined(shift, pulls)
-            after = (new, new_half, multipliers + jnp.stack(shift))
+            after = (new, new_half, multipliers + jnp.asarray(shift))
             return after, jnp.maximum(_size(new - moved, q), _size(new_half - half, p))
 
         begin = (q, p, jnp.zeros((len(rows), *q.shape[1:])))
@@ -129,6 +129,7 @@ def dragged(problem: Held, drag: Drag) -> StepMap:
     uniform = bool(np.all(matrix == matrix[0, 0] * np.eye(len(matrix))))
 
     def flow(state: State, t: Any, h: Any) -> State:
+        import jax
         import jax.numpy as jnp
 
         q, p, *others = state
@@ -142,10 +143,10 @@ def dragged(problem: Held, drag: Drag) -> StepMap:
 
         moving = decayed(p - rest)
         _, rows, rates = gradients(problem, q, t)
-        pulls = problem.pulls(q, p, t, [decayed(row) for row in rows])
+        slowed = [decayed(row) for row in rows] if isinstance(rows, list) else jax.vmap(decayed)(rows)
+        pulls = problem.pulls(q, p, t, slowed)
         velocity = problem.rates(q, rest + decayed(moving), t)[0]
-        missed = [dot(row, velocity) + rate for row, rate in zip(rows, rates, strict=True)]
-        shift = solve_active(problem, [[dot(a, b) for b in pulls] for a in rows], missed)
+        shift = solve_active(problem.active, products(rows, pulls), along(rows, velocity, rates))
         return (q, rest + decayed(moving - combined(shift, rows)), *others)
 
     return flow

@@ -12,7 +12,8 @@ from dataclasses import dataclass, replace
 from typing import Any, Final, NamedTuple
 
 from canon.numeric.integrators.composed import OneStep
-from canon.numeric.integrators.constrained import Held, combined, dot, gradients, reactions, solve_active
+from canon.numeric.integrators.constrained import Held, gradients, reactions
+from canon.numeric.integrators.multipliers import along, combined, dot, products, solve_active
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Stepper, Time
 from canon.numeric.integrators.traits import Traits
@@ -103,21 +104,20 @@ def _stepper(base: OneStep, problem: Held) -> Stepper:
         _, rows, rates = gradients(problem, q, t)
         velocity = problem.rates(q, p, t)[0]
         pulls = problem.pulls(q, p, t, rows)
-        matrix = [[dot(a, b) for b in pulls] for a in rows]
-        missed = [dot(row, velocity) + rate for row, rate in zip(rows, rates, strict=True)]
+        matrix, missed = products(rows, pulls), along(rows, velocity, rates)
         small = -TAUT * jnp.max(jnp.abs(p))
-        impulses = solve_active(replace(problem, active=active), matrix, missed)
+        impulses = solve_active(active, matrix, missed)
         for _ in strings:
             # a string does not push: one that would is let go, and the others are jerked without it
             for k in strings:
                 pushing = impulses[k] * jnp.sqrt(dot(rows[k], rows[k])) < small
                 active = active.at[k].set(jnp.where(pushing, 0.0, active[k]))
-            impulses = solve_active(replace(problem, active=active), matrix, missed)
+            impulses = solve_active(active, matrix, missed)
         held = replace(problem, active=active)
         after = p - combined(impulses, rows)
         lost = dot(p - after, velocity + held.rates(q, after, t)[0]) / 2
         state = (q, after, *others)
-        multipliers = jnp.stack(reactions(held, q, after, t))
+        multipliers = jnp.asarray(reactions(held, q, after, t))
         loose = jnp.stack([multipliers[k] < 0 if k in strings else jnp.asarray(False) for k in range(len(rows))])
         return state, jnp.where(loose, 0.0, active), lost
 

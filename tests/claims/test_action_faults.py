@@ -1,0 +1,141 @@
+"""Claims of actions that are ill-posed, or about which no motion is: what is said of them."""
+
+from fractions import Fraction
+
+import pytest
+
+from canon.claims.reader import read_text
+from canon.claims.verify import verify
+from canon.errors import InputError
+from tests.claims.test_action import LINE, PLANE, action_claim
+
+
+@pytest.mark.parametrize(
+    ("H", "line", "words"),
+    [
+        ("p**2/2 - cos(q)", action_claim("1"), "say whether the branch"),
+        ("p**2/2 - cos(q)", action_claim("1", branch='"orbit"'), "a branch is"),
+        ("p**2/2 + q**2", action_claim("1", period='"2"'), "a period is one of a rotation"),
+        ("p**2/2 - q**2", action_claim("1"), "no minimum, so that nothing is bound at any energy"),
+        (
+            "p**2/2 - q**2",
+            action_claim("1", fixed='{E = "1"}'),
+            "the motion at E = 1 is not bounded: the potential has no",
+        ),
+        ("p**2/2", action_claim("1"), "there is a rotation only"),
+        ("p**2/2 + q**2*t", action_claim("1"), "H depends on t"),
+        ("p**2/2 + q**2", action_claim("q"), "not of q"),
+        ("p**2/2 + q**2", action_claim("1", fixed='{q = "1"}'), "q moves"),
+        ("p**2/2 - cos(q)", action_claim("1", branch='"rotation"', period='"1"'), "not a period of H"),
+        (
+            "p**2/2 + q**2",
+            action_claim("1", fixed='{E = "-1"}'),
+            "no motion at E = -1; .* librations about q = 0",
+        ),
+        ("p**2/2 + q**2", action_claim("0", fixed='{E = "0"}'), "nothing moves: J = 0"),
+        (
+            "p**2/2 - cos(q)",
+            action_claim("1", branch='"libration"', fixed='{E = "2"}'),
+            "no libration at E = 2.* above 1",
+        ),
+        (
+            "p**2/2 - cos(q)",
+            action_claim("1", branch='"rotation"', fixed='{E = "0"}'),
+            "no rotation at E = 0.*from -1 to 1",
+        ),
+        ("p**2/2 + q**2/2 - q**3/3", action_claim("1", fixed='{E = "1/2"}'), "not bounded.*from 0 to 0.16666"),
+        ("p**2/2 + q**2/2 - q**3/3", action_claim("1", branch='"rotation"'), "H isn't periodic in q"),
+        ("p**2/2 + q**4/4 - q**2/2", action_claim("4/3", fixed='{E = "0"}'), "2 wells have orbits at E = 0"),
+        ("p**2/2 + (1-exp(-q))**2", action_claim("1", fixed='{E = "1"}'), "not bounded.*from 0 to 1"),
+        (
+            "p**2/2 + q**2/2",
+            action_claim("2*pi", fixed='{E = "1"}', well='"7"'),
+            "7 is not inside .* from -1.41421 to 1.41421",
+        ),
+        *(
+            ("p**2/2", action_claim("0", branch='"rotation"', period=f'"{period}"'), "is no period: it is above 0")
+            for period in ("0", "-1", "-2*pi", "2 - sqrt(5)")
+        ),
+        (
+            "p**2/2 + cos(q) + cos(2*q)/3",
+            action_claim("1", branch='"rotation"', period='"1"'),
+            "1 is not a period of H",
+        ),
+        (
+            "(p - 3)**2/2",
+            action_claim("1", branch='"rotation"', period='"1"'),
+            "both branches of the rotation have p > 0",
+        ),
+        (
+            "p**2/2 - cos(q)",
+            action_claim("1", kind="frequency", branch='"libration"', fixed='{E = "1"}'),
+            "exactly that of the separatrix: the period is infinite.*from -1 to 1",
+        ),
+    ],
+)
+def test_bad_input(H, line, words):
+    reading = read_text(f'[phase_space]\n{LINE}[symbols]\nE = "real"\n[hamiltonian]\nH = "{H}"\n[[claim]]\n{line}')
+    assert not reading.problems
+    with pytest.raises(Exception, match=words):
+        verify(reading.claims[0])
+
+
+def test_a_coordinate_that_does_not_separate():
+    reading = read_text(
+        f'[phase_space]\n{PLANE}[hamiltonian]\nH = "p_r**2 + p_theta**2 + r*theta"\n[[claim]]\n{action_claim("1", "r")}'
+    )
+    with pytest.raises(Exception, match="H depends on theta"):
+        verify(reading.claims[0])
+
+
+@pytest.mark.parametrize(
+    ("keys", "words"),
+    [({"coordinate": "x"}, "none of the coordinates q"), ({"fixed": '{z = "1"}'}, "unknown name 'z'")],
+)
+def test_faults_of_the_file(keys, words):
+    coordinate = keys.pop("coordinate", "q")
+    text = f'[phase_space]\n{LINE}[hamiltonian]\nH = "p**2"\n[[claim]]\n{action_claim("1", coordinate, **keys)}'
+    assert words in read_text(text).problems[0]["message"]
+
+
+@pytest.mark.parametrize("half", ["p > 0", "p + q > 0", "p > q", "q + p/1000 > 0"])
+def test_half_a_phase_plane_holds_no_orbit(status, half):
+    """The momentum is no bound of the coordinate: all orbits leave the half, so that nothing is proved or refuted."""
+    sections = {"hamiltonian": 'H = "(p**2 + q**2)/2"', "domain": f'where = ["{half}"]'}
+    assert status(action_claim("2*pi*E"), space=LINE, **sections) == "undecided"
+    assert status(action_claim("2*pi*E + 1"), space=LINE, **sections) == "undecided"
+
+
+def test_an_energy_that_is_not_quadratic_in_the_momentum_is_left_open(ask):
+    (verdict,) = ask(action_claim("1"), space=LINE, hamiltonian='H = "p**4 - p**2 + q**2"')
+    assert verdict.status == "undecided"
+    assert "isn't quadratic in p" in verdict.detail["note"]
+
+
+def test_two_wells_are_ambiguous(ask):
+    sections = {"hamiltonian": 'H = "p**2/2 - q**2/2 + q**4/4"', "symbols": 'E = "negative"'}
+    with pytest.raises(InputError, match="more than one well"):
+        ask(action_claim("1"), space=LINE, **sections)
+    (verdict,) = ask(action_claim("1", well='"1"'), space=LINE, **sections)
+    assert verdict.status == "refuted"
+    (verdict,) = ask(action_claim("1"), space=LINE, domain='where = ["q > 0"]', **sections)
+    assert verdict.status == "refuted"
+
+
+def test_a_mass_of_unknown_sign_leaves_the_sense_open(ask):
+    sections = {"symbols": 'w = "nonzero"', "hamiltonian": 'H = "w*(p**2 + q**2)/2"'}
+    right, wrong = ask(action_claim("2*pi*E/abs(w)"), action_claim("2*pi*E/w"), space=LINE, **sections)
+    assert (right.status, wrong.status) == ("supported", "refuted")
+    assert Fraction(wrong.witness["w"]) < 0
+
+
+@pytest.mark.parametrize("H", ["p**2/2 + q**2/2 + 1j*q", "p**2/2 + c*q**2/2"])
+def test_a_complex_hamiltonian_has_no_action(ask, H):
+    claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"'
+    with pytest.raises(InputError, match="H is complex"):
+        ask(claim, symbols='E = "positive"\nc = "complex"', hamiltonian=f'H = "{H}"')
+
+
+def test_a_real_hamiltonian_in_complex_words(status):
+    claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"'
+    assert status(claim, symbols='E = "positive"', hamiltonian='H = "(p - 1j*q)*(p + 1j*q)/2"') == "proved"

@@ -18,14 +18,14 @@ from canon.checker.closed_actions import closed, constant
 from canon.checker.enclosures import Enclosure, refined
 from canon.checker.followed import at_random, is_identity
 from canon.checker.formulas import ONE, ZERO
-from canon.checker.functions import Unknown
+from canon.checker.functions import Unknown, Unreadable
 from canon.checker.intervals import Intervals, Open
 from canon.checker.orbits import Ends, Form, Momenta, Orbit
 from canon.checker.periods import Square, is_so
 from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_nowhere_zero, is_positive
 from canon.checker.rational import Rational, plain_root
-from canon.checker.shapes import is_smooth
+from canon.checker.shapes import has_complex, is_smooth
 from canon.checker.statement import Statement
 
 DIGITS = 12
@@ -45,10 +45,14 @@ def action(s: Statement) -> Case:
     s.declared |= {E}
     s.without(s.H, [E])
     H = f.substitute(s.H, {n: v for n, v in fixed.items() if n != E})
+    if claim["kind"] == "frequency" and any(f.ops[b] == ("s", E) for a in fixed.values() for b in f.reach(a)):
+        raise Unreadable(f"what is held fixed doesn't change with {E}")
     level, equals = fixed.get(E, f.node("s", E)), s.key("equals")
     given = [f.read(claim[word], s.names) for word in ("period", "well") if word in claim]
     s.written += [level, *fixed.values(), *given]
     period = f.read(claim.get("period", "2*pi"), s.names)
+    if has_complex(s, H) or any(f.ops[b] == ("s", s.time) for b in f.reach(H)):
+        raise Unreadable("an action is one of a real Hamiltonian without time")
     form = Form.of(s, H, x, p)
     rate, rotates = claim["kind"] == "frequency", claim.get("branch") == "rotation"
     if rotates and not form.quadratic:
@@ -70,7 +74,8 @@ def action(s: Statement) -> Case:
 
     def enclosed(own: Intervals, of: Mapping[str, Any]) -> Iterator[Any]:
         """Intervals that hold the action, or the frequency, less what is claimed, of an orbit that may be meant."""
-        if any(f.ops[b] == ("s", p) for a, _ in s.conditions for b in f.reach(a)):
+        said = {*s.words.get(p, ())} - {"real"}
+        if said or any(f.ops[b] == ("s", p) for a, _ in s.conditions for b in f.reach(a)):
             raise Open  # what is said of the momentum may cut the orbit
         numbers, found = Numbers(SOLVED[0]), own.values(f, [level, equals, period, *given], of)
         if rotates and not found[period].a > 0:
@@ -94,7 +99,7 @@ def action(s: Statement) -> Case:
 
     if s.verdict == "proved" and form.quadratic and "well" not in claim:
         g, signs = form.integrand(level, rate=rate, rotates=rotates)
-        known = constant(s, g, signs[0][0], period) if rotates else None
+        known = constant(s, g, [a for a, _ in signs], period) if rotates else None
         zeros = None if rotates else closed(s, g, equals, rate=rate)
         if known is not None:
             zeros = [f.sub(f.mul(equals, known), ONE) if rate else f.sub(known, equals)]
@@ -180,6 +185,10 @@ def _is_whole(s: Statement, K: int) -> bool:
     """Whether all of each angle's cycle is seen to lie where H and the map are smooth, with no bounds on angles."""
     f, angles = s.f, {*s.Q}
     bound = any(f.ops[b][0] == "s" and f.ops[b][1] in angles for a, _ in s.conditions for b in f.reach(a))
+    for name, a in zip((*s.q, *s.p), s.old, strict=True):
+        for word in {*s.words.get(name, ())} - {"real"}:  # what is said of the old variables cuts the cycle, too
+            strict = word == "positive"
+            bound = bound or word not in ("positive", "nonnegative") or not is_positive(s, a, strict=strict, real=True)
     return not bound and all(is_smooth(s, a, angle) for a in (K, *s.old) for angle in s.Q)
 
 

@@ -8,7 +8,7 @@ signs follow; the coordinate is one that is positive where u = q or q² is divid
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from canon.checker.enclosures import Integrand
 from canon.checker.expansions import EXPONENTIAL, Expansion, NoSeries, Series
@@ -26,11 +26,8 @@ def closed(s: Statement, g: Integrand, equals: int, *, rate: bool) -> list[int] 
     """What must be 0 for a libration's action, or with `rate` its frequency, to be what is claimed; None where D has
     none of these forms, or the domain says more of the coordinate than that it is positive, or anything of momenta."""
     f, x, pi = s.f, g.x, s.f.node("s", "pi")
-    moving = [("s", name) for name in (x, *s.p)]
-    bound = any(f.ops[b] in moving for a, _ in s.conditions for b in f.reach(a))
-    bound = bound or any({*s.words.get(name, ())} - {"real"} for name in s.p)
     words = {*s.words.get(x, ())} - {"real"}
-    if bound or s.surface or not words <= {"positive"} or (not rate and f.slope(g.u, x) != ZERO):
+    if _is_bound(s, x) or s.surface or not words <= {"positive"} or (not rate and f.slope(g.u, x) != ZERO):
         return None
     for shape, scale, form, (c0, c1, c2) in _forms(s, g.D, x):
         if shape in ("line", "square") and words != {"positive"}:
@@ -57,10 +54,23 @@ def closed(s: Statement, g: Integrand, equals: int, *, rate: bool) -> list[int] 
     return None
 
 
-def constant(s: Statement, g: Integrand, a: int, period: int) -> int | None:
-    """A rotation's integral over a period, where the momentum is the same at all places and its square's `a` > 0."""
+def _is_bound(s: Statement, x: str) -> bool:
+    """Whether the domain says something of the coordinate, or anything of momenta, beside that the one is positive."""
+    moving = [("s", name) for name in (x, *s.p)]
+    said = any({*s.words.get(name, ())} - {"real"} for name in s.p)
+    return said or any(s.f.ops[b] in moving for a, _ in s.conditions for b in s.f.reach(a))
+
+
+def constant(s: Statement, g: Integrand, signs: Sequence[int], period: int) -> int | None:
+    """A rotation's integral over a period, where the momentum is the same at all places; the factor of its square is
+    positive, and one of its two values: as they are opposite, or what is left of the energy where it is 0 is, too."""
     f = s.f
-    if any(f.slope(x, g.x) != ZERO for x in (g.e, g.u, g.D, a)) or not is_positive(s, a, strict=True, real=True):
+    if _is_bound(s, g.x) or {*s.words.get(g.x, ())} - {"real"} or s.surface:
+        return None
+    still = all(f.slope(x, g.x) == ZERO for x in (g.e, g.u, g.D, signs[0]))
+    if not still or not all(
+        is_positive(s, a, strict=True, real=True) for a in (*signs[: 1 if g.e == ZERO else 2], period)
+    ):
         return None
     return f.mul(period, f.add(g.e, f.mul(g.u, f.power(g.D, f.number(g.r)))))
 

@@ -21,6 +21,7 @@ from canon.checker.followed import at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.motion import Motion, formulas
 from canon.checker.positive import is_nowhere_zero
+from canon.checker.shapes import SMOOTH, is_rational
 from canon.checker.statement import Statement
 
 
@@ -71,19 +72,33 @@ def hamilton_jacobi(s: Statement) -> Case:
     energy = s.key("energy") if word == "W" else f.number(0)
     if len(constants) < len(s.q) and f.ops[energy][0] == "s":
         constants.append(f.ops[energy][1])
-    if len({*constants}) != len(s.q) or {*constants} & {*s.q, *s.p, s.time, *f.functions}:
+    if not len({*constants}) == len(constants) == len(s.q) or {*constants} & {*s.q, *s.p, s.time, *f.functions}:
         raise Unreadable("as many constants as coordinates are needed, none of which moves")
     s.without(s.H, constants)
     momenta = {p: f.slope(S, q) for p, q in zip(s.p, s.q, strict=True)}
     other = f.slope(S, s.time) if word == "S" else f.mul(f.number(-1), energy)
     complete = s.determinant([[f.slope(p, a) for a in constants] for p in momenta.values()])
     names = {f.ops[a][1] for a in f.reach(complete) if f.ops[a][0] == "s"}
-    called = any(f.ops[a][1] in f.functions for a in f.reach(complete))
-    whole = names <= {*s.q, *constants, s.time, "pi"} and not called
+    whole = names <= {*s.q, *constants, s.time, "pi"} and _is_generic(s, complete)
     trusted = "that the integral is complete for all values of the parameters, not only for those tried"
     sure = whole or is_nowhere_zero(s, complete) or _is_complete(s, S, constants, energy, word)
     trusted = "" if sure else trusted
     return Case([f.add(f.substitute(s.H, momenta), other)], [[complete]], momenta, trusted)
+
+
+def _is_generic(s: Statement, a: int) -> bool:
+    """Whether a formula that isn't 0 identically is so on no part of its domain, factor by factor.
+
+    A rational function is none, nor is one that is analytic everywhere; |a| + a is, and √(a²) + a.
+    """
+    f, op = s.f, s.f.ops[a]
+    if op[0] in "*^":
+        return all(_is_generic(s, b) for b in f.parts(a))
+    if op[:2] == ("f", "power") and f.value(op[3][1]) is not None:
+        return _is_generic(s, op[3][0])
+    inside = [f.ops[b] for b in f.reach(a)]
+    entire = all(b[0] != "f" or b[1] in SMOOTH for b in inside) and all(b[0] != "^" or b[2] > 0 for b in inside)
+    return entire or is_rational(s, a)
 
 
 def _is_complete(s: Statement, S: int, constants: list[str], energy: int, word: str) -> bool:

@@ -96,7 +96,7 @@ def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
         raise Unreadable("a generating function needs an explicit map beside it")
     if kind in SQUARE and len(s.Q) != len(s.q):
         raise Unreadable("as many new variables as old ones are needed")
-    own = {str(n) for key in HOLD_NO_FORMULA for n in _texts(claim.get(key))}
+    own = {str(n) for key in NAMING for n in _texts(claim.get(key))}
     for key, value in claim.items():
         side = SIDES.get(key, "old")
         if key in HOLD_NO_FORMULA or (kind in BOTH and side == "old"):

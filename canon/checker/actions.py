@@ -9,7 +9,7 @@ proof; where two ways of measuring it don't agree, nothing is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -77,23 +77,12 @@ def action(s: Statement) -> Case:
         said = {*s.words.get(p, ())} - {"real"}
         if said or any(f.ops[b] == ("s", p) for a, _ in s.conditions for b in f.reach(a)):
             raise Open  # what is said of the momentum may cut the orbit
-        numbers, found = Numbers(SOLVED[0]), own.values(f, [level, equals, period, *given], of)
+        found = own.values(f, [level, equals, period, *given], of)
         if rotates and not found[period].a > 0:
             raise Open
-        point = {n: numbers.mp.mpf(v.mid) for n, v in of.items() if not isinstance(v, str)}
-        momenta = Momenta(form, numbers, point, numbers.mp.mpf(found[level].mid))
-        ends = Ends(s, momenta, 1, Orbit(momenta, rate, DIGITS))
-        integrand, signs = form.integrand(level, rate=rate, rotates=rotates)
-        enclosure = Enclosure(own, of, integrand, [*ends.conditions, *signs], s.words.get(x, ()))
-        if rotates:
-            totals: Any = ([enclosure.over(found[period], n)] for n in (24, 96, 384))
-        else:
-            try:
-                loops = ends.loops(numbers.mp.mpf(found[given[-1]].mid) if "well" in claim else None)
-            except Outside:
-                raise Open from None
-            totals = zip(*(refined(enclosure, *map(Fraction, map(float, loop))) for loop in loops), strict=True)
-        for several in totals:
+        well = found[given[-1]] if "well" in claim else None
+        turn = found[period] if rotates else None
+        for several in _enclosures(s, form, own, of, level, found[level], well, turn, rate=rate):
             values = [(1 / value if rate else value) - found[equals] for value in several]
             yield next((value for value in values if 0 in value), values[0])
 
@@ -110,6 +99,29 @@ def action(s: Statement) -> Case:
     if square is not None and is_so(s, x, square, equals, period if rotates else None, rate=rate):
         case.found = True
     return case
+
+
+def _enclosures(
+    s: Statement, form: Form, own: Intervals, of: Mapping[str, Any], level: int, energy: Any, well: Any, turn: Any,
+    *, rate: bool, bounded: bool = True,
+) -> Iterator[Sequence[Any]]:  # fmt: skip
+    """Ever narrower intervals of the actions, or periods, of orbits: about the well, or over a turn. Raises Open."""
+    numbers, rotates = Numbers(SOLVED[0]), turn is not None
+    point = {n: numbers.mp.mpf(v.mid) for n, v in of.items() if not isinstance(v, str)}
+    momenta = Momenta(form, numbers, point, numbers.mp.mpf(energy.mid))
+    ends = Ends(s, momenta, 1, Orbit(momenta, rate, DIGITS))
+    ends.conditions = ends.conditions if bounded else []
+    integrand, signs = form.integrand(level, rate=rate, rotates=rotates)
+    words = s.words.get(form.x, ()) if bounded else ()
+    enclosure = Enclosure(own, of, integrand, [*ends.conditions, *signs], words)
+    if rotates:
+        yield from ([enclosure.over(turn, n)] for n in (24, 96, 384))
+        return
+    try:
+        loops = ends.loops(numbers.mp.mpf(well.mid) if well is not None else None)
+    except Outside:
+        raise Open from None
+    yield from zip(*(refined(enclosure, *map(Fraction, map(float, loop))) for loop in loops), strict=True)
 
 
 def _square(s: Statement, form: Form, H: int, level: int) -> Square | None:
@@ -155,10 +167,13 @@ def action_angle(s: Statement) -> Case:
     s.written.append(period)
     once = "that each angle advances by its period once round its cycle"
     if s.direction == "forward":
+        if s.verdict == "refuted" and len(s.q) > 1:
+            raise Unknown("a refutation of several angles of a map that is given forward")
         if s.verdict == "refuted":
-            raise Unknown("a refutation of angles of a map that is given forward")
+            return Case([], measured=_unmeasured, enclosed=_advance(s, period))
+        shown = len(s.q) == 1 and not s.surface and _advances(s, period)
         momenta = s.new[len(s.q) :]
-        return Case([*zeros, *(f.bracket(P, s.H, s.f.pairs) for P in momenta)], trusted=once)
+        return Case([*zeros, *(f.bracket(P, s.H, s.f.pairs) for P in momenta)], trusted="" if shown else once)
     if s.direction != "backward":
         raise Unknown("angles of a map that is given by a generating function")
     K = s.pull(s.H)
@@ -179,6 +194,81 @@ def action_angle(s: Statement) -> Case:
         rotates = all(kind == (i != k) for i, kind in enumerate(kinds))
         shown = shown and _apart(s, k) and (rotates or (all(kinds) and _swings(s, k, period)))
     return Case(zeros, trusted="" if shown else once)
+
+
+def _pace(s: Statement, period: int) -> int:
+    """The frequency with which an angle has to advance by its period, P being a function of H: ∂H/∂p over T ∂P/∂p."""
+    f, p = s.f, s.p[0]
+    return f.over(f.slope(s.H, p), f.mul(period, f.slope(s.new[1], p)))
+
+
+def _marked(s: Statement) -> dict[str, int]:
+    """Other names for the coordinate and the momentum of a point, those of its orbit being variables."""
+    names = {name: f"at {name}" for name in (*s.q, *s.p)}
+    s.declared |= {*names.values()}
+    return {name: s.f.node("s", other) for name, other in names.items()}
+
+
+def _advance(s: Statement, period: int) -> Callable[[Intervals, Mapping[str, Any]], Iterator[Any]]:
+    """Intervals of the frequency of a point's orbit, less the one that its angle has."""
+    f, (x,), (p,), at = s.f, s.q, s.p, _marked(s)
+    level, claimed = (f.substitute(a, at) for a in (s.H, _pace(s, period)))
+    form, whole = Form.of(s, s.H, x, p), f.mul(f.number(2), f.node("s", "pi"))
+    turned = f.sub(f.substitute(s.H, {x: f.add(f.node("s", x), whole)}), s.H)
+
+    def enclosed(own: Intervals, of: Mapping[str, Any]) -> Iterator[Any]:
+        if not form.quadratic:
+            raise Open
+        here = {**of, **{f.ops[a][1]: of[name] for name, a in at.items()}}
+        found = own.values(f, [level, claimed, whole], here)
+        turns = [None, *([found[whole]] if is_identity(at_random(s), turned) else [])]
+        for turn in turns:
+            try:
+                for several in _enclosures(
+                    s, form, own, here, level, found[level], of[x], turn, rate=True, bounded=False
+                ):
+                    pace = found[claimed] if found[claimed].a > 0 else -found[claimed]
+                    values = [1 / value - pace for value in several]
+                    yield next((value for value in values if 0 in value), values[0])
+                return
+            except Open:
+                continue
+        raise Open
+
+    return enclosed
+
+
+def _unmeasured(numbers: Any, of: Mapping[str, Any]) -> list[Any]:
+    """What is looked at in intervals alone."""
+    return []
+
+
+def _advances(s: Statement, period: int) -> bool:
+    """Whether the orbit through each point has the frequency that the angle has: the angle's rate is dH/dP, a constant.
+
+    The point's coordinate and momentum get other names, as those of the orbit are variables. The domain bounds where
+    the angle is looked at, and no orbit; so that the orbit closes isn't taken for granted.
+    """
+    f, (x,), (p,) = s.f, s.q, s.p
+    at = _marked(s)
+    level, equals = (f.substitute(a, at) for a in (s.H, _pace(s, period)))
+    kept = s.conditions, s.words, s.names
+    try:
+        s.conditions = [(f.substitute(a, at), kind) for a, kind in s.conditions]
+        s.words = {
+            **s.words,
+            **{f.ops[a][1]: s.words.get(name, ()) for name, a in at.items()},
+            x: ["real"],
+            p: ["real"],
+        }
+        s.names = {name: f.substitute(a, at) for name, a in s.names.items()}
+        square = _square(s, Form.of(s, s.H, x, p), s.H, level)
+        whole = f.mul(f.number(2), f.node("s", "pi"))
+        return square is not None and any(
+            is_so(s, x, square, equals, turn, rate=True, exists=False) for turn in (None, whole)
+        )
+    finally:
+        s.conditions, s.words, s.names = kept
 
 
 def _is_whole(s: Statement, K: int) -> bool:

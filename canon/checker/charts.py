@@ -54,7 +54,7 @@ def charts(s: Statement, r: Rational, q: str, targets: Sequence[int]) -> Iterato
         if op[:2] == ("f", "power") and f.value(op[3][1]) == f.value(f.read("1/2", {})):
             yield from _rooted(s, r, q, a)
         if op[0] == "f" and op[1] in ("sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "coth"):
-            angles.add(op[3][0])
+            angles |= {*op[3]} if t in f.reach(*op[3]) else set[int]()
     if len(angles) == 1:
         yield from _circular(s, r, q, *angles)
 
@@ -107,12 +107,13 @@ def _circular(s: Statement, r: Rational, q: str, angle: int) -> Iterator[Chart]:
     def rules(square: int, other: int, names: Sequence[str]) -> Rule:
         ratio = f.over(square, other)
         images = zip(names, (square, other, ratio, f.over(other, square)), strict=True)
-        return _any(*(_powers(s, lambda a, name=name: f.ops[a][:2] == ("f", name), y) for name, y in images))
+        return _any(*(_powers(s, lambda a, name=name: a == f.node("f", name, (), (angle,)), y) for name, y in images))
 
     squared, circle, hyperbola = f.mul(rate, rate), ("sin", "cos", "tan", "cot"), ("sinh", "cosh", "tanh", "coth")
-    cosine = _any(lambda a: x if f.ops[a][:2] == ("f", "cos") else None, rules(f.mul(left, right), f.mul(x, x), circle))
+    plain, both = f.node("f", "cos", (), (angle,)), f.mul(left, right)
+    cosine = _any(lambda a: x if a == plain else None, rules(both, f.mul(x, x), circle))
     ends, opposite = (f.number(-1), ONE), f.mul(f.number(-1), turn)
-    yield Chart(cosine, f.mul(squared, left, right), *ends, ends, half(1), (opposite, turn), f.mul(f.number(2), turn))
+    yield Chart(cosine, f.mul(squared, both), *ends, ends, half(1), (opposite, turn), f.mul(f.number(2), turn))
     four, quarter = f.mul(f.number(4), squared), f.mul(turn, f.number("1/2"))
     whole = (f.mul(f.number(-1), quarter), quarter)
     yield Chart(rules(x, right, circle), f.mul(four, x, right), ZERO, ONE, (ZERO,), half(2), whole)

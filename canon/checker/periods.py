@@ -28,6 +28,7 @@ from canon.checker.positive import is_positive
 from canon.checker.radicals import Radicals
 from canon.checker.rational import Factor, NoForm, Rational, X
 from canon.checker.reduction import Reduction, reduced
+from canon.checker.roots import multiple
 from canon.checker.statement import Statement
 
 
@@ -47,12 +48,17 @@ class Zero(NamedTuple):
     turns: bool
 
 
-def is_so(s: Statement, x: str, square: Square, equals: int, period: int | None, *, rate: bool) -> bool:
-    """Whether the action is what is claimed, or with `rate` the frequency: of a libration, or over a `period`."""
+def is_so(
+    s: Statement, x: str, square: Square, equals: int, period: int | None, *, rate: bool, exists: bool = True
+) -> bool:
+    """Whether the action is what is claimed, or with `rate` the frequency: of a libration, or over a `period`.
+
+    That there is such an orbit is taken for granted, or not where it isn't known that it `exists`.
+    """
     found = Rational(s)
     for chart in charts(s, found, x, [square.D, square.slope]):
         try:
-            if _Integral(s, found, chart, x, square, rate=rate).is_so(equals, period):
+            if _Integral(s, found, chart, x, square, rate=rate, exists=exists).is_so(equals, period):
                 return True
         except (NoForm, Unreadable, *FAILURES):
             continue
@@ -62,8 +68,11 @@ def is_so(s: Statement, x: str, square: Square, equals: int, period: int | None,
 class _Integral:
     """∫ √R dx in one chart."""
 
-    def __init__(self, s: Statement, r: Rational, chart: Chart, q: str, square: Square, *, rate: bool) -> None:
+    def __init__(
+        self, s: Statement, r: Rational, chart: Chart, q: str, square: Square, *, rate: bool, exists: bool
+    ) -> None:
         self.s, self.f, self.r, self.chart, self.q, self.rate = s, s.f, r, chart, q, rate
+        self.exists = exists
         f, self._known = s.f, dict[tuple[int, int, bool], bool]()
         self.D = chart.moved(s, square.D, q)
         slope = chart.moved(s, f.mul(f.number("1/2"), square.slope), q)
@@ -89,7 +98,7 @@ class _Integral:
     def _merged(self, zeros: Sequence[Zero], turning: Sequence[int]) -> list[Zero]:
         """Equal ones once. An orbit ends at a simple zero of D that is no end of the range of x."""
         found = list[Zero]()
-        for z in zeros:
+        for z in (z._replace(turns=z.turns and not self._is_outside(z.at)) for z in zeros):
             same = next((i for i, y in enumerate(found) if self.r.is_zero(self.f.sub(y.at, z.at))), None)
             if same is None:
                 found.append(z)
@@ -126,13 +135,27 @@ class _Integral:
             return False
 
     @contextmanager
-    def _granted(self, *positive: int) -> Iterator[None]:
+    def _granted(self, *positive: int, sure: bool = False) -> Iterator[None]:
+        """What follows for an orbit that exists, as conditions; where none is granted, what isn't `sure` is seen."""
+        if not (sure or self.exists) and not all(self._is_seen(a) for a in positive):
+            raise NoForm
         kept, known, self._known = self.s.conditions, self._known, {}
-        self.s.conditions = [*kept, *((a, "positive") for a in Radicals(self.s, positive).known())]
+        self.s.conditions = [*kept, *((a, "positive") for a in (*positive, *Radicals(self.s, positive).known()))]
         try:
             yield
         finally:
             self.s.conditions, self._known = kept, known
+
+    def _is_seen(self, a: int) -> bool:
+        """Whether a formula is positive, or a positive multiple of what the domain says to be so."""
+        if is_positive(self.s, a, strict=True, real=True):
+            return True
+        values = self.r.values
+        value = values.value(a)
+        ratios = (
+            multiple(value, values.value(b), values.t.prime) for b, kind in self.s.conditions if kind == "positive"
+        )
+        return any(ratio is not None and ratio > 0 for ratio in ratios)
 
     # -- what is claimed -------------------------------------------------------------------------------
 
@@ -144,12 +167,17 @@ class _Integral:
                 raise NoForm
             if not self.r.is_zero(f.sub(period, chart.period)) or not self._is_inside(None, None):
                 raise NoForm
-            with self._granted(*(f.substitute(self.D, {X: end}) for end in (chart.low, chart.high))):
+            turning = [z.at for z in self.zeros if z.turns]
+            known = [f.substitute(self.D, {X: end}) for end in (chart.low, chart.high)]
+            if not self.exists:  # the zero lies on one side
+                walls = [f.sub(chart.low, z) for z in turning] + [f.sub(z, chart.high) for z in turning]
+                known = [wall for wall in walls if self._is_seen(wall)] if len(turning) == 1 else []
+            with self._granted(*known):
                 ends = [z for z in self.zeros if any(self.r.is_zero(f.sub(z.at, end)) for end in chart.mirrors)]
                 return [z.k for z in ends] == [-1, -1] and any(
                     self._is_elliptic(equals, 2, pair) for pair in (ends, ends[::-1])
                 )
-        turning = [z for z in self.zeros if z.turns and not self._is_outside(z.at)]
+        turning = [z for z in self.zeros if z.turns]
         bounds = list[int]()
         if len(turning) == 1 and self.quadratic is None:
             bounds += [f.sub(turning[0].at, chart.low)] if chart.low is not None else []
@@ -225,13 +253,13 @@ class _Integral:
         f, chart, number = self.f, self.chart, self.f.number
         others = [z for z in self.zeros if z.k % 2 == 0]
         if self.quadratic is not None:
-            if odd or any(z.turns and not self._is_outside(z.at) for z in self.zeros):
+            if odd or any(z.turns for z in self.zeros):
                 raise NoForm
             if not self._is_inside(*chart.half):
                 raise NoForm
             c, b, _ = self.quadratic
             roots = [op[3][0] for op in (f.ops[a] for a in f.reach(equals)) if op[:2] == ("f", "power")]
-            with self._granted(*roots):  # the claim's formula is real
+            with self._granted(*roots, sure=True):  # the claim's formula is real
                 if not all(self._is_forbidden(end) for end in (chart.low, chart.high) if end is not None):
                     raise NoForm
             times, k, sides = 2, -1 if self.rate else 1, [(z, self._side(z.at, chart.low, chart.high)) for z in others]
@@ -244,6 +272,8 @@ class _Integral:
             c, b = f.mul(low.at, high.at), f.mul(number(-1), f.add(low.at, high.at))
             sides = [(z, self._side(z.at, low.at, high.at)) for z in others]
             k, ends = 1, [(Zero(z.at, z.k - 1, False), side) for z, side in ((low, -1), (high, 1))]
+        if not self.exists and not self._is_seen(f.mul(number(-1), self.lead)):
+            raise NoForm
         size = f.mul(number(-1), self.lead)  # of −(x² + b x + c), which is positive along the orbit
         found = reduced(self.r.values, Reduction(
             P=(f.mul(number(-1), c), f.mul(number(-1), b), number(-1)),
@@ -282,8 +312,10 @@ class _Integral:
             raise NoForm  # R isn't positive between
         if any(not self._is_above(*((z.at, high.at) if side > 0 else (low.at, z.at))) for z, side in sides.items()):
             raise NoForm
-        if len(left) == 2 and not self._is_alone(left, sides):
+        if len(left) not in (1, 2) or (len(left) == 2 and not self._is_alone(left, sides)):
             raise NoForm
+        if not self.exists and not all(self._is_outside(z.at) for z in left):
+            raise NoForm  # there may be other motions
         for g in left if len(left) == 2 else [None]:
             third = next(z for z in left if z != g)
             if self._is_legendre(equals, times, (e, o, third, g), [*sides]):

@@ -35,6 +35,8 @@ class Rational:
 
     def __init__(self, s: Statement) -> None:
         self.s, self.f, self.values = s, s.f, at_random(s)
+        for a, _ in s.conditions:
+            is_identity(self.values, a)  # half an angle before the whole one, where the domain is one of halves
         names = {*s.words, *s.q, *s.p} - {*s.f.functions}
         own = [*(s.f.node("s", n) for n in sorted(names)), *s.names.values()]
         self.candidates = [ZERO, ONE, s.f.number(-1), *own]
@@ -116,7 +118,7 @@ class Rational:
             for c in reversed(p[1:-1]):
                 carried.append(f.add(c, f.mul(carried[-1], x)))
             p = tuple(reversed(carried))
-        return p[-1], found, (ONE,)
+        return p[len(p) - 1], found, (ONE,)
 
     def _root(self, a: int) -> int | None:
         """The root of a formula that is a square of positive names and numbers, or 0; None for any other."""

@@ -53,6 +53,10 @@ def map_of(q: str, p: str, H: str = "(p**2 + a**2*q**2)/2", **more: Any) -> dict
 
 
 OSCILLATOR = map_of("sqrt(2*J/a)*sin(w)", "sqrt(2*a*J)*cos(w)", symbols={"a": "positive", "J": "positive"})
+FORWARD = {
+    "transformation": {"Q": ["atan2(a*q, p)"], "P": ["(p**2 + a**2*q**2)/(2*a)"]},
+    "hamiltonian": {"H": "(p**2 + a**2*q**2)/2"},
+}
 ANGLE = {"kind": "action_angle", "angle_period": "2*pi"}
 
 
@@ -85,6 +89,8 @@ FALSE: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "a turn that is two": ({**ANGLE, "angle_period": "4*pi"}, OSCILLATOR),
     "a turn that is half": ({**ANGLE, "angle_period": "pi"}, OSCILLATOR),
     "a turn a thousandth longer": ({**ANGLE, "angle_period": "2*pi*1001/1000"}, OSCILLATOR),
+    "a turn given forward that is two": ({**ANGLE, "angle_period": "4*pi"}, FORWARD),
+    "a turn given forward, a thousandth longer": ({**ANGLE, "angle_period": "2*pi*1001/1000"}, FORWARD),
     "twice round, in bounds": (
         {**ANGLE, "angle_period": "4*pi"},
         OSCILLATOR | {"domain": {"where": ["0 < w", "w < pi/2"]}},
@@ -211,6 +217,10 @@ TRUE: dict[str, tuple[dict[str, Any], dict[str, Any], dict[str, str] | None]] = 
         OSCILLATOR | {"hamiltonian": {"H": "p**2/2 - cos(q)"}}, {"E": "1/3", "a": "1"},
     ),
     "a turn": (ANGLE, OSCILLATOR, {"a": "2", "J": "3", "w": "1/2"}),
+    "a turn given forward": (ANGLE, FORWARD, {"a": "2", "q": "1", "p": "1/3"}),
+    "a turn given forward, and back": (
+        {**ANGLE, "angle_period": "-2*pi"}, FORWARD, {"a": "2", "q": "1", "p": "1/3"}
+    ),
     "a turn without a point": (ANGLE, OSCILLATOR, None),
     "a normal form": (*normal(QUARTIC, {"4": RIGHT}), {"a": "2"}),
     "a normal form's logarithms": (
@@ -260,7 +270,7 @@ LONG = (
     "a pole inside", "a jump inside", "an action", "a frequency", "an action about a well", "a pendulum's action",
     "a radial action", "an isochrone action",
     "an action in exponentials", "an oscillator's half", "a radial action of any coordinate",
-    "an exponential's rate", "a radial action's sign",
+    "an exponential's rate", "a radial action's sign", "a turn given forward", "a turn given forward, and back",
 )  # fmt: skip
 """They are measured first, or enclosed."""
 

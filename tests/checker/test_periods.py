@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from canon.catalogue import files
-from canon.checker.actions import action
+from canon.checker.actions import action, action_angle
 from canon.checker.statement import Statement
 from canon.claims import document
 
@@ -21,7 +21,7 @@ DERIVED = {
     ("spherical-pendulum-action", 1), ("tangent-well-action", 0), ("tangent-well-action", 1), ("action-pendulum", 0),
     ("action-pendulum", 1), ("action-pendulum", 2), ("action-pendulum", 3),
 }  # fmt: skip
-SHORT = ("cubic-well-action", "polar-angle-action", "tangent-well-action", "poschl-teller-actions")
+SHORT = ("cubic-well-action", "polar-angle-action", "tangent-well-action", "action-angle-oscillator-forward")
 
 
 def named(cases: Any) -> list[Any]:
@@ -82,6 +82,8 @@ OTHER: dict[str, tuple[str, int, dict[str, Any]]] = {
         "r": "real", "w": "positive", "a": "positive", "b": "positive"}}),
     "a momentum beside the root": ("relativistic-actions", 0, {
         "hamiltonian": {"H": "sqrt(p**2*c**2 + m**2*c**4) + k*q**2/2 + p/1000"}}),
+    "a cosine of something else": ("action-pendulum", 2, {
+        "hamiltonian": {"H": "p**2/(2*m*l**2) - m*g*l*cos(theta)*cos(g)"}}),
     "an action for a frequency": ("cubic-well-action", 0, {"claim": {"kind": "frequency"}}),
 }  # fmt: skip
 
@@ -95,3 +97,47 @@ def test_not_derived(name: str) -> None:
     right = tables(file, index)
     claim = {**right["claim"], **change.get("claim", {})}
     assert not found({**right, **{key: value for key, value in change.items() if key != "claim"}, "claim": claim})
+
+
+ANGLES = {
+    ("pendulum-angle", 1), ("pendulum-rotation-angle", 1), ("bead-on-a-parabola-angle", 1),
+    ("action-angle-oscillator-forward", 0),
+}  # fmt: skip
+
+
+def advances(of: Any) -> bool:
+    """Whether the checker derives that the angle of a map given forward advances by its period once."""
+    return action_angle(Statement(of, {}, "proved")).trusted == ""
+
+
+@pytest.mark.parametrize(("name", "index"), named(ANGLES))
+def test_an_angle_that_is_given_forward(name: str, index: int) -> None:
+    """By the frequency of the orbit through each point; not by another period, momentum, or H."""
+    right = tables(name, index)
+    assert advances(right)
+    period = right["claim"].get("angle_period", "1")
+    for other in (f"1001/1000*({period})", f"2*({period})", f"({period})/2", f"-({period})"):
+        assert not advances({**right, "claim": {**right["claim"], "angle_period": other}})
+    P = [f"1001/1000*({text})" for text in right["transformation"]["P"]]
+    assert not advances({**right, "transformation": {**right["transformation"], "P": P}})
+
+
+OTHER_ANGLES: dict[str, tuple[str, Any]] = {
+    "a libration's, of rotations": ("pendulum-angle", {"domain": {"where": ["k > 1", "-pi < theta < pi", "p > 0"]}}),
+    "a libration's, of both": ("pendulum-angle", {"domain": {"where": ["-pi < theta < pi", "p > 0"]}}),
+    "a rotation's, of librations": (
+        "pendulum-rotation-angle", {"domain": {"where": ["k < 1", "-pi < theta < pi", "p > 0"]}}),
+    "of a wire that hangs down": ("bead-on-a-parabola-angle", {
+        "hamiltonian": {"H": "p**2/(2*m*(1 + c**2*q**2)) - m*g*c*q**2/2"}}),
+    "of an oscillator that may repel": ("action-angle-oscillator-forward", {
+        "hamiltonian": {"H": "p**2/(2*m) - m*omega**2*q**2/2"}}),
+    "of a barrier beside the well": ("action-angle-oscillator-forward", {
+        "hamiltonian": {"H": "p**2/(2*m) + m*omega**2*q**2/2 - q**3/10**6"}}),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OTHER_ANGLES)
+def test_no_angle(name: str) -> None:
+    file, change = OTHER_ANGLES[name]
+    right = tables(file, next(index for stem, index in ANGLES if stem == file))
+    assert not advances({**right, **change})

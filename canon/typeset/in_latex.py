@@ -8,7 +8,7 @@ from typing import Final
 from canon.typeset.letters import GREEK, split_name
 from canon.typeset.notation import UPRIGHT, Notation
 
-LATEX_GREEK: Final = {word: "\\" + word.replace("amda", "ambda") for word in GREEK}
+LATEX_GREEK: Final = {word: "\\" + {"lam": "lambda"}.get(word, word).replace("amda", "ambda") for word in GREEK}
 _SIGNS: Final = {
     "−": "-", "·": r"\cdot ", "≠": r"\ne ", "≤": r"\le ", "≥": r"\ge ", "⋯": r"\cdots ", "∂": r"\partial ",
     "′": "'", ",": ",\\, ", "+": " + ", "=": " = ", "<": " < ", ">": " > ",

@@ -18,8 +18,11 @@ def _letter(word: str) -> str:
     return unicodedata.lookup(f"GREEK {size} LETTER {word}")
 
 
-GREEK: Final = {name: _letter(word) for word in (*_SMALL, *_CAPITAL) for name in {word, word.replace("amda", "ambda")}}
-"""The letters of the words for them; lambda in both spellings."""
+GREEK: Final = {
+    **{name: _letter(word) for word in (*_SMALL, *_CAPITAL) for name in {word, word.replace("amda", "ambda")}},
+    "lam": _letter("lamda"),
+}
+"""The letters of the words for them; lambda in both spellings, and as Python has to shorten it."""
 
 
 def split_name(name: str) -> tuple[str, str]:

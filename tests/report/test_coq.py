@@ -17,7 +17,7 @@ from canon.claims.reader import read_tables
 from canon.claims.verify import verify
 from canon.errors import InputError
 from canon.report.coq import HEAD, LIBRARY, coq_of
-from canon.report.coq_text import identifiers
+from canon.report.coq_text import identifiers, polynomial, wrapped
 
 COQC = shutil.which("coqc")
 needs_coqc = pytest.mark.skipif(COQC is None, reason="coqc is not installed: apt-get install coq")
@@ -38,6 +38,7 @@ CLAIMS = [
     ("transformations", "henon-map", 2),
     ("transformations", "kustaanheimo-stiefel", 3),
     ("transformations", "momenta-on-a-constraint", 0),
+    ("course", "conjugate-points", 2),  # a sine whose cosine, of pi/8, is known by a relation alone
 ]
 
 ROOT = "sqrt(sqrt(x**2 + 1) + p**2/3)"
@@ -289,3 +290,36 @@ def test_names_are_no_commands() -> None:
     rest = text[text.index("Theorem residual_1") :]
     assert "= sqrt (" in rest
     assert not any(word in rest for word in ("Admitted", "Axiom", "(*"))
+
+
+def test_a_file_has_no_more_than_it_needs() -> None:
+    """Of a polynomial no tactics for denominators; of a bracket its name; differences and quotients as people write."""
+    polynomial_claim = coq_of(data("transformations", "henon-map", 0))
+    assert "Ltac" not in polynomial_claim
+    assert "(* bracket(X, Y) - -b *)\nTheorem residual_1 :" in polynomial_claim
+    assert "  - b - (- b) = 0.\nProof.\n  intros.\n  field.\nQed.\n" in polynomial_claim
+    polar = coq_of(data("transformations", "polar-coordinates", 0))
+    assert "Ltac" in polar
+    assert "(- 1) *" not in polar.partition("Theorem")[2]
+    assert max(map(len, polar.splitlines())) <= 120
+    eighth = coq_of(data("course", "conjugate-points", 2))
+    assert "relation'g9" not in eighth  # no proof uses it
+
+
+@pytest.mark.parametrize(
+    ("terms", "text"),
+    [
+        ({"x^2": "-1", "y": "1", "": "-3/2"}, "- x ^ 2 + y - (3 / 2)"),
+        ({"x y^3": "-2/5"}, "- (2 / 5) * x * y ^ 3"),
+        ({"": "-1"}, "- 1"),
+        ({}, "0"),
+    ],
+)
+def test_polynomials_are_written_with_signs(terms: dict[str, str], text: str) -> None:
+    assert polynomial(terms, {"x": "x", "y": "y"}) == text
+
+
+def test_long_lines_are_broken_at_spaces() -> None:
+    text = wrapped("  " + " + ".join(["g1 ^ 2"] * 40) + ".\nQed.", 60)
+    assert max(map(len, text.splitlines())) <= 60
+    assert " ".join(text.split()) == " + ".join(["g1 ^ 2"] * 40) + ". Qed."

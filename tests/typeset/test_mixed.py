@@ -19,6 +19,8 @@ from canon.verdict import Verdict
         ("-h*(-Subs(V(_a1), (_a1, 2)) + x/2)", ["-h*(-Subs(V(_a1), (_a1, 2)) + x/2)"]),  # tuples aren't formulas
         ("<b>q**2</b> and a/b", ["<b>q**2</b> and ", "$$"]),
         ("", [""]),
+        ("fails: {Q1, P_2}", ["fails: ", "$$"]),
+        ("{a set} of {two}", ["{a set} of {two}"]),
     ],
 )
 def test_formulas_are_found_among_words(text: str, formulas: list[str]) -> None:
@@ -31,6 +33,8 @@ def test_they_are_set_and_words_are_escaped() -> None:
     assert in_html(text).startswith("&lt;b&gt; off by <math>")
     assert in_markdown(text, lambda words: words.upper()).startswith(r"<B> OFF BY $\frac{{q }^{2}}{a }")
     assert in_latex(text).startswith(r"\text{\ensuremath{<}b\ensuremath{>} off by }\frac{")
+    assert "λ" in in_html("lam/2")
+    assert in_latex("lam/2") == r"\frac{\lambda }{2}"
     assert in_text(text) == "<b> off by q^2/a"
 
 

@@ -91,6 +91,8 @@ def test_every_value_displays_itself(shown: dict[str, Any]) -> None:
     assert "[X, Y] &= Z" in SO3._repr_latex_()
     assert "so(3)" in shown["identification"]._repr_html_()
     assert "within it" in shown["audit"]._repr_html_()
+    assert "{Q1,P1}" in shown["audit"]._repr_html_()  # the bracket that its text names
+    assert "{Q,P}" not in shown["audit"]._repr_html_()
 
 
 def test_ipython_shows_it(shown: dict[str, Any]) -> None:

@@ -12,6 +12,7 @@ import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Final
 
 import numpy as np
@@ -151,10 +152,20 @@ def _kepler(scene: Scene) -> tuple[Regularised, np.ndarray]:
         moved = model.H.xreplace({x: x + sp.Float(c, precision=53) for x, c in zip(model.q, centre, strict=True) if c})
         side = scene.q[0] - centre[0]
         try:
-            return regularised(moved, model.q, model.p, model.t, t0=scene.settings.start, sign=side), centre
+            return _regularised(
+                moved, model.q, model.p, model.t, scene.settings.start, math.copysign(1.0, side)
+            ), centre
         except InputError as error:
             reason = error
     raise reason.at("integrator")
+
+
+@lru_cache(maxsize=16)
+def _regularised(
+    H: sp.Expr, q: tuple[sp.Symbol, ...], p: tuple[sp.Symbol, ...], t: sp.Symbol, start: float, side: float
+) -> Regularised:
+    """The same problem for the same Hamiltonian: then its programs are compiled once."""
+    return regularised(H, q, p, t, t0=start, sign=side)
 
 
 def _centres(H: Any, q: Sequence[sp.Symbol]) -> list[np.ndarray]:

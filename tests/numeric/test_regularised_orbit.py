@@ -143,7 +143,8 @@ def test_keplers_orbits_at_times(e: float, tolerance: float, chosen: Any) -> Non
         assert np.abs(state - exact(q, p, time)).max() < tolerance * sizes
 
 
-@pytest.mark.parametrize("sign", [1.0, pytest.param(-1.0, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_fall_into_the_centre_is_thrown_back(sign: float) -> None:
     """From rest at distance 1: back there after π/√2, and as high as it fell at times that are mirrored."""
     made = regularised(attracted(LINE), *LINE, sign=sign)
@@ -203,8 +204,9 @@ def test_against_steps_in_time_itself() -> None:
         regularised_orbit(made, STORMER, q, p, [0.5, 3.5], step=0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not installed(), reason="the extra `native` is not installed")
-@pytest.mark.parametrize("compensated", [False, pytest.param(True, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("compensated", [False, True])
 def test_both_engines_agree(compensated: bool) -> None:
     q, p = ellipse(0.99)
     native, xla = (

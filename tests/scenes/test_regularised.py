@@ -5,6 +5,7 @@ import pytest
 
 from canon.errors import InputError
 from canon.scenes.reader import read_scene_text
+from canon.scenes.regularised import _kepler
 from canon.scenes.simulate import Result, simulate
 
 COMET = """
@@ -59,6 +60,7 @@ def test_a_fall_into_the_centre_goes_on() -> None:
     assert '"regularised" goes through' in ended.messages[0]
 
 
+@pytest.mark.slow
 def test_a_centre_elsewhere() -> None:
     """Moved by (0.3, −7): the same orbit, moved."""
     moved = COMET.replace("[0.05, 0.0]", "[0.35, -7.0]").replace("a = 2.0", "a = 2.0\ncentre = [0.3, -7.0]")
@@ -68,6 +70,15 @@ def test_a_centre_elsewhere() -> None:
     assert there.q[0].tolist() == [0.35, -7.0]
     assert there.p[0].tolist() == [0.0, 12.0]
     assert there.q == pytest.approx(here.q + np.array([0.3, -7.0]), abs=1e-7)
+
+
+def test_the_centre_is_found() -> None:
+    moved = COMET.replace("[0.05, 0.0]", "[0.35, -7.0]").replace("a = 2.0", "a = 2.0\ncentre = [0.3, -7.0]")
+    kepler, centre = _kepler(read_scene_text(moved))
+    assert centre.tolist() == [0.3, -7.0]
+    assert kepler.strength == kepler.mass == 2
+    u1, _, b = kepler.coordinates
+    assert float(kepler.K.coeff(b).coeff(u1, 2)) == 1
 
 
 @pytest.mark.slow

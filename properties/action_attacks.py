@@ -1,8 +1,9 @@
-"""Claims about actions and their mutants, of which it is known whether they are true: is one of them decided wrongly?
+"""Claims made by hand, of which it is known whether they are true: is one of them decided wrongly?
 
-    python -m properties.action_attacks [--budget SECONDS] [--jobs N]
+    python -m properties.action_attacks [FILE] [--budget SECONDS] [--jobs N] [--method METHOD]
 
-`action_attacks.toml` holds them, made by hand: a sign, a factor, a thousandth; energies at and beyond separatrices;
+`meaning_attacks.toml` holds claims about what a claim means, of all kinds. `action_attacks.toml`, where no file is
+named, those about actions and their mutants: a sign, a factor, a thousandth; energies at and beyond separatrices;
 several wells, barriers, branches; variables of one sign, domains that cut the orbit, kinks, masses that change their
 sign; angles of several turns. An ill-posed claim has no orbit, or several: it may be refused or left open. They are
 decided as `canon verify` decides, by workers that stay and are killed where a claim overstays.
@@ -18,15 +19,16 @@ from pathlib import Path
 
 from canon.claims.reader import read_text
 from canon.claims.run import run
+from canon.claims.verify import METHODS
 from canon.claims.worker import Entry, Settings
 from canon.report.record import claim_record
 
 WRONG = {("true", "refuted"), ("false", "proved"), ("ill-posed", "proved"), ("ill-posed", "refuted")}
 
 
-def entries() -> tuple[list[Entry], list[str], list[str]]:
+def entries(path: Path) -> tuple[list[Entry], list[str], list[str]]:
     """The claims, of each its truth, and the file that it is in."""
-    with (Path(__file__).parent / "action_attacks.toml").open("rb") as stream:
+    with path.open("rb") as stream:
         files = tomllib.load(stream)["file"]
     claims, truths, texts = list[Entry](), list[str](), list[str]()
     for number, file in enumerate(files):
@@ -39,14 +41,16 @@ def entries() -> tuple[list[Entry], list[str], list[str]]:
 
 def main() -> int:
     """Prints how many of each truth have each verdict, and what they took; 1 if one is wrong."""
-    parser = argparse.ArgumentParser(description="Decides claims about actions whose truth is known.")
+    parser = argparse.ArgumentParser(description="Decides claims whose truth is known.")
+    parser.add_argument("file", type=Path, nargs="?", default=Path(__file__).parent / "action_attacks.toml")
+    parser.add_argument("--method", choices=METHODS, default="symbolic")
     parser.add_argument("--budget", type=float, default=20, metavar="SECONDS")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="worker processes (default: 1)")
     asked = parser.parse_args()
-    claims, truths, texts = entries()
+    claims, truths, texts = entries(asked.file)
     tally, wrong, start = Counter[tuple[str, str]](), list[str](), time.monotonic()
     slow = list[tuple[float, str, int, str]]()
-    done = run(claims, Settings(budget=asked.budget), claim_record, jobs=asked.jobs)
+    done = run(claims, Settings(budget=asked.budget, method=asked.method), claim_record, jobs=asked.jobs)
     for position, answer in done:
         entry, truth = claims[position], truths[position]
         verdict = answer["claim"]["verdict"] if "claim" in answer else "input error"

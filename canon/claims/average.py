@@ -101,7 +101,9 @@ def _along(question: Question) -> Outcome:
     space, u = question.space, question.key("parameter")
     f, claimed = question.formula("f"), question.formula("equals")
     moving = {*space.old, space.t}
-    for word, formula in (("equals", claimed), *(("motion", m) for m in motion.values())):
+    ends = [question.key(word) for word in ("from", "to")]
+    given = [("to", end) for end in ends if isinstance(end, Formula)]
+    for word, formula in (("equals", claimed), *given, *(("motion", m) for m in motion.values())):
         for symbol in sorted(formula.expr.free_symbols & (moving - {u}), key=str):
             raise InputError(f"{symbol} moves: write it as a formula of {u}", f"key {word!r}")
     missing = [str(s) for s in f.expr.free_symbols & moving if s not in motion and s != u]
@@ -126,7 +128,6 @@ def _along(question: Question) -> Outcome:
     solved = _solves(question, motion, u, span.inside)
     images = {s: m.expr for s, m in motion.items()}
     integrand = as_formula(replaced(f.expr, images) * sp.diff(clock, u))
-    ends = [question.key(word) for word in ("from", "to")]
     if any(isinstance(end, str) for end in ends):
         raise InputError("an average is one over a bounded stretch", "key 'to'")
     stretch = clock.subs(u, ends[1].expr) - clock.subs(u, ends[0].expr)

@@ -17,7 +17,7 @@ from canon.claims.along_a_range import Range, Unproved, holds, is_positive, rang
 from canon.claims.determinant import determinant
 from canon.claims.jacobi_fields import Accessory, Fields, classified_by_fields
 from canon.claims.outcome import Outcome, Residual, combined
-from canon.claims.velocities import Motion, motion
+from canon.claims.velocities import Motion, motion, velocity_names
 from canon.decide.answer import Witness
 from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
 from canon.decide.derivative import derivative, substitute
@@ -50,12 +50,8 @@ def stationary(question: Question) -> Outcome:
     if word is not None and word not in WORDS:
         raise InputError(f"one of {', '.join(WORDS)} is expected, not {word!r}", "key 'extremum'")
     L, path = question.formula("L"), question.formulas("path", question.space.n)
-    moving = {*question.space.old}
-    for formula in path:
-        for symbol in sorted(formula.expr.free_symbols & moving, key=str):
-            raise InputError(f"a path is a function of {question.space.t}, not of {symbol}", "key 'path'")
-    fields = question.key("field")
-    jets = motion(question)
+    fields, jets = question.key("field"), motion(question)
+    _are_of_time(question, path)
     images = _along(question, jets, path)
     try:
         span = _span(question, L, path, jets, images)
@@ -75,6 +71,20 @@ def stationary(question: Question) -> Outcome:
         raise InputError("an extremum is one of real numbers: L or its path is complex", "key 'extremum'")
     second = _second(question, span, jets, question.load(L), images)
     return combined([first, _extremum(question, span, second, word, fields)])
+
+
+def _are_of_time(question: Question, path: Sequence[Formula]) -> None:
+    """**Raises** `InputError` where the path, a field or an end contains what moves."""
+    moving = {*question.space.old, *velocity_names(question, "velocities")}
+    ends = (question.key(word) for word in ("from", "to"))
+    for key, given in (
+        ("path", path),
+        ("field", (component for row in question.key("field") or () for component in row)),
+        ("conjugate", question.key("conjugate") or ()),
+        ("to", (end for end in ends if isinstance(end, Formula))),
+    ):
+        for symbol in sorted({s for formula in given for s in formula.expr.free_symbols & moving}, key=str):
+            raise InputError(f"a path is a function of {question.space.t}, not of {symbol}", f"key {key!r}")
 
 
 def _along(question: Question, jets: Motion, path: Sequence[Formula]) -> dict[Node, Node]:

@@ -67,3 +67,10 @@ def test_no_derivative_by_an_integer(ask, claim, symbols, sections):
     """cos 2πn is 1 for all integers, and so is its derivative 0 where n can't move."""
     with pytest.raises((InputError, AssertionError), match="integer"):
         ask(claim, space=LINE, symbols=symbols, **sections)
+
+
+@pytest.mark.parametrize(("path", "end"), [("v*t", "1"), ("B*t", "q"), ("B*t", "v**2 + 1"), ("p*t", "1")])
+def test_a_path_is_a_function_of_time(ask, path, end):
+    claim = f'kind = "stationary"\nL = "v**2/2"\nvelocities = ["v"]\npath = ["{path}"]\nfrom = 0\nto = "{end}"'
+    with pytest.raises((InputError, AssertionError), match="function of t, not of"):
+        ask(claim, space=LINE, symbols='B = "real"')

@@ -14,7 +14,6 @@ import copy
 import json
 import random
 from collections import Counter, defaultdict
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -23,17 +22,9 @@ from canon.checker.functions import Unreadable
 from canon.claims.reader import read_tables
 from canon.claims.verify import verify
 from canon.errors import CanonError
+from tests.checker.certified import places
 
 Route = tuple[Any, ...]
-
-
-def places(data: Any, path: Route = ()) -> Iterator[Route]:
-    """The path of every table, list and leaf."""
-    if path:
-        yield path
-    items = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
-    for key, item in items:
-        yield from places(item, (*path, key))
 
 
 def changed(data: Any, path: Route, rng: random.Random) -> Any:

@@ -120,20 +120,15 @@ def _refuted(question: Question, place: Place, actual: Ball, difference: Ball) -
 
 
 def _value(question: Question, setting: Setting, place: Place, branch: str, wants_frequency: bool) -> Ball | None:
-    integrand, budget = place.integrand, question.budget
+    integrand = place.integrand
     energy = place.energy if wants_frequency else None
     if not constants_hold(question, setting, integrand):
         return None
     if branch == "rotation":
         return _rotation(question, setting, place, energy)
-    orbit = libration(integrand, place.inside, budget)
-    if orbit is None or not stays_inside(question, setting, integrand, *orbit.outer):
+    orbit = certified_orbit(question, setting, place)
+    if orbit is None:
         return None
-    if question.key("well") is None:
-        check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
-    with precision(BITS):
-        if not guarded(question, setting, integrand, [place.inside, (orbit.left + orbit.right) / 2]):
-            return None
     value = action(integrand, orbit) if energy is None else period(integrand, orbit, energy)
     with precision(BITS):
         leading = integrand.at(question.load(setting.motion.leading), arb(rational(place.inside)))
@@ -184,6 +179,23 @@ def _turn_length(question: Question, setting: Setting, integrand: Integrand) -> 
 
 def _at(question: Question, integrand: Integrand) -> str:
     return ", ".join(f"{question.tape.symbol_at(n)} = {v}" for n, v in sorted(integrand.point.items())) or "this energy"
+
+
+def certified_orbit(question: Question, setting: Setting, place: Place) -> Orbit | None:
+    """The libration at a place, where it is certified to stay in the domain; None where it is not.
+
+    **Raises:** `InputError` where no `well` is named and there is another one.
+    """
+    integrand = place.integrand
+    orbit = libration(integrand, place.inside, question.budget)
+    if orbit is None or not stays_inside(question, setting, integrand, *orbit.outer):
+        return None
+    if question.key("well") is None:
+        check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
+    with precision(BITS):
+        if not guarded(question, setting, integrand, [place.inside, (orbit.left + orbit.right) / 2]):
+            return None
+    return orbit
 
 
 def constants_hold(question: Question, setting: Setting, integrand: Integrand) -> bool:

@@ -10,16 +10,15 @@ from typing import TYPE_CHECKING
 from flint import arb
 
 from canon.claims.action import branch_of, setting_of
-from canon.claims.action_evidence import METHOD, check_one_well, constants_hold, stays_inside, translation
+from canon.claims.action_evidence import METHOD, certified_orbit, constants_hold
 from canon.claims.action_orbits import example, why_not
 from canon.claims.action_places import FAILURES, Place, places, places_by_wells
 from canon.claims.action_region import Setting
 from canon.claims.outcome import Outcome
-from canon.claims.solved_orbits import guarded
 from canon.decide.answer import show_ball
 from canon.decide.arbitrary import rational
 from canon.decide.enclosure import Ball, evaluate, precision
-from canon.decide.libration import BITS, Values, libration
+from canon.decide.libration import BITS, Values
 from canon.decide.orbit_mean import mean
 from canon.errors import InputError
 from canon.mechanics.action_angle import NotQuadratic
@@ -73,17 +72,12 @@ def over_orbits(question: Question) -> Outcome:
 
 
 def _average(question: Question, setting: Setting, place: Place) -> Ball | None:
-    integrand, budget, tape = place.integrand, question.budget, question.tape
+    integrand, tape = place.integrand, question.tape
     if place.energy is None or not constants_hold(question, setting, integrand):
         return None
-    orbit = libration(integrand, place.inside, budget)
-    if orbit is None or not stays_inside(question, setting, integrand, *orbit.outer):
+    orbit = certified_orbit(question, setting, place)
+    if orbit is None:
         return None
-    if question.key("well") is None:
-        check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
-    with precision(BITS):
-        if not guarded(question, setting, integrand, [place.inside, (orbit.left + orbit.right) / 2]):
-            return None
     parts = mean(integrand, orbit, place.energy, question.load(setting.also[0]), tape.symbol(setting.p))
     if parts is None:
         return None

@@ -1,6 +1,7 @@
 """Certificates of claims stated as text, for the checker's tests; they are data, to be changed by copies only."""
 
 import json
+from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
@@ -26,3 +27,12 @@ def certified(text: str, keys: str) -> Any:
 def resealed(data: Any) -> Any:
     """The certificate with the checksum that it now has."""
     return {**data, "checksum": checksum(data)}
+
+
+def places(data: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    """The path of every table, list and leaf."""
+    if path:
+        yield path
+    items = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
+    for key, item in items:
+        yield from places(item, (*path, key))

@@ -8,7 +8,7 @@ import pytest
 
 from canon.checker.check import check
 from canon.checker.functions import Unreadable
-from tests.checker.certified import certified, resealed
+from tests.checker.certified import certified, places, resealed
 
 POLAR = """
 [phase_space]
@@ -65,15 +65,6 @@ def test_what_is_proved_or_refuted_is_confirmed(name: str) -> None:
     data = made(name)
     assert str(check(data)) == "confirmed"
     assert data["verdict"] == ("refuted" if name in ("scale", "wrong H", "not conserved", "dependent") else "proved")
-
-
-def places(data: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
-    """The path of every table, list and leaf."""
-    if path:
-        yield path
-    items = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
-    for key, item in items:
-        yield from places(item, (*path, key))
 
 
 def changed(data: Any, path: tuple[Any, ...]) -> Any:

@@ -15,7 +15,8 @@ from canon.claims.certificate_data import certificate, statement_tables
 from canon.claims.keys import KEYS
 from canon.claims.reader import read_tables
 from canon.claims.verify import verify
-from tests.checker.test_check import changed, places
+from tests.checker.certified import places
+from tests.checker.test_check import changed
 from tests.checker.test_misstated import resealed_status
 
 

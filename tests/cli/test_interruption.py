@@ -16,7 +16,7 @@ from canon.cli import main as command
 from canon.cli.main import main
 from canon.interruption import ABANDONED, Late, Left, heeding, interruptible, left_behind
 from canon.scenes import monitors
-from tests.pendulum import PENDULUM
+from tests.short_scenes import PENDULUM
 
 LONG = 60.0
 SOON = 10.0

@@ -24,7 +24,7 @@ from canon.claims.remembered import Memory, recall, remember
 from canon.claims.worker import Entry, Settings
 from canon.cli.main import main
 from canon.report.record import claim_record
-from tests.pendulum import PENDULUM
+from tests.short_scenes import PENDULUM
 
 CLAIMS = """
 [phase_space]

@@ -10,17 +10,8 @@ import pytest
 from canon.cli.main import main
 from canon.report.whole_file import atomically, written
 from tests.hostile.test_faults import CLAIMS, full_disk
+from tests.short_scenes import PENDULUM
 
-PENDULUM = """
-[system]
-q_names = ["q"]
-p_names = ["p"]
-H = "p**2/2 - cos(q)"
-q = [0.3]
-p = [0.1]
-[run]
-duration = 1.0
-"""
 WRITTEN = {
     "--csv": (["cost", "normal-form", "--order", "3", "--cap", "0.1"], "t.csv", "Lie series"),
     "--plot": (["actions", "pendulum.toml"], "t.svg", "frequency"),

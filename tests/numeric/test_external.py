@@ -12,6 +12,7 @@ from canon.scenes.examples import scene_text
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import simulate
 from canon.scenes.systems import load_system
+from tests.short_scenes import HENON
 
 q, p, t = (sp.Symbol(name, real=True) for name in "qpt")
 
@@ -44,15 +45,7 @@ def test_scenes_agree_with_it(name: str) -> None:
         assert np.abs(ours - theirs).max() < 10 * (scene.settings.accuracy or 1e-9) * np.abs(theirs).max()
 
 
-HENON = """
-[system]
-q_names = ["x", "y"]
-p_names = ["px", "py"]
-H = "(px**2 + py**2)/2 + (x**2 + y**2)/2 + x**2*y - y**3/3"
-q = [0.0, 0.1]
-p = [0.5, 0.0]
-[run]
-duration = 20.0
+CHAOS = f"""{HENON}duration = 20.0
 samples = 6
 integrator = "heyoka"
 monitor = ["energy", "volume"]
@@ -62,13 +55,13 @@ monitor = ["energy", "volume"]
 def test_as_an_integrator_that_is_not_there(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "heyoka", None)
     with pytest.raises(InputError, match=r"integrator: this needs the package heyoka: pip install"):
-        simulate(read_scene_text(HENON))
+        simulate(read_scene_text(CHAOS))
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (HENON.replace("samples", "step = 0.1\nsamples"), "chooses each step by itself"),
+        (CHAOS.replace("samples", "step = 0.1\nsamples"), "chooses each step by itself"),
         (
             '[[body]]\nmass = 1\nposition = [1, 0]\n[[effect]]\nkind = "rod"\nlength = 1\n'
             '[run]\nduration = 1\nintegrator = "heyoka"\n',
@@ -84,8 +77,8 @@ def test_what_it_does_not_run(text: str, message: str) -> None:
 def test_as_an_integrator() -> None:
     """The same interface: states, an estimate of the error that holds, monitors of the state, reasons for others."""
     pytest.importorskip("heyoka")
-    theirs = simulate(read_scene_text(HENON))
-    ours = simulate(read_scene_text(HENON.replace('integrator = "heyoka"', "accuracy = 1e-12")))
+    theirs = simulate(read_scene_text(CHAOS))
+    ours = simulate(read_scene_text(CHAOS.replace('integrator = "heyoka"', "accuracy = 1e-12")))
     assert theirs.ok
     assert np.abs(theirs.q - ours.q).max() < 1e-11
     assert 0 < theirs.planned.error < 1e-12
@@ -104,7 +97,7 @@ def test_interrupted_it_keeps_what_there_is(monkeypatch: pytest.MonkeyPatch) -> 
     pytest.importorskip("heyoka")
     looks = iter([False] * 5 + [True] * 1000)
     monkeypatch.setattr("canon.numeric.external.underway", lambda: lambda: next(looks))
-    found = simulate(read_scene_text(HENON))
+    found = simulate(read_scene_text(CHAOS))
     assert not found.ok
     assert 1 <= len(found.q) < found.scene.settings.samples
     assert "interrupted at t" in found.messages[0]

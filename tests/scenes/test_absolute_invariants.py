@@ -12,16 +12,9 @@ from canon.scenes.absolute_invariants import absolute_invariants, run_map
 from canon.scenes.monitors.tangent import order_drifts
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import Result, simulate
+from tests.short_scenes import HENON
 
-HENON = """
-[system]
-q_names = ["x", "y"]
-p_names = ["px", "py"]
-H = "(px**2 + py**2)/2 + (x**2 + y**2)/2 + x**2*y - y**3/3"
-q = [0.0, 0.1]
-p = [0.5, 0.0]
-[run]
-duration = 20.0
+CHAOS = f"""{HENON}duration = 20.0
 samples = 11
 monitor = ["symplecticity"]
 """
@@ -64,7 +57,7 @@ def drifts(result: Result) -> list[float]:
 
 @pytest.fixture(scope="module")
 def henon() -> Result:
-    return run_of(HENON)
+    return run_of(CHAOS)
 
 
 def test_a_hamiltonian_flow_keeps_every_order(henon: Result) -> None:
@@ -129,7 +122,7 @@ def test_one_rate_contracts_order_k_by_its_kth_power() -> None:
 
 
 def test_surfaces_that_are_stretched_too_far_are_said_to_be() -> None:
-    result = run_of(HENON.replace("20.0", "150.0").replace('"symplecticity"', "").replace("[0.5, 0.0]", "[0.55, 0.1]"))
+    result = run_of(CHAOS.replace("20.0", "150.0").replace('"symplecticity"', "").replace("[0.5, 0.0]", "[0.55, 0.1]"))
     (found,) = absolute_invariants(result, [1], most_points=256)
     assert found.preserved is None
     assert "not resolved" in str(found)

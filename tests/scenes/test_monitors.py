@@ -16,17 +16,10 @@ from canon.scenes.monitors.flow import Flow
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import Result, simulate
 from canon.scenes.systems import load_system
+from tests.short_scenes import HENON
 
 ALL = ("energy", "symplecticity", "volume", "loop", "cartan", "reversibility")
-HENON = """
-[system]
-q_names = ["x", "y"]
-p_names = ["px", "py"]
-H = "(px**2 + py**2)/2 + (x**2 + y**2)/2 + x**2*y - y**3/3"
-q = [0.0, 0.1]
-p = [0.5, 0.0]
-[run]
-duration = 30.0
+HENON_HEILES = f"""{HENON}duration = 30.0
 samples = 41
 """
 
@@ -40,7 +33,7 @@ def readings(text: str, monitors: tuple[str, ...] = ALL, **settings: Any) -> tup
 @pytest.mark.slow
 @pytest.mark.parametrize("integrator", [None, "gauss6"])
 def test_a_hamiltonian_flow_keeps_its_invariants(integrator: str | None) -> None:
-    result, found = readings(HENON, integrator=integrator)
+    result, found = readings(HENON_HEILES, integrator=integrator)
     assert result.ok, result.messages
     assert {reading.expected for reading in found.values()} == {"conserved"}
     assert found["symplecticity"].max_drift < 1e-11
@@ -52,8 +45,8 @@ def test_a_hamiltonian_flow_keeps_its_invariants(integrator: str | None) -> None
 
 @pytest.mark.slow
 def test_a_coarse_symplectic_step_keeps_them_and_runge_kutta_does_not() -> None:
-    _, verlet = readings(HENON, ("symplecticity", "loop"), accuracy=None, step=0.1, integrator="verlet")
-    _, rk4 = readings(HENON, ("symplecticity", "loop"), accuracy=None, step=0.1, integrator="rk4")
+    _, verlet = readings(HENON_HEILES, ("symplecticity", "loop"), accuracy=None, step=0.1, integrator="verlet")
+    _, rk4 = readings(HENON_HEILES, ("symplecticity", "loop"), accuracy=None, step=0.1, integrator="rk4")
     assert verlet["symplecticity"].max_drift < 1e-11 < 1e-8 < rk4["symplecticity"].max_drift
     assert verlet["loop"].max_drift < 1e-14 < 1e-10 < rk4["loop"].max_drift
     assert not rk4["symplecticity"].alarm
@@ -153,7 +146,7 @@ samples = 401
 @pytest.mark.slow
 def test_a_flow_that_is_not_hamiltonian_raises_the_alarm() -> None:
     """The same model, but its steps get a force that is in no Hamiltonian: every monitor sees it."""
-    result, _ = readings(HENON, ())
+    result, _ = readings(HENON_HEILES, ())
 
     def wrong(state: Any, t: Any) -> tuple[Any]:
         x, y = state[0]
@@ -204,7 +197,7 @@ duration = 2.0
 
 def test_a_loop_that_is_torn_is_said_to_be() -> None:
     """A hyperbolic motion stretches any loop by e^30."""
-    text = HENON.replace("(x**2 + y**2)/2 + x**2*y - y**3/3", "(x**2 + y**2)/2*(-1) + x**4").replace(
+    text = HENON_HEILES.replace("(x**2 + y**2)/2 + x**2*y - y**3/3", "(x**2 + y**2)/2*(-1) + x**4").replace(
         "0.5, 0.0", "0.1, 0.0"
     )
     _, found = readings(text.replace("30.0", "60.0"), ("loop",), accuracy=None, step=0.05)

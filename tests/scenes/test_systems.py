@@ -15,8 +15,8 @@ from canon.scenes.examples import scene_text
 from canon.scenes.reader import read_scene_text
 from canon.scenes.simulate import simulate
 from canon.scenes.systems import load_system, system_names
-from tests.pendulum import PENDULUM
 from tests.scenes.ledger import REFERENCES, deviations
+from tests.short_scenes import PENDULUM
 
 SYSTEMS = sorted(REFERENCES)
 LEDGER = {f"S{k:02}" for k in range(1, 32)} | {"S33", "S39"}

@@ -9,6 +9,7 @@ import pytest
 from canon.errors import InputError
 from canon.numeric.actions.separable import staeckel_actions
 from canon.numeric.actions.staeckel_frequencies import staeckel_frequencies
+from tests.numeric.actions.spheroidal import spheroidal_orbit
 
 C, DELTA, M = 0.6, 0.8, 2.0
 KUZMIN_KUTUZOV = "k/(c + sqrt(t + c**2))"
@@ -17,33 +18,7 @@ KUZMIN_KUTUZOV = "k/(c + sqrt(t + c**2))"
 def reference(R: float, z: float, p_R: float, p_z: float, L: float, nodes: int = 120) -> tuple[Any, Any]:
     """(J_λ, J_ν) for V = −1/(√λ + √ν), by Gauss–Chebyshev in l and in n; de Zeeuw (1985)."""
     with mp.workdps(40):
-        R, z, p_R, p_z, L, c, m = map(mp.mpf, (R, z, p_R, p_z, L, C, M))
-        D2 = mp.mpf(DELTA) ** 2
-        S = R * R + z * z + D2
-        l = (S + mp.sqrt(S * S - 4 * z * z * D2)) / 2
-        n = z * z * D2 / l
-        E = (p_R**2 + p_z**2 + L**2 / R**2) / (2 * m) - 1 / (mp.sqrt(l + c * c) + mp.sqrt(n + c * c))
-        I2 = L * L / (2 * m)
-        p_l = p_R * R / (2 * (l - D2)) + p_z * z / (2 * l)
-
-        def depth(t: Any) -> Any:
-            return t * (1 / (c + mp.sqrt(t + c * c)) + E - I2 / (t - D2))
-
-        I3 = depth(l) - 2 * (l - D2) * l * p_l**2 / m
-
-        def zero(a: Any, b: Any) -> Any:
-            for _ in range(140):
-                half = (a + b) / 2
-                a, b = (half, b) if (depth(half) - I3) * (depth(a) - I3) > 0 else (a, half)
-            return a
-
-        low = high = l
-        while depth(low) >= I3:
-            low = D2 + (low - D2) / 2
-        while depth(high) >= I3:
-            high = D2 + (high - D2) * 2
-        low, high = zero(l, low), zero(l, high)
-        top = zero(n if depth(n) < I3 else n / 2, D2 * (1 - mp.mpf(10) ** -30))
+        m, D2, _, _, _, depth, I3, low, high, top = spheroidal_orbit(R, z, p_R, p_z, L, c=C, delta=DELTA, m=M)
 
         def over(f: Any) -> Any:
             angles = [mp.pi * (2 * k + 1) / (2 * nodes) for k in range(nodes)]

@@ -9,6 +9,7 @@ from scipy.integrate import solve_ivp
 
 from canon.numeric.actions.separable import staeckel_actions
 from canon.numeric.actions.staeckel_angles import staeckel_angles
+from tests.numeric.actions.spheroidal import spheroidal_orbit
 
 pytestmark = pytest.mark.slow
 C, DELTA, M = 0.6, 0.8, 2.0
@@ -108,31 +109,8 @@ def reference(state: list[float]) -> list[Any]:
     """By derivatives of S = ∫ p_l dl + ∫ p_n dn + Lφ, and of the actions, each an integral in 40 digits."""
     with mp.workdps(40):
         R, z, phi, p_R, p_z, L = map(mp.mpf, state)
-        c, m, D2 = mp.mpf(C), mp.mpf(M), mp.mpf(DELTA) ** 2
-        S = R * R + z * z + D2
-        l = (S + mp.sqrt(S * S - 4 * z * z * D2)) / 2
-        n = z * z * D2 / l
-        E = (p_R**2 + p_z**2 + L**2 / R**2) / (2 * m) - 1 / (mp.sqrt(l + c * c) + mp.sqrt(n + c * c))
-        I2, p_l = L * L / (2 * m), p_R * R / (2 * (l - D2)) + p_z * z / (2 * l)
+        m, D2, l, n, p_l, depth, I3, low, high, top = spheroidal_orbit(R, z, p_R, p_z, L, c=C, delta=DELTA, m=M)
         p_n = -p_R * R / (2 * (D2 - n)) + p_z * z / (2 * n)
-
-        def depth(t: Any) -> Any:
-            return t * (1 / (c + mp.sqrt(t + c * c)) + E - I2 / (t - D2))
-
-        I3 = depth(l) - 2 * (l - D2) * l * p_l**2 / m
-
-        def zero(a: Any, b: Any) -> Any:
-            for _ in range(150):
-                half = (a + b) / 2
-                a, b = (half, b) if (depth(half) - I3) * (depth(a) - I3) > 0 else (a, half)
-            return a
-
-        low = high = l
-        while depth(low) >= I3:
-            low = D2 + (low - D2) / 2
-        while depth(high) >= I3:
-            high = D2 + (high - D2) * 2
-        low, high, top = zero(l, low), zero(l, high), zero(n, D2 * (1 - mp.mpf(10) ** -30))
 
         def slopes(a: Any, b: Any, x: Any) -> tuple[list[Any], list[Any]]:
             """∫ ∂p/∂(E, I₂, I₃) from a to b, and to x."""

@@ -62,13 +62,16 @@ class Regularised:
         """(u, b) and (w, 0) of the positions and momenta (d,) at t0, with the energy of just these numbers.
 
         **Raises:** `InputError` at the centre, where the direction of motion has no meaning in (q, p), and on the other
-        side of it than the one for which the problem was made.
+        side of it than the one for which the problem was made; so far away that u is beyond double precision.
         """
         x, y = np.asarray(q, dtype=float), np.asarray(p, dtype=float)
         if not 0 < np.hypot.reduce(x) < np.inf or (len(x) == 1 and x[0] * self.sign < 0):
             raise InputError(f"the motion begins at {x}, which is no place that has these coordinates")
-        u = preimage(x * self.sign)
-        w = 2 * matrix(u).T @ (y * self.sign)
+        with np.errstate(over="ignore", invalid="ignore"):
+            u = preimage(x * self.sign)
+            w = 2 * matrix(u).T @ (y * self.sign)
+        if not np.all(np.isfinite([*u, *w])):
+            raise InputError(f"the motion begins at {x}, of which these coordinates are beyond double precision")
         b = -self.energy(x, y)
         return np.array([*u, b]), np.array([*w, 0.0])
 

@@ -9,22 +9,24 @@ proof; where two ways of measuring it don't agree, nothing is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.closed_actions import closed, constant
-from canon.checker.enclosures import Enclosure, refined
 from canon.checker.followed import at_random, is_identity
 from canon.checker.formulas import ONE, ZERO
+from canon.checker.forward_angles import advance, advances, unmeasured
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.intervals import Intervals, Open
+from canon.checker.momentum import squared
+from canon.checker.orbit_enclosures import enclosed_orbits
 from canon.checker.orbits import Ends, Form, Momenta, Orbit
-from canon.checker.periods import Square, is_so
+from canon.checker.periods import is_so
 from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_nowhere_zero, is_positive
-from canon.checker.rational import Rational, plain_root
+from canon.checker.power_wells import is_action
 from canon.checker.shapes import has_complex, is_smooth
 from canon.checker.statement import Statement
 
@@ -82,7 +84,7 @@ def action(s: Statement) -> Case:
             raise Open
         well = found[given[-1]] if "well" in claim else None
         turn = found[period] if rotates else None
-        for several in _enclosures(s, form, own, of, level, found[level], well, turn, rate=rate):
+        for several in enclosed_orbits(s, form, own, of, level, found[level], well, turn, rate=rate, square=solved):
             values = [(1 / value if rate else value) - found[equals] for value in several]
             yield next((value for value in values if 0 in value), values[0])
 
@@ -94,69 +96,15 @@ def action(s: Statement) -> Case:
             zeros = [f.sub(f.mul(equals, known), ONE) if rate else f.sub(known, equals)]
         if zeros is not None:
             return Case(zeros)
-    case = Case([], measured=measured, digits=DIGITS, enclosed=enclosed if form.quadratic else None)
-    square = _square(s, form, H, level) if s.verdict == "proved" and "well" not in claim and not s.surface else None
-    if square is not None and is_so(s, x, square, equals, period if rotates else None, rate=rate):
+    square = squared(s, form, H, level)
+    solved = None if form.quadratic else square
+    case = Case([], measured=measured, digits=DIGITS, enclosed=enclosed if form.quadratic or square else None)
+    stated = s.verdict == "proved" and "well" not in claim and not s.surface
+    if stated and square is not None and is_so(s, x, square, equals, period if rotates else None, rate=rate):
+        case.found = True
+    if stated and not rate and not rotates and is_action(s, form, level, equals):
         case.found = True
     return case
-
-
-def _enclosures(
-    s: Statement, form: Form, own: Intervals, of: Mapping[str, Any], level: int, energy: Any, well: Any, turn: Any,
-    *, rate: bool, bounded: bool = True,
-) -> Iterator[Sequence[Any]]:  # fmt: skip
-    """Ever narrower intervals of the actions, or periods, of orbits: about the well, or over a turn. Raises Open."""
-    numbers, rotates = Numbers(SOLVED[0]), turn is not None
-    point = {n: numbers.mp.mpf(v.mid) for n, v in of.items() if not isinstance(v, str)}
-    momenta = Momenta(form, numbers, point, numbers.mp.mpf(energy.mid))
-    ends = Ends(s, momenta, 1, Orbit(momenta, rate, DIGITS))
-    ends.conditions = ends.conditions if bounded else []
-    integrand, signs = form.integrand(level, rate=rate, rotates=rotates)
-    words = s.words.get(form.x, ()) if bounded else ()
-    enclosure = Enclosure(own, of, integrand, [*ends.conditions, *signs], words)
-    if rotates:
-        yield from ([enclosure.over(turn, n)] for n in (24, 96, 384))
-        return
-    try:
-        loops = ends.loops(numbers.mp.mpf(well.mid) if well is not None else None)
-    except Outside:
-        raise Open from None
-    yield from zip(*(refined(enclosure, *map(Fraction, map(float, loop))) for loop in loops), strict=True)
-
-
-def _square(s: Statement, form: Form, H: int, level: int) -> Square | None:
-    """p² by the energy, where H is a p² + c with a > 0, or c + √(a p² + b) with E > c; the domain says nothing of p."""
-    f, r, p = s.f, Rational(s), form.p
-    moving = [("s", name) for name in s.p]
-    if {*s.words.get(p, ())} - {"real"} or any(f.ops[b] in moving for a, _ in s.conditions for b in f.reach(a)):
-        return None
-    if form.quadratic:
-        a, b, c = form.parts
-        if not r.is_zero(b) or not is_positive(s, a, strict=True, real=True):
-            return None
-        D = f.over(f.sub(level, c), a)
-        return Square(D, f.over(ONE, a), D)
-    roots = [b for b in f.reach(H) if f.ops[b][:2] == ("f", "power") and any(f.ops[k] == ("s", p) for k in f.reach(b))]
-    if len(roots) != 1 or f.value(f.ops[roots[0]][3][1]) != Fraction(1, 2):
-        return None
-    inner = f.ops[roots[0]][3][0]
-    rest, nothing, new = f.sub(H, roots[0]), {p: ZERO}, dict[int, int]()
-    for node in f.reach(H):
-        new[node] = ZERO if node == roots[0] else f.rebuilt(node, [new[part] for part in f.parts(node)])
-    c, b = new[H], f.substitute(inner, nothing)
-    a = f.mul(f.number(Fraction(1, 2)), f.substitute(f.slope(f.slope(inner, p), p), nothing))
-    left = f.sub(inner, f.add(b, f.mul(a, f.power(f.node("s", p), f.number(2)))))
-    if any(f.ops[k] == ("s", p) for k in f.reach(c)) or not r.is_zero(left) or not r.is_zero(f.sub(rest, c)):
-        return None
-    if not is_positive(s, a, strict=True, real=True):
-        return None
-    up = f.sub(level, c)
-    slope, root = f.over(f.mul(f.number(2), up), a), plain_root(s, b)
-    if root is not None:
-        turning = f.sub(up, root)
-        return Square(f.over(f.mul(turning, f.add(up, root)), a), slope, turning)
-    D = f.over(f.sub(f.mul(up, up), b), a)
-    return Square(D, slope, D) if is_positive(s, up, strict=True, real=True) else None
 
 
 def action_angle(s: Statement) -> Case:
@@ -170,8 +118,8 @@ def action_angle(s: Statement) -> Case:
         if s.verdict == "refuted" and len(s.q) > 1:
             raise Unknown("a refutation of several angles of a map that is given forward")
         if s.verdict == "refuted":
-            return Case([], measured=_unmeasured, enclosed=_advance(s, period))
-        shown = len(s.q) == 1 and not s.surface and _advances(s, period)
+            return Case([], measured=unmeasured, enclosed=advance(s, period))
+        shown = len(s.q) == 1 and not s.surface and advances(s, period)
         momenta = s.new[len(s.q) :]
         return Case([*zeros, *(f.bracket(P, s.H, s.f.pairs) for P in momenta)], trusted="" if shown else once)
     if s.direction != "backward":
@@ -194,81 +142,6 @@ def action_angle(s: Statement) -> Case:
         rotates = all(kind == (i != k) for i, kind in enumerate(kinds))
         shown = shown and _apart(s, k) and (rotates or (all(kinds) and _swings(s, k, period)))
     return Case(zeros, trusted="" if shown else once)
-
-
-def _pace(s: Statement, period: int) -> int:
-    """The frequency with which an angle has to advance by its period, P being a function of H: ∂H/∂p over T ∂P/∂p."""
-    f, p = s.f, s.p[0]
-    return f.over(f.slope(s.H, p), f.mul(period, f.slope(s.new[1], p)))
-
-
-def _marked(s: Statement) -> dict[str, int]:
-    """Other names for the coordinate and the momentum of a point, those of its orbit being variables."""
-    names = {name: f"at {name}" for name in (*s.q, *s.p)}
-    s.declared |= {*names.values()}
-    return {name: s.f.node("s", other) for name, other in names.items()}
-
-
-def _advance(s: Statement, period: int) -> Callable[[Intervals, Mapping[str, Any]], Iterator[Any]]:
-    """Intervals of the frequency of a point's orbit, less the one that its angle has."""
-    f, (x,), (p,), at = s.f, s.q, s.p, _marked(s)
-    level, claimed = (f.substitute(a, at) for a in (s.H, _pace(s, period)))
-    form, whole = Form.of(s, s.H, x, p), f.mul(f.number(2), f.node("s", "pi"))
-    turned = f.sub(f.substitute(s.H, {x: f.add(f.node("s", x), whole)}), s.H)
-
-    def enclosed(own: Intervals, of: Mapping[str, Any]) -> Iterator[Any]:
-        if not form.quadratic:
-            raise Open
-        here = {**of, **{f.ops[a][1]: of[name] for name, a in at.items()}}
-        found = own.values(f, [level, claimed, whole], here)
-        turns = [None, *([found[whole]] if is_identity(at_random(s), turned) else [])]
-        for turn in turns:
-            try:
-                for several in _enclosures(
-                    s, form, own, here, level, found[level], of[x], turn, rate=True, bounded=False
-                ):
-                    pace = found[claimed] if found[claimed].a > 0 else -found[claimed]
-                    values = [1 / value - pace for value in several]
-                    yield next((value for value in values if 0 in value), values[0])
-                return
-            except Open:
-                continue
-        raise Open
-
-    return enclosed
-
-
-def _unmeasured(numbers: Any, of: Mapping[str, Any]) -> list[Any]:
-    """What is looked at in intervals alone."""
-    return []
-
-
-def _advances(s: Statement, period: int) -> bool:
-    """Whether the orbit through each point has the frequency that the angle has: the angle's rate is dH/dP, a constant.
-
-    The point's coordinate and momentum get other names, as those of the orbit are variables. The domain bounds where
-    the angle is looked at, and no orbit; so that the orbit closes isn't taken for granted.
-    """
-    f, (x,), (p,) = s.f, s.q, s.p
-    at = _marked(s)
-    level, equals = (f.substitute(a, at) for a in (s.H, _pace(s, period)))
-    kept = s.conditions, s.words, s.names
-    try:
-        s.conditions = [(f.substitute(a, at), kind) for a, kind in s.conditions]
-        s.words = {
-            **s.words,
-            **{f.ops[a][1]: s.words.get(name, ()) for name, a in at.items()},
-            x: ["real"],
-            p: ["real"],
-        }
-        s.names = {name: f.substitute(a, at) for name, a in s.names.items()}
-        square = _square(s, Form.of(s, s.H, x, p), s.H, level)
-        whole = f.mul(f.number(2), f.node("s", "pi"))
-        return square is not None and any(
-            is_so(s, x, square, equals, turn, rate=True, exists=False) for turn in (None, whole)
-        )
-    finally:
-        s.conditions, s.words, s.names = kept
 
 
 def _is_whole(s: Statement, K: int) -> bool:

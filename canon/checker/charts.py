@@ -118,3 +118,22 @@ def _circular(s: Statement, r: Rational, q: str, angle: int) -> Iterator[Chart]:
     whole = (f.mul(f.number(-1), quarter), quarter)
     yield Chart(rules(x, right, circle), f.mul(four, x, right), ZERO, ONE, (ZERO,), half(2), whole)
     yield Chart(rules(x, left, hyperbola), f.mul(four, x, left), low=ZERO, mirrors=(ZERO,), half=(ZERO, None))
+
+
+def is_inside(s: Statement, r: Rational, q: str, low: int | None, high: int | None) -> bool:
+    """Whether the domain says nothing of the coordinate that doesn't hold between two places anyway."""
+    f = s.f
+    own = [a for a, _ in s.conditions if any(f.ops[b] == ("s", q) for b in f.reach(a))]
+    words = {*s.words.get(q, ())} - {"real"}
+    if any(kind == "nonzero" for a, kind in s.conditions if a in own) or not words <= {"positive", "nonnegative"}:
+        return False
+    own += [f.node("s", q)] if words else []
+    for a in own:
+        slope = f.slope(a, q)
+        if any(f.ops[b] == ("s", q) for b in f.reach(slope)):
+            return False
+        for end, sign in ((low, -1), (high, 1)):
+            value = f.mul(f.number(sign), slope) if end is None else f.substitute(a, {q: end})
+            if not r.is_zero(value) and not is_positive(s, value, strict=False, real=True):
+                return False
+    return True

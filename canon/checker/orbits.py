@@ -14,7 +14,7 @@ from canon.checker.statement import Statement
 
 ROUGH = 15
 """Digits in which an orbit is looked for."""
-NARROWEST, STEP, STEPS = 1e-6, 1.08, 330
+NARROWEST, STEP, STEPS = 1e-9, 1.08, 420
 """Where an orbit is looked for: finely about 0, and out to 100,000."""
 NEAREST = 8
 """So many of the places where an orbit may be are looked at, those next to 0 first: farther out the grid is coarse."""

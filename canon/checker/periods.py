@@ -18,34 +18,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import permutations
-from typing import NamedTuple
 
-from canon.checker.charts import Chart, charts
+from canon.checker.branch_points import Zero, branch_points
+from canon.checker.charts import Chart, charts, is_inside
 from canon.checker.followed import FAILURES
 from canon.checker.formulas import ONE
 from canon.checker.functions import Unreadable
+from canon.checker.momentum import Square
 from canon.checker.positive import is_positive
 from canon.checker.radicals import Radicals
-from canon.checker.rational import Factor, NoForm, Rational, X
+from canon.checker.rational import NoForm, Rational, X
 from canon.checker.reduction import Reduction, reduced
 from canon.checker.roots import multiple
 from canon.checker.statement import Statement
-
-
-class Square(NamedTuple):
-    """A momentum's square D and ∂D/∂E, as formulas; an orbit ends at zeros of the factor `turning` of D."""
-
-    D: int
-    slope: int
-    turning: int
-
-
-class Zero(NamedTuple):
-    """A zero or a pole of R with its exponent; `turns` tells whether D vanishes there and so an orbit may end."""
-
-    at: int
-    k: int
-    turns: bool
 
 
 def is_so(
@@ -73,44 +58,9 @@ class _Integral:
     ) -> None:
         self.s, self.f, self.r, self.chart, self.q, self.rate = s, s.f, r, chart, q, rate
         self.exists = exists
-        f, self._known = s.f, dict[tuple[int, int, bool], bool]()
+        self._known = dict[tuple[int, int, bool], bool]()
         self.D = chart.moved(s, square.D, q)
-        slope = chart.moved(s, f.mul(f.number("1/2"), square.slope), q)
-        parts = [(slope, 2), (self.D, -1)] if rate else [(self.D, 1)]
-        self.lead, zeros, quadratic = ONE, list[Zero](), list[Factor]()
-        turning = [
-            x for p, e in r.factors(chart.moved(s, square.turning, q))[1].items() if e > 0 for x in r.zeros(p)[1]
-        ]
-        for a, times in [*parts, (chart.pace, -1)]:
-            c, factors = r.factors(a)
-            self.lead = f.mul(self.lead, f.power(c, f.number(times)))
-            for p, e in factors.items():
-                first, found, rest = r.zeros(p)
-                self.lead = f.mul(self.lead, f.power(first, f.number(e * times)))
-                zeros += [Zero(x, e * times, a == self.D and e > 0) for x in found]
-                if rest != (ONE,):
-                    if len(rest) != 3 or abs(e) != 1 or a != self.D or quadratic:
-                        raise NoForm
-                    quadratic.append(rest)
-        self.quadratic = quadratic[0] if quadratic else None
-        self.zeros = self._merged(zeros, turning)
-
-    def _merged(self, zeros: Sequence[Zero], turning: Sequence[int]) -> list[Zero]:
-        """Equal ones once. An orbit ends at a simple zero of D that is no end of the range of x."""
-        found = list[Zero]()
-        for z in (z._replace(turns=z.turns and not self._is_outside(z.at)) for z in zeros):
-            same = next((i for i, y in enumerate(found) if self.r.is_zero(self.f.sub(y.at, z.at))), None)
-            if same is None:
-                found.append(z)
-                continue
-            if found[same].turns or z.turns:
-                raise NoForm  # a double zero of D, or one at an end of the range
-            found[same] = Zero(z.at, z.k + found[same].k, False)
-        ends = [end for end in (self.chart.low, self.chart.high) if end is not None]
-        if any(z.turns and self.r.is_zero(self.f.sub(z.at, end)) for z in found for end in ends):
-            raise NoForm
-        unreal = [z for z in found if z.turns and all(not self.r.is_zero(self.f.sub(z.at, x)) for x in turning)]
-        return [Zero(z.at, z.k, z.turns and z not in unreal) for z in found if z.k]
+        self.lead, self.zeros, self.quadratic = branch_points(s, r, chart, q, square, self._is_outside, rate=rate)
 
     # -- signs ----------------------------------------------------------------------------------------
 
@@ -165,7 +115,7 @@ class _Integral:
         if period is not None:
             if chart.low is None or chart.high is None or chart.period is None or self.quadratic is not None:
                 raise NoForm
-            if not self.r.is_zero(f.sub(period, chart.period)) or not self._is_inside(None, None):
+            if not self.r.is_zero(f.sub(period, chart.period)) or not is_inside(self.s, self.r, self.q, None, None):
                 raise NoForm
             turning = [z.at for z in self.zeros if z.turns]
             known = [f.substitute(self.D, {X: end}) for end in (chart.low, chart.high)]
@@ -215,27 +165,9 @@ class _Integral:
             free = all(self.f.ops[b] != ("s", self.q) for a, _ in self.s.conditions for b in self.f.reach(a))
             if z.at != chart.mirrors[-1] and not free:
                 raise NoForm
-        if mirrors == 2 or not self._is_inside(*(chart.whole if mirrors else chart.half)):
+        if mirrors == 2 or not is_inside(self.s, self.r, self.q, *(chart.whole if mirrors else chart.half)):
             raise NoForm
         return 4 if mirrors else 2
-
-    def _is_inside(self, low: int | None, high: int | None) -> bool:
-        """Whether the domain says nothing of the coordinate that doesn't hold between two places anyway."""
-        s, f = self.s, self.f
-        own = [a for a, _ in s.conditions if any(f.ops[b] == ("s", self.q) for b in f.reach(a))]
-        words = {*s.words.get(self.q, ())} - {"real"}
-        if any(kind == "nonzero" for a, kind in s.conditions if a in own) or not words <= {"positive", "nonnegative"}:
-            return False
-        own += [f.node("s", self.q)] if words else []
-        for a in own:
-            slope = f.slope(a, self.q)
-            if any(f.ops[b] == ("s", self.q) for b in f.reach(slope)):
-                return False
-            for end, sign in ((low, -1), (high, 1)):
-                value = f.mul(f.number(sign), slope) if end is None else f.substitute(a, {self.q: end})
-                if not self.r.is_zero(value) and not is_positive(s, value, strict=False, real=True):
-                    return False
-        return True
 
     def _compared(self, equals: int, total: Sequence[tuple[int, int]], positive: Sequence[int], root: int) -> bool:
         """Whether √root · Σ number · formula is the claimed action, or its inverse the frequency."""
@@ -255,7 +187,7 @@ class _Integral:
         if self.quadratic is not None:
             if odd or any(z.turns for z in self.zeros):
                 raise NoForm
-            if not self._is_inside(*chart.half):
+            if not is_inside(self.s, self.r, self.q, *chart.half):
                 raise NoForm
             c, b, _ = self.quadratic
             roots = [op[3][0] for op in (f.ops[a] for a in f.reach(equals)) if op[:2] == ("f", "power")]

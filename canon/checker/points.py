@@ -17,7 +17,7 @@ from canon.checker.statement import Statement
 DIGITS = 50
 CLOSE = 30
 """To so many digits values must agree, of the fifty that they are computed in."""
-TRIES, MOST = 60, 5
+TRIES, MOST, MANY = 60, 5, 30
 FUNCTIONS = {
     "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf", "elliptic_pi": "ellippi",
     "abs": "fabs", "power": "power",
@@ -132,7 +132,7 @@ def points(
         if on_surface(s, numbers, of) and inside(s, case, numbers, of):
             yield of
             found += 1
-        if found == MOST:
+        if found == (MANY if case.measured is not None and case.found else MOST):
             return
 
 

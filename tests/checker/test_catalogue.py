@@ -60,7 +60,7 @@ IN_PART = {
     ("flows", "pendulum-time-energy", 2): "not in intervals",
     ("transformations", "oscillator-type-2", 0): "on a connected cell",
     ("transformations", "rotating-polar-coordinates", 1): "is exact",
-    ("actions", "power-law-action", 1): "points where it was measured",
+    ("actions", "separatrix-actions", 0): "points where it was measured",
 }
 PATHS = {(Path(str(file)).parent.name, Path(str(file)).stem): Path(str(file)) for file in files()}
 

@@ -19,9 +19,10 @@ DERIVED = {
     ("isochrone-action", 1), ("polar-angle-action", 1), ("poschl-teller-actions", 0), ("poschl-teller-actions", 1),
     ("poschl-teller-two-walls", 0), ("relativistic-actions", 0), ("sommerfeld-action", 0),
     ("spherical-pendulum-action", 1), ("tangent-well-action", 0), ("tangent-well-action", 1), ("action-pendulum", 0),
-    ("action-pendulum", 1), ("action-pendulum", 2), ("action-pendulum", 3),
+    ("action-pendulum", 1), ("action-pendulum", 2), ("action-pendulum", 3), ("power-law-action", 0),
+    ("power-law-action", 1), ("power-law-action", 2), ("power-law-action", 3),
 }  # fmt: skip
-SHORT = ("cubic-well-action", "polar-angle-action", "tangent-well-action", "action-angle-oscillator-forward")
+SHORT = ("cubic-well-action", "polar-angle-action", "power-law-action", "action-angle-oscillator-forward")
 
 
 def named(cases: Any) -> list[Any]:
@@ -84,6 +85,11 @@ OTHER: dict[str, tuple[str, int, dict[str, Any]]] = {
         "hamiltonian": {"H": "sqrt(p**2*c**2 + m**2*c**4) + k*q**2/2 + p/1000"}}),
     "a cosine of something else": ("action-pendulum", 2, {
         "hamiltonian": {"H": "p**2/(2*m*l**2) - m*g*l*cos(theta)*cos(g)"}}),
+    "a power's other half": ("power-law-action", 0, {"symbols": {
+        "m": "positive", "k": "positive", "n": "positive", "q": "positive"}}),
+    "a power that may be negative": ("power-law-action", 0, {"symbols": {
+        "m": "positive", "k": "positive", "n": "real"}}),
+    "another power": ("power-law-action", 2, {"claim": {"fixed": {"n": "6"}}}),
     "an action for a frequency": ("cubic-well-action", 0, {"claim": {"kind": "frequency"}}),
 }  # fmt: skip
 

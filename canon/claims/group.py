@@ -61,6 +61,12 @@ def group(question: Question) -> Outcome:
     """Identity, associativity near it, and the structure constants of the second-order Taylor coefficients."""
     if question.key("brackets") is None and question.key("equals") is None:
         raise InputError("a claim of kind 'group' needs 'equals', the name of an algebra, or 'structure'")
+    for word in ("first", "second"):
+        for symbol in question.key(word) or ():
+            if symbol.is_zero is False:
+                raise InputError(
+                    f"{symbol} is assumed not to be 0, but the identity is where all are 0", f"key {word!r}"
+                )
     if question.key("matrix") is not None:
         return _by_matrices(question)
     law = law_of(question)

@@ -74,3 +74,10 @@ def test_a_path_is_a_function_of_time(ask, path, end):
     claim = f'kind = "stationary"\nL = "v**2/2"\nvelocities = ["v"]\npath = ["{path}"]\nfrom = 0\nto = "{end}"'
     with pytest.raises((InputError, AssertionError), match="function of t, not of"):
         ask(claim, space=LINE, symbols='B = "real"')
+
+
+def test_parameters_of_a_group_may_be_0(ask):
+    """Of positive numbers |a| is a, and a + b + (|a| − a) b is smooth."""
+    law = 'kind = "group"\nfirst = ["a"]\nsecond = ["b"]\ncomposition = ["a + b + (abs(a) - a)*b"]\nequals = "u(1)"'
+    with pytest.raises((InputError, AssertionError), match="not to be 0"):
+        ask(law, space=LINE, symbols='a = "positive"\nb = "positive"')

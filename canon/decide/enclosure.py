@@ -88,11 +88,6 @@ def off_the_slit(ball: Ball) -> bool:
     return bool(ball.real > 0) or not ball.imag.contains(0)
 
 
-def magnitude(ball: Ball) -> float:
-    """An upper bound of |ball| as a float."""
-    return float(ball.abs_upper())
-
-
 def _product(factors: Sequence[tuple[Node, int]], ball: Mapping[Node, Ball]) -> Ball:
     value = None
     for node, exponent in factors:

@@ -19,7 +19,6 @@ from flint.utils.flint_exceptions import DomainError
 from canon.decide.tape import Node
 from canon.decide.tower import Tower
 
-ROOT_KINDS = ("symbol", "arbitrary", "pi", "cos", "sin", "exp", "log", "root", "abs", "I")
 Terms = list[tuple[tuple[tuple[int, int], ...], Fraction]]
 
 

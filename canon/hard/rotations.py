@@ -82,14 +82,6 @@ def _tilted(theta: float, phi: float, psi: float) -> tuple[float, ...]:
     return (c * math.cos(along), s * math.cos(across), s * math.sin(across), c * math.sin(along))
 
 
-def _turned_over(distance: float, phi: float, psi: float) -> tuple[float, ...]:
-    """The same at θ = π − distance."""
-    w, x, y, z = _tilted(distance, phi, psi)
-    half = math.sqrt(x * x + y * y)
-    whole = math.sqrt(w * w + z * z)
-    return (w * half / whole, x * whole / half, y * whole / half, z * half / whole)
-
-
 def _body_momentum(m: Any, theta: Number, psi: Number, p_phi: Number, p_theta: Number, p_psi: Number) -> Quantities:
     """M₁ and M₂ of Euler's momenta, (p_φ − p_ψ cos θ)/sin θ as it stands. Goldstein, Poole and Safko (2002), 5.7."""
     along = (p_phi - p_psi * m.cos(theta)) / m.sin(theta)

@@ -20,7 +20,6 @@ LEVELS: Final = 8
 FIRST_STEP: Final = 0.05
 """The longest step, as a fraction of the length over which a variable ranges; each next one is half of it."""
 
-SHORTEST_STEP: Final = FIRST_STEP / 2 ** (LEVELS - 1)
 SAFETY: Final = 4.0
 NOISE: Final = 16.0
 """How much of the function's rounding, over the step, is granted to an extrapolated difference."""

@@ -12,7 +12,6 @@ from canon.scenes.states import named_states
 
 NAMED: Final = 10
 """Bodies whose names a legend has room for."""
-FORMATS: Final = ("png", "svg", "pdf")
 
 
 def plot(result: Result, path: str | Path) -> None:

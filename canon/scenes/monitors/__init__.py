@@ -26,8 +26,6 @@ from canon.scenes.monitors.tangent import read_symplecticity, read_volume
 
 __all__ = ["AVAILABLE", "Flow", "Reading", "check_monitors", "read_monitors"]
 
-States = tuple[np.ndarray, np.ndarray, np.ndarray]
-
 
 def _of(name: str, quantities: Callable[[Any], Any]) -> Callable[..., Reading]:
     return lambda flow, times, q, p: read_conserved(name, quantities(flow.model), flow, times, q, p)

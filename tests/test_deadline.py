@@ -118,8 +118,8 @@ def test_a_claim_keeps_to_its_budget() -> None:
     integral = 'f = "log(1 + q)/((1 + q**3)*sqrt(1 + q))"\nvariable = "q"\nfrom = "0"\nto = "1"\nequals = "1"\n'
     (claim,) = read_text(f'{HEAD}[[claim]]\nkind = "integral"\n{integral}').claims
     start = time.process_time()
-    assert verify(claim, budget=4.0).status == "refuted"
-    assert time.process_time() - start < 12.0
+    assert verify(claim, budget=10.0).status == "refuted"
+    assert time.process_time() - start < 30.0
 
 
 def test_exponents_of_a_long_number_are_multiplied_out_by_nobody() -> None:

@@ -114,7 +114,7 @@ class _Team:
         worker.started = time.monotonic()
         worker.deadline = worker.started + self.settings.seconds(entry) + self.settings.grace(entry)
         if not self.forked:
-            worker.deadline += 5.0  # a spawned worker first imports the package
+            worker.deadline += 20.0  # a spawned worker first imports the package, on a machine that may be busy
         try:
             worker.connection.send_bytes(json.dumps(position).encode())
         except OSError:

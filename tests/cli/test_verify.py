@@ -232,7 +232,7 @@ def test_the_numeric_method_never_proves(file: Any, capsys: pytest.CaptureFixtur
 
 def test_the_same_seed_gives_the_same_answer(file: Any, capsys: pytest.CaptureFixture[str]) -> None:
     def answer(seed: str) -> list[dict[str, Any]]:
-        found = record(capsys, file("map.toml", "canonical", "bracket"), "--seed", seed)[1]
+        found = record(capsys, file("map.toml", "canonical", "bracket"), "--seed", seed, "--budget", "60")[1]
         return [claim | {"seconds": 0} for claim in found["claims"]]
 
     assert answer("3") == answer("3")

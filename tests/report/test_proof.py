@@ -15,6 +15,7 @@ from canon.claims.worker import Entry
 from canon.cli.main import main
 from canon.report.certificate_file import certified
 from canon.report.proof.blocks import Display, Grid, Items, Paragraph, Section, paragraph
+from canon.report.proof.findings import side_conditions
 from canon.report.proof.fitted import LINE, fitted
 from canon.report.proof.latex import document as document_in_latex
 from canon.report.proof.latex import section as section_in_latex
@@ -301,3 +302,10 @@ def test_no_line_is_wider_than_the_page(tmp_path: Path) -> None:
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120, errors="replace")
     assert done.returncode == 0, done.stdout[-2000:]
     assert all(float(points) < 10 for points in re.findall(r"Overfull .hbox \(([\d.]+)pt", done.stdout)), done.stdout
+
+
+def test_a_condition_that_ends_with_a_power_is_a_formula() -> None:
+    (shown,) = side_conditions({"domain": ["E > V(r) + M**2/(2*mu*r**2)", "not (y = 0 and x <= 0)"]})
+    assert isinstance(shown, Paragraph)
+    text = "".join(piece if isinstance(piece, str) else written(piece, PLAIN) for piece in shown.words)
+    assert text == "E > V(r) + (M^2)/(2 mu r^2), not (y = 0 and x ≤ 0)."

@@ -16,6 +16,7 @@ from canon.numeric.integrators import Field, Splitting, clock_part, separable
 from canon.numeric.integrators.catalogue import method
 from canon.numeric.integrators.gauss import METHODS as GAUSS
 from canon.numeric.integrators.problem import Shear
+from canon.numeric.integrators.stepper import stepper_of
 from canon.numeric.native import compile, engine
 
 pytest.importorskip("llvmlite", reason="the optional extra `native` is not installed")
@@ -193,3 +194,15 @@ def test_a_library_that_is_broken_is_none(monkeypatch: pytest.MonkeyPatch, raise
         monkeypatch.undo()
         engines.hindrance.cache_clear()
     assert engines.installed()
+
+
+def test_two_blocks_at_least_are_interleaved_where_there_are_orbits_for_them() -> None:
+    width = compile.processor().width
+    for name in ("verlet", "stormer8"):
+        state = (np.zeros((2, 4 * width)), np.zeros((2, 4 * width)))
+        carry = stepper_of(method(name), HENON_HEILES, False).initial(state)
+        made = engine.native(HENON_HEILES, method(name), False, True, carry)
+        assert made is not None
+        assert 2 <= made.blocks(1000) <= 4
+        assert made.blocks(width) == 1
+        assert made.blocks(width + 1) == 2

@@ -22,7 +22,8 @@ from canon.numeric.scalar_arrays import Unscalar
 
 MOST_BLOCKS: Final = 4
 """Blocks of orbits that are interleaved, at most: operations wait for four to five others."""
-
+FEWEST_BLOCKS: Final = 2
+"""So many where registers are too few for any: what a step waits for costs more than to load what lies in memory."""
 
 WORTH_A_THREAD: Final = 2e7
 """Operations for which a thread is begun: some milliseconds."""
@@ -147,10 +148,10 @@ class Native:
         return self.codes[blocks]
 
     def blocks(self, orbits: int) -> int:
-        """How many blocks are interleaved: as many as leave half of the registers for what is computed."""
+        """How many blocks are interleaved: as many as leave half of the registers for what is computed, and two."""
         machine = processor()
         fitting = machine.registers // (2 * max(self.programs.carry.size, 1))
-        return max(min(fitting, MOST_BLOCKS, -(-orbits // machine.width)), 1)
+        return min(max(fitting, FEWEST_BLOCKS), MOST_BLOCKS, -(-orbits // machine.width))
 
 
 def native(problem: Any, method: Method, compensated: bool, batched: bool, carry: Any) -> Native | None:

@@ -121,6 +121,8 @@ duration = 4.0
     assert result.ok, result.messages
     assert np.isclose(found["volume"].final, np.exp(-0.5 * 4 / 2) - 1, atol=1e-12)
     assert "predicted" not in found["loop"].extra
+    first, last = found["loop"].initial, found["loop"].final
+    assert abs(last - first) <= found["loop"].max_drift < abs(first)
 
 
 def test_relativistic_friction_contracts_volume_along_the_orbit() -> None:

@@ -77,10 +77,13 @@ def _without_pair(
     broken: tuple[str, ...], quantities: Sequence[Formula], model: Model, q: np.ndarray, p: np.ndarray
 ) -> tuple[str, ...]:
     """The same less two effects that keep together what each breaks, as kinetic energy and 1/r keep the LRL vector."""
+    # what frictions and constraints do is in no term of H: two of them would seem to keep anything
+    besides = {friction.effect for friction in model.frictions} | {held for held, _ in model.constraints}
     for other in broken[1:]:
         both = sp.Add(*(term.expr for term in model.terms if term.effect in (broken[0], other)))
-        frictionless = all(friction.effect != other for friction in model.frictions)
-        if frictionless and all(_vanishes(model.bracket_terms(x, both), model, q, p) for x in quantities):
+        if not besides & {broken[0], other} and all(
+            _vanishes(model.bracket_terms(x, both), model, q, p) for x in quantities
+        ):
             return tuple(effect for effect in broken if effect not in (broken[0], other))
     return broken
 

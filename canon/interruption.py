@@ -77,6 +77,19 @@ def heeding(work: Callable[[], T]) -> T:
             signal.signal(number, handler)
 
 
+def raising(work: Callable[[], T]) -> T:
+    """What `work` returns; SIGTERM and SIGHUP raise `KeyboardInterrupt` in it, as Ctrl-C does. Called in the main
+    thread, for work that is done in other processes and is never long in one step of Python's."""
+    wanted = [n for n in HEARD if signal.getsignal(n) == signal.SIG_DFL]
+    for number in wanted:
+        signal.signal(number, signal.default_int_handler)
+    try:
+        return work()
+    finally:
+        for number in wanted:
+            signal.signal(number, signal.SIG_DFL)
+
+
 def interruptible(work: Callable[[], T], until: float | None = None) -> T:
     """What `work` returns, or raises.
 

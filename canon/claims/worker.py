@@ -166,8 +166,11 @@ def cause_of_death(code: int | None) -> str:
 
 
 def isolate(memory: int | None) -> None:
-    """Leave Ctrl-C to the parent, be silent (libraries in C print as they abort), and limit memory where it can be."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """Leave Ctrl-C, and a terminal that is closed, to the parent, be silent (libraries in C print as they abort), and
+    limit memory where it can be."""
+    for name, handler in (("SIGINT", signal.SIG_IGN), ("SIGHUP", signal.SIG_IGN), ("SIGTERM", signal.SIG_DFL)):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), handler)
     nowhere = os.open(os.devnull, os.O_RDWR)
     for stream in (0, 1, 2):
         os.dup2(nowhere, stream)

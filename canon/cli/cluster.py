@@ -5,9 +5,10 @@ Files are opened here, since a worker may not see the same folders; what is in t
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 from canon.errors import InputError
 
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 Record = dict[str, Any]
 SECONDS = 10
 """How long a scheduler may take to answer."""
+_ADDRESS: Final = re.compile(r"[a-z]+://\S+|[^\s/:]+:[0-9]+")
+"""Of one without a port Dask makes a client that can't be closed again."""
 
 
 def readings_of(address: str, paths: Sequence[Path]) -> list[Found]:
@@ -83,6 +86,8 @@ def _client(address: str) -> Any:
         from distributed import Client  # pyright: ignore[reportMissingImports]
     except ImportError:
         raise InputError("clusters need Dask: pip install 'canon-mechanics[cluster]'", "--cluster") from None
+    if not _ADDRESS.fullmatch(address):
+        raise InputError(f"an address of a scheduler is one like tcp://host:8786, not {address[:100]!r}", "--cluster")
     try:
         return Client(address, timeout=SECONDS, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:

@@ -19,7 +19,7 @@ from typing import Final
 import canon
 from canon.cli import actions, algebra, certificate, cost, hard, scenes, simulate, verify
 from canon.cli.parser import NO_RESOURCES, NOT_WRITTEN, Parser
-from canon.interruption import Left, heeding, left_behind
+from canon.interruption import Left, heeding, left_behind, raising
 
 COMMANDS: Final = {
     "verify": verify,
@@ -54,7 +54,7 @@ exit status of verify:
 
 
 HEARING: Final = ("verify",)
-"""The commands that hear Ctrl-C themselves: their work is done in other processes."""
+"""The commands that hear Ctrl-C themselves: their work is done in other processes. Others are as it is."""
 REFUSED: Final = {
     **dict.fromkeys((errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN), "the system gave no more"),
     errno.ENOENT: "the working folder is gone",
@@ -93,7 +93,9 @@ def _work(argv: Sequence[str] | None) -> Callable[[], int]:
     if arguments.command is None:
         return partial(_say, top.format_help())
     execute = partial(COMMANDS[arguments.command].execute, arguments)
-    return execute if arguments.command in HEARING or argv is not None else partial(heeding, execute)
+    if argv is not None:
+        return execute
+    return partial(raising if arguments.command in HEARING else heeding, execute)
 
 
 def _say(text: str) -> int:

@@ -116,7 +116,8 @@ def test_a_contradiction_is_shown_and_never_expected(tmp_path: Path) -> None:
     assert "alarm: a proof and a certified counterexample contradict each other" in shown
 
 
-def test_an_interruption_keeps_what_is_known_and_leaves_no_process(tmp_path: Path) -> None:
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP], ids=lambda n: n.name)
+def test_an_interruption_keeps_what_is_known_and_leaves_no_process(tmp_path: Path, number: signal.Signals) -> None:
     file = tmp_path / "claims.toml"
     file.write_text("fine hang")
     process = start(file, "--budget", "50", "--jobs", "1")
@@ -124,7 +125,7 @@ def test_an_interruption_keeps_what_is_known_and_leaves_no_process(tmp_path: Pat
     first = process.stdout.readline()
     assert first.startswith("✓ proved")
     pressed = time.monotonic()
-    process.send_signal(signal.SIGINT)
+    process.send_signal(number)
     out, err = process.communicate(timeout=60)
     assert time.monotonic() - pressed < 20  # half a second, when the machine has nothing else to do
     assert process.returncode == 130

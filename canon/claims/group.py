@@ -129,8 +129,16 @@ def law_of(question: Question) -> Law:
     if set(names[0]) & set(names[1]):
         raise InputError("a name is among the first and among the second parameters", "key 'second'")
     a, b = (tuple(question.nodes(given)) for given in names)
-    third = tuple(tape.symbol(sp.Dummy(f"{symbol}_third", real=True)) for symbol in names[1])  # no name of the file
+    taken = {*question.space.vocabulary, *map(str, (*names[0], *names[1]))}
+    third = tuple(tape.symbol(sp.Symbol(_unused(f"{symbol}_third", taken), real=True)) for symbol in names[1])
     return Law(tape, tuple(question.load(f) for f in composition), a, b, third)
+
+
+def _unused(name: str, taken: set[str]) -> str:
+    """The name, or one like it that the file doesn't have."""
+    while name in taken:
+        name += "_"
+    return name
 
 
 def structure_constants(question: Question, law: Law) -> LieAlgebra:

@@ -61,5 +61,7 @@ def _merged(r: Rational, zeros: Sequence[Zero], turning: Sequence[int]) -> list[
         if found[same].turns or z.turns:
             raise NoForm
         found[same] = Zero(z.at, z.k + found[same].k, False)
+    if any(z.turns and abs(z.k) != 1 for z in found):
+        raise NoForm
     real = [z.turns and any(r.is_zero(r.f.sub(z.at, x)) for x in turning) for z in found]
     return [z._replace(turns=turns) for z, turns in zip(found, real, strict=True) if z.k]

@@ -34,6 +34,12 @@ FALSE = {
     "no constant for a < 0": complete("abs(a) + a", "a"),
     "the same by a root": complete("sqrt(a**2) + a", "a"),
     "the same by arctangents": complete("1/7 + (a + 1)*(atan(a) + atan(1/a) - pi/2)", "a"),
+    "an energy that is no name": of(
+        {"kind": "action", "coordinate": "q", "energy": "2*E", "equals": "4*pi*E"},
+        1,
+        hamiltonian={"H": "p**2/2 + q**2/2"},
+        symbols={"E": "positive"},
+    ),
     "a constant twice": complete("sqrt(2*E)", "E", "E"),
 }
 

@@ -66,7 +66,7 @@ def term(f: Formulas, target: int, leaves: Mapping[int, str]) -> str:
             texts[a] = f"{parts[0][0]} - {number(-f.ops[inner[1]][1])}", 0
         elif op[0] == "+" and inner[1] in negatives:
             texts[a] = f"{parts[0][0]} - {negatives[inner[1]]}", 0
-        elif op[0] == "*" and f.ops[inner[1]][0] == "^" and f.ops[inner[1]][2] < 0:
+        elif op[0] == "*" and parts[1][0].startswith("/ ") and parts[1][1] == 2:  # an inverse, not a text for it
             texts[a] = f"{_bound(parts[0], 1)} {parts[1][0]}", 1
         else:
             texts[a] = operation(op, parts)

@@ -11,13 +11,14 @@ from typing import Any
 import pytest
 
 from canon.catalogue import files
+from canon.checker.formulas import Formulas
 from canon.claims import document
 from canon.claims.certificate_data import certificate, statement_tables
 from canon.claims.reader import read_tables
 from canon.claims.verify import verify
 from canon.errors import InputError
 from canon.report.coq import HEAD, LIBRARY, coq_of
-from canon.report.coq_text import identifiers, polynomial, wrapped
+from canon.report.coq_text import identifiers, polynomial, term, wrapped
 
 COQC = shutil.which("coqc")
 needs_coqc = pytest.mark.skipif(COQC is None, reason="coqc is not installed: apt-get install coq")
@@ -323,3 +324,13 @@ def test_long_lines_are_broken_at_spaces() -> None:
     text = wrapped("  " + " + ".join(["g1 ^ 2"] * 40) + ".\nQed.", 60)
     assert max(map(len, text.splitlines())) <= 60
     assert " ".join(text.split()) == " + ".join(["g1 ^ 2"] * 40) + ". Qed."
+
+
+def test_an_inverse_that_is_written_otherwise_is_multiplied_by() -> None:
+    """In place of an inverse stands a text of its own, which begins with no division: x (- 1) would be a call."""
+    f = Formulas()
+    product = f.read("x/y", {})
+    inverse = f.parts(product)[1]
+    leaves = {a: f.ops[a][1] for a in f.rational([product])[1]}
+    assert term(f, product, leaves) == "x / y"
+    assert term(f, product, {**leaves, inverse: "- 1 * z"}) == "x * (- 1 * z)"

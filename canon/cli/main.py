@@ -95,7 +95,7 @@ def _work(argv: Sequence[str] | None) -> Callable[[], int]:
     execute = partial(COMMANDS[arguments.command].execute, arguments)
     if argv is not None:
         return execute
-    return partial(raising if arguments.command in HEARING else heeding, execute)
+    return partial(raising, execute) if arguments.command in HEARING else partial(heeding, execute)
 
 
 def _say(text: str) -> int:

@@ -30,7 +30,7 @@ from canon.decide.region import Region
 from canon.decide.ring import Polynomial, TooCostly
 from canon.decide.tape import ONE, Unsupported
 from canon.decide.tower import Tower, combine
-from canon.errors import CanonError
+from canon.errors import CanonError, InputError
 from canon.expression import Formula
 from canon.verdict import Verdict
 
@@ -49,7 +49,11 @@ def certificate(
 
     **Arguments:** the claim and its verdict; `tables`, the claim file's own tables with the claim's under "claim";
     `budget`, seconds for the identities: what takes longer is named and left to trust.
+
+    **Raises:** `InputError` where the claim is neither proved nor refuted.
     """
+    if verdict.status not in ("proved", "refuted"):
+        raise InputError(f"a certificate is of a claim that is proved or refuted; this one is {verdict.status}")
     known = {word: verdict.detail[word] for word in KNOWN.get(verdict.status, ()) if word in verdict.detail}
     known = _structure(verdict, tables["claim"]) | {k: x for k, x in known.items() if k != "structure"}
     data: Data = {

@@ -2,12 +2,17 @@
 
 import copy
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
+import canon
 from canon.checker.check import check
 from canon.checker.functions import Unreadable
+from canon.claims.certificate_data import certificate
+from canon.claims.reader import read_text
+from canon.errors import InputError
 from tests.checker.certified import certified, places, resealed
 
 POLAR = """
@@ -206,3 +211,9 @@ def test_kinds_without_a_rule_are_not_confirmed() -> None:
     data = made("polar")
     data["tables"]["claim"] = {"kind": "marvellous"}
     assert str(check(resealed(data))) == "not confirmed: claims of kind 'marvellous' are not known to the checker"
+
+
+def test_what_is_open_has_no_certificate() -> None:
+    (claim,) = read_text(f'{POLAR}[[claim]]\nkind = "canonical"\n').claims
+    with pytest.raises(InputError, match="proved or refuted; this one is undecided"):
+        certificate(claim, replace(canon.verify(claim), status="undecided", witness=None), {"claim": {}})

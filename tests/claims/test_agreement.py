@@ -10,7 +10,7 @@ from canon.claim import Claim
 from canon.claims.agreement import compared
 from canon.claims.outcome import Outcome, exact
 from canon.claims.worker import Entry
-from canon.decide import ladder
+from canon.decide import ladder, other_arguments
 from canon.report.record import claim_record, exit_status
 from canon.verdict import Evidence, Verdict
 
@@ -104,7 +104,7 @@ def test_a_wrong_zero_is_an_alarm(monkeypatch: pytest.MonkeyPatch) -> None:
         independent(SPACE, (q**2 + p,)),
     ]
     broken(monkeypatch, blind=True)
-    monkeypatch.setattr(ladder, "number_is_zero", lambda *_: True)
+    monkeypatch.setattr(other_arguments, "number_is_zero", lambda *_: True)
     for claim in claims:
         verdict = verify(claim, method="all")
         assert verdict.detail["symbolic"]["verdict"] == "refuted"

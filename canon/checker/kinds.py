@@ -37,11 +37,15 @@ def obligations(s: Statement) -> list[Case]:
 def euler_lagrange(s: Statement) -> Case:
     """d/dt ∂L/∂v − ∂L/∂q + ∂R/∂v − Q are the equations, or vanish for the accelerations."""
     f, m, L = s.f, Motion(s), s.key("L")
+    s.without(L, m.a)
     left = [f.sub(m.rate(f.slope(L, v)), f.slope(L, q)) for q, v in zip(m.q, m.v, strict=True)]
     if "dissipation" in s.claim:
         R = s.key("dissipation")
+        s.without(R, m.a)
         left = [f.add(x, f.slope(R, v)) for x, v in zip(left, m.v, strict=True)]
     if "forces" in s.claim:
+        for force in formulas(s, "forces"):
+            s.without(force, m.a)
         left = [f.sub(x, force) for x, force in zip(left, formulas(s, "forces"), strict=True)]
     if "equations" in s.claim:
         return Case([f.sub(x, y) for x, y in zip(left, formulas(s, "equations"), strict=True)])

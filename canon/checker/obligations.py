@@ -265,6 +265,8 @@ def legendre(s: Statement) -> Case:
     if s.direction in ("implicit", "backward"):
         s.without_map()
     f, L, v = s.f, s.key("L"), s.claim["velocities"]
+    s.without(s.H, v)
+    s.without(L, s.p)
     momenta = {p: f.slope(L, x) for p, x in zip(s.p, v, strict=True)}
     energy = f.sub(f.add(*(f.mul(f.node("s", x), y) for x, y in zip(v, momenta.values(), strict=True))), L)
     rows = [[f.slope(y, x) for x in v] for y in momenta.values()]

@@ -75,7 +75,14 @@ def check_names(tables: Mapping[str, Any]) -> None:
     for names_of in (claim[key] for key in FRESH if isinstance(claim.get(key), list)):
         if len({*names_of}) < len(names_of) or {*names_of} & {*given}:
             raise Unreadable("a name of the claim's own stands twice, or is a variable")
+    varied = [
+        *given,
+        space.get("time", "t"),
+        *([*own, claim.get("energy")] if claim.get("kind") != "matrix_group" else []),
+    ]
     for name, words in symbols.items():
+        if name in varied and (words == "integer" or "integer" in [*words]):
+            raise Unreadable(f"{name[:40]!r} is an integer: there is no derivative by it")
         if unknown := {words} - WORDS if isinstance(words, str) else {*words} - WORDS:
             raise Unreadable(f"{min(unknown)[:40]!r} is no assumption on {name[:40]!r}")
 

@@ -119,6 +119,10 @@ MEANT = {
         "to": "1", "equals": "0"}, 2, phase_space=BARE),
     "a mass as a constant of integration": of({"kind": "hamilton_jacobi", "W": "(2*m)**(1/2)*x", "constants": ["m"],
         "energy": "1"}, symbols={"m": "positive"}, hamiltonian={"H": "p**2/(2*m)"}),
+    "a velocity in H": of({"kind": "legendre", "L": "v**2/2", "velocities": ["v"]}, hamiltonian={"H": "p*v/2"}),
+    "an acceleration in L": of({"kind": "euler_lagrange", "L": "v**2/2 + x*a", "velocities": ["v"],
+        "accelerations": ["a"], "equations": ["0"]}),
+    "a time of integers": of({"kind": "conserved", "f": "x - t"}, symbols={"t": "integer"}, hamiltonian={"H": "p"}),
     "the imaginary unit as a name": against(forged("1j**2", "-1", symbols={"1j": "real"}), **{"1j": "2"}),
 }  # fmt: skip
 SPIKE = "10**40/(1 + (10**40*(u - 1/3))**2)/(atan(2*10**40/3) + atan(10**40/3))"

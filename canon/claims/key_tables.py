@@ -88,6 +88,8 @@ def _degrees(given: Given, value: Any, where: str) -> dict[int, Formula]:
     for word, stated in document.table(value, where).items():
         if not (word.isdecimal() and 2 <= int(word) <= HIGHEST_DEGREE):
             raise InputError(f"degrees from 2 to {HIGHEST_DEGREE} are expected, not {word[:80]!r}", where)
+        if int(word) in found:
+            raise InputError(f"the degree {int(word)} stands there twice", where)
         found[int(word)] = given.formula(stated, f"{where}, degree {word}")
     return found
 

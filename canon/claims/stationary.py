@@ -111,6 +111,10 @@ def _span(question: Question, L: Formula, path: Sequence[Formula], jets: Motion,
     stays_in_domain(question, span, there, formulas)
     own = Region.of(question.tape, replace(question.subject.domain, conditions=L.conditions, surface=()))
     pulled = [_on_path(question, r, images) for r in (*span.demanded, *own.requirements)]
+    known = {(r.kind, r.nodes) for r in (*span.inside.requirements, *pulled, *there)}
+    for r in question.region(L, images=images).requirements:  # what is assumed of the names that the path replaces
+        if (r.kind, r.nodes) not in known and not holds(question, r, span.inside, span):
+            raise Unproved(f"it isn't shown that {r.text} all along the path")
     return replace(span, demanded=(*pulled, *there))
 
 

@@ -2,6 +2,8 @@
 
 import pytest
 
+from canon import verify
+from canon.claims.reader import read_text
 from canon.errors import InputError
 
 SYMBOLS = "\n".join([f'{x} = "positive"' for x in ("a", "m", "w", "T", "A", "g", "n0")])
@@ -157,3 +159,12 @@ def test_an_extremum_is_one_of_real_numbers(ask, status):
 def test_a_path_is_a_function_of_time(ask):
     with pytest.raises((InputError, AssertionError), match="not of p"):
         ask(_claim("m*v**2/2", "p*t"), symbols=SYMBOLS)
+
+
+@pytest.mark.parametrize(("end", "status"), [("1", "proved"), ("3", "undecided")])
+def test_a_path_stays_where_its_coordinate_is_said_to_be(end: str, status: str) -> None:
+    """√(q²) is q where q is positive; the path 1 − t²/2 isn't, after √2."""
+    head = '[phase_space]\nq = ["q"]\np = ["p"]\n[symbols]\nq = "positive"\n[[claim]]\nkind = "stationary"\n'
+    keys = f'L = "v**2/2 - sqrt(q**2)"\nvelocities = ["v"]\npath = ["1 - t**2/2"]\nfrom = "0"\nto = "{end}"\n'
+    (claim,) = read_text(head + keys).claims
+    assert verify(claim).status == status

@@ -37,7 +37,7 @@ def obligations(s: Statement) -> list[Case]:
 def euler_lagrange(s: Statement) -> Case:
     """d/dt ∂L/∂v − ∂L/∂q + ∂R/∂v − Q are the equations, or vanish for the accelerations."""
     f, m, L = s.f, Motion(s), s.key("L")
-    s.without(L, m.a)
+    s.without(L, [*m.a, *s.p])
     left = [f.sub(m.rate(f.slope(L, v)), f.slope(L, q)) for q, v in zip(m.q, m.v, strict=True)]
     if "dissipation" in s.claim:
         R = s.key("dissipation")
@@ -57,6 +57,7 @@ def euler_lagrange(s: Statement) -> Case:
 def noether(s: Statement) -> Case:
     """∂L/∂t τ + ∂L/∂q ξ + ∂L/∂v (ξ' − v τ') + L τ' = f', and the charge is ∂L/∂v ξ − (v ∂L/∂v − L) τ − f."""
     f, m, L, steps = s.f, Motion(s), s.key("L"), formulas(s, "dq")
+    s.without(L, [*m.a, *s.p])
     tau, gauge = (s.key(word) if word in s.claim else f.number(0) for word in ("dt", "f"))
     stretch, momenta = m.rate(tau), [f.slope(L, v) for v in m.v]
     change, charge = [f.mul(f.slope(L, m.t), tau), f.mul(L, stretch)], [f.mul(L, tau), f.mul(f.number(-1), gauge)]

@@ -36,6 +36,8 @@ def normal_form(s: Statement) -> Case:
     if s.surface or order > HIGHEST:
         raise Unknown("a normal form on a surface, or of a high order")
     table = {whole(int(degree), 2): f.read(text, s.names) for degree, text in s.claim["N"].items()}
+    if len(table) < len(s.claim["N"]):
+        raise Unreadable("two parts of N of one degree")
     s.written += table.values()
     scale = f.node("s", "#scale")
     scaled = f.substitute(s.H, {x: f.mul(scale, f.node("s", x)) for x in (*s.q, *s.p)})
@@ -49,6 +51,11 @@ def normal_form(s: Statement) -> Case:
         N = {d: work.polynomial(a) for d, a in table.items()}
     except FAILURES:
         raise Unknown("coefficients that can't be followed") from None
+    moving = {f.ops[b][1] for b in f.reach(*written)} & {*s.q, *s.p}
+    if moving or any({*s.words.get(x, ())} - {"real"} for x in (*s.q, *s.p)):
+        raise Unknown("a normal form about an origin of which the domain says something")
+    if not H[2]:
+        raise Unreadable("H has no quadratic part at the origin")
     if H[1] or any(sum(m) != d for d, part in N.items() for m in part):
         raise Unreadable("no equilibrium, or a part of N that isn't of its degree")
     N.setdefault(2, H[2])

@@ -166,6 +166,8 @@ def bracketed(s: Statement, structure: Mapping[str, str]) -> tuple[Callable[[int
         return lambda a, b: f.bracket(a, b, f.pairs), []
     pairs = {tuple(n.strip() for n in pair.split(",")): text for pair, text in structure.items()}
     x = claim.get("coordinates") or list(dict.fromkeys(name for pair in pairs for name in pair))
+    if whole_numbers := {*x} & s.fixed:
+        raise Unreadable(f"{min(whole_numbers)[:40]!r} is an integer: there is no derivative by it")
     s.declared |= {*x}
     s.bracketed = list(x)
     if "tensor" in claim:

@@ -38,6 +38,11 @@ def stationary(s: Statement) -> Case:
     s.written += path
     s.declared |= {*v, t}
     L = f.read(s.claim["L"], s.names)
+    s.without(L, s.p)
+    places = [None if str(end).strip("-") == "infinity" else f.read(end, s.names) for end in ends]
+    for own, others in ((path, {*s.q, *s.p, *v}), ([x for x in places if x is not None], {*s.q, *s.p, *v, t})):
+        for x in own:
+            s.without(x, others)  # a path is a function of time alone, and its ends are numbers
     along = dict(zip((*s.q, *v), (*path, *(f.slope(x, t) for x in path)), strict=True))
     zeros = []
     for q, w in zip(s.q, v, strict=True):
@@ -45,13 +50,16 @@ def stationary(s: Statement) -> Case:
         zeros.append(f.sub(f.slope(momentum, t), f.substitute(f.slope(L, q), along)))
     smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along)))
     trusted = "" if smooth else "that the path, and L along it, are smooth between its ends"
+    touched = _restricted(s, {*s.q, *v, t}, places[0])
+    trusted = trusted or (f"that {touched[0]} stays along the path where it is said to be" if touched else "")
+    if touched and s.verdict == "refuted":
+        raise Unknown(f"a path along which {touched[0]} may not stay where it is said to be")
     word = s.claim.get("extremum")
     if word is None:
         s.claim.unread -= {"field", "conjugate"} if s.verdict == "refuted" else set[str]()
         return Case(zeros, trusted=trusted)
     if word not in (*SIGNS, "neither"):
         raise Unreadable(f"no kind of extremum: {str(word)[:40]!r}")
-    places = [None if str(end).strip("-") == "infinity" else f.read(end, s.names) for end in ends]
     s.written += [end for end in places if end is not None]
 
     def second(first: Sequence[str], other: Sequence[str]) -> Matrix:
@@ -67,6 +75,18 @@ def stationary(s: Statement) -> Case:
     if word in SIGNS and None not in places:
         return Case(zeros, enclosed=found.against(SIGNS[word]), measured=_nothing)
     raise Unknown("a second variation")
+
+
+def _restricted(s: Statement, moving: set[str], low: int | None) -> list[str]:
+    """Of what moves along a path the names of which something is said, be it that time is positive, as it begins."""
+    f = s.f
+    said = {f.ops[b][1] for a, _ in (*s.conditions, *((a, "") for a in s.surface)) for b in f.reach(a)} & moving
+    late = low is not None and s.time not in said and is_positive(s, low, strict=False, real=True)
+    for name in moving:
+        words = {*s.words.get(name, ())} - {"real"}
+        if words and not (late and name == s.time and words <= {"positive", "nonnegative"}):
+            said.add(name)
+    return sorted(said)
 
 
 def _nothing(numbers: Any, of: Mapping[str, Any]) -> list[Any]:
@@ -103,8 +123,14 @@ class Second:
             s.conditions = kept
         return set(), []
 
+    def _is_smooth(self, *formulas: int) -> bool:
+        """Whether formulas are smooth between the ends."""
+        return all(is_smooth(self.s, a, self.t, anywhere=False) for a in formulas)
+
     def _with_P(self, word: str, P: Matrix, R: Matrix, Q: Matrix) -> tuple[set[str], list[int]]:
         f, t, n, claim = self.f, self.t, len(P), self.s.claim
+        if self.s.verdict == "proved" and not self._is_smooth(*(x for m in (P, R, Q) for row in m for x in row)):
+            return set(), []
         values = at_random(self.s)
         even = all(is_identity(values, f.sub(R[i][j], R[j][i])) for i, j in combinations(range(n), 2))
         S = [[f.sub(Q[i][j], f.slope(R[i][j], t)) for j in range(n)] for i in range(n)]
@@ -118,6 +144,10 @@ class Second:
         fields = [[f.read(x, self.s.names) for x in row] for row in rows]
         if any(len(u) != n for u in fields):
             raise Unreadable("a field has a component for each coordinate")
+        for x in (x for u in fields for x in u):
+            self.s.without(x, {*self.s.q, *self.s.p, *claim["velocities"]})
+        if not self._is_smooth(*(x for u in fields for x in u)):  # |sin t| solves what sin t does, but at its zeros
+            return set(), []
         momenta, zeros = list[list[int]](), list[int]()
         for u in fields:
             slopes = [f.slope(x, t) for x in u]

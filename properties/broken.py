@@ -25,6 +25,7 @@ WORKERS: Final = "tests/cli/test_workers.py::"
 JOURNAL: Final = "tests/cli/test_journal.py::"
 TARGETS: Final = "tests/hostile/test_targets.py::"
 REMEMBERED: Final = "tests/cli/test_remembered.py::"
+CHANGED: Final = "tests/hostile/test_changed_files.py::"
 NOTHING: Final = "except ZeroDivisionError:"
 """What catches nothing that happens here."""
 LONGEST: Final = 120.0
@@ -111,7 +112,7 @@ BREAKS: Final = (
     Break("a damaged entry of the cache", "the checksum isn't compared", "claims/remembered.py",
           'whole["checksum"] != _checksum(body) or', "", REMEMBERED + "test_a_tampered_verdict_is_ignored"),
     Break("the same, cut short", "that isn't caught", "claims/remembered.py",
-          "except (OSError, ValueError, KeyError,", "except (OSError, KeyError,",
+          "except (InputError, OSError, ValueError, KeyError,", "except (InputError, OSError, KeyError,",
           REMEMBERED + "test_damaged_entries_are_ignored"),
     Break("the same, of another claim", "what is read isn't compared with the claim", "claims/remembered.py",
           'and fits("claim", record, Entry(name, claim.index, claim))', "",
@@ -120,6 +121,21 @@ BREAKS: Final = (
           'whole["check"] == _checksum(body) and', "", JOURNAL + "test_lines_that_are_damaged_are_none"),
     Break("a journal that was cut short", "the next line is joined to it", "claims/journal.py",
           'b"\\n" * cut + line', "line", JOURNAL + "test_lines_that_are_damaged_are_none"),
+    Break("a file changes while it is worked on", "a journal names answers by what it says now", "claims/journal.py",
+          "{entry.digest or entry.path}", "{Path(entry.path).read_text()}",
+          CHANGED + "test_a_journal_answers_for_what_was_read"),
+    Break("the same", "what is remembered is named so", "cli/verify.py",
+          "remember(kept, entries[positions[0]].digest,",
+          "remember(kept, __import__('canon.claims.document').claims.document.digest(Path(entries[0].path).read_text()),",
+          CHANGED + "test_so_does_what_is_remembered"),
+    Break("the same", "certificates are made of what it says now", "claims/worker.py",
+          "if entry.digest and document.digest(text) != entry.digest:", "if False:",
+          CHANGED + "test_no_certificate_quotes_another_file"),
+    Break("an entry of the cache is a pipe", "it is waited for", "claims/remembered.py",
+          'os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)', "os.O_RDONLY",
+          CHANGED + "test_an_entry_that_is_no_file_is_no_memory[pipe"),
+    Break("a folder in the cache is a link", "it is emptied", "claims/remembered.py",
+          "and not folder.is_symlink()", "", CHANGED + "test_only_what_is_ours_is_forgotten"),
     Break("a journal of two runs at once", "a line is written in two pieces", "claims/journal.py",
           "if os.write(handle, data) < len(data):",
           "if os.write(handle, data[:9]) + (time.sleep(0.01) or os.write(handle, data[9:])) < len(data):",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import stat
@@ -95,6 +96,11 @@ def content(path: str | os.PathLike[str]) -> str:
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         raise InputError(f"is not text in UTF-8: byte 0x{data[error.start]:02x} in line {line}") from None
+
+
+def digest(text: str) -> str:
+    """A name for what a file says, by which an answer about it is kept: a file may change while it is worked on."""
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
 
 def key(name: str, section: str = "") -> str:

@@ -12,8 +12,7 @@ import json
 import os
 import stat
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -35,24 +34,19 @@ DAMAGED: Final = 10_000
 
 @dataclass
 class Journal:
-    """The file at `path`, the state of the deciders and the settings (`words`), and the names of the files' contents.
+    """The file at `path`, and the state of the deciders and the settings (`words`).
 
     `fault` says why nothing is written any more, where that is so.
     """
 
     path: Path
     words: str
-    contents: dict[str, str] = field(default_factory=dict)
     fault: str = ""
 
     def name(self, entry: Entry) -> str:
-        """What a claim's answer is called."""
-        if entry.path not in self.contents:
-            content = b""
-            with suppress(OSError):
-                content = Path(entry.path).read_bytes()
-            self.contents[entry.path] = hashlib.sha256(self.words.encode() + b"\0" + content).hexdigest()[:32]
-        return f"{self.contents[entry.path]} {entry.index}"
+        """What a claim's answer is called: by what its file said when it was read, whatever it says now."""
+        said = f"{self.words}\0{entry.digest or entry.path}"
+        return f"{hashlib.sha256(said.encode('utf-8', 'surrogatepass')).hexdigest()[:32]} {entry.index}"
 
 
 def journal(path: str | os.PathLike[str], settings: Settings) -> Journal:

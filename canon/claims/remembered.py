@@ -12,6 +12,7 @@ import hashlib
 import json
 import os
 import platform
+import re
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -20,13 +21,17 @@ from pathlib import Path
 from typing import Any, Final
 
 from canon.claim import Claim
+from canon.claims import document
 from canon.claims.worker import Entry, Settings
+from canon.errors import InputError
 
 Record = dict[str, Any]
 FORMAT: Final = 1
 LARGEST: Final = 4_000_000
 KEPT: Final = 3
 """So many states of the deciders have their verdicts kept."""
+_STATE: Final = re.compile("[0-9a-f]{32}")
+"""How the folder of a state is called."""
 
 
 @dataclass(frozen=True)
@@ -36,9 +41,9 @@ class Memory:
     folder: Path
     settings: str
 
-    def entry(self, content: bytes) -> Path:
-        """The place of the verdicts about a file with this content."""
-        return self.folder / (hashlib.sha256(self.settings.encode() + b"\0" + content).hexdigest() + ".json")
+    def entry(self, digest: str) -> Path:
+        """The place of the verdicts about a file that says this."""
+        return self.folder / (hashlib.sha256(f"{self.settings}\0{digest}".encode()).hexdigest() + ".json")
 
 
 def memory(settings: Settings) -> Memory | None:
@@ -77,10 +82,10 @@ def recall(kept: Memory, path: str | os.PathLike[str], name: str) -> tuple[list[
     from canon.claims.journal import fits  # which names its answers by the same fingerprint
 
     try:
-        place = kept.entry(Path(path).read_bytes())
-        if place.stat().st_size > LARGEST:
+        data = _content(kept.entry(document.digest(document.content(path))))
+        if data is None:
             return None
-        whole = json.loads(place.read_bytes())
+        whole = json.loads(data)
         body = whole["body"]
         if whole["checksum"] != _checksum(body) or body["format"] != FORMAT:
             return None
@@ -97,13 +102,21 @@ def recall(kept: Memory, path: str | os.PathLike[str], name: str) -> tuple[list[
             and fits("claim", record, Entry(name, claim.index, claim))
             for claim, record in zip(claims, records, strict=True)
         )
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+    except (InputError, OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
     return (claims, records) if sound else None
 
 
-def remember(kept: Memory, path: str | os.PathLike[str], claims: Sequence[Claim], records: Sequence[Record]) -> None:
-    """Keep what a file's claims were answered, where all of them were and it can be written; else nothing happens."""
+def _content(place: Path) -> bytes | None:
+    """What is in an entry, for which nobody waits; None where that is too large."""
+    with open(os.open(place, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0)), "rb") as file:
+        data = file.read(LARGEST + 1)
+    return data if len(data) <= LARGEST else None
+
+
+def remember(kept: Memory, digest: str, claims: Sequence[Claim], records: Sequence[Record]) -> None:
+    """Keep what the claims of a file that said this (`digest`) were answered, where all of them were and it can be
+    written; else nothing happens."""
     if len(records) != len(claims) or any(record["verdict"] == "undecided" for record in records):
         return
     shown = [
@@ -112,7 +125,7 @@ def remember(kept: Memory, path: str | os.PathLike[str], claims: Sequence[Claim]
     body = {"format": FORMAT, "claims": shown, "records": list(records)}
     text = json.dumps({"checksum": _checksum(body), "body": body}, allow_nan=False)
     with contextlib.suppress(OSError, ValueError):
-        place = kept.entry(Path(path).read_bytes())
+        place = kept.entry(digest)
         kept.folder.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(dir=kept.folder, prefix=".new-")
         try:
@@ -127,11 +140,18 @@ def remember(kept: Memory, path: str | os.PathLike[str], claims: Sequence[Claim]
 def forget_the_oldest(kept: Memory) -> None:
     """Remove the verdicts of all but the last few states of the deciders."""
     with contextlib.suppress(OSError):
-        states = sorted(kept.folder.parent.iterdir(), key=lambda folder: folder.stat().st_mtime, reverse=True)
-        for folder in [state for state in states if state != kept.folder][KEPT - 1 :]:
-            for file in folder.iterdir():
-                file.unlink()
-            folder.rmdir()
+        states = [state for state in kept.folder.parent.iterdir() if _is_ours(state) and state != kept.folder]
+        for folder in sorted(states, key=lambda state: state.stat().st_mtime, reverse=True)[KEPT - 1 :]:
+            with contextlib.suppress(OSError):  # what isn't ours stays, and its folder with it
+                for file in folder.iterdir():
+                    if file.suffix == ".json" or file.name.startswith(".new-"):
+                        file.unlink()
+                folder.rmdir()
+
+
+def _is_ours(folder: Path) -> bool:
+    """Whether a folder is one of those that are made here: not a link to another one."""
+    return _STATE.fullmatch(folder.name) is not None and folder.is_dir() and not folder.is_symlink()
 
 
 def _checksum(body: Any) -> str:

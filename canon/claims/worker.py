@@ -32,6 +32,7 @@ class Entry:
 
     `claim` is None only in a worker that was spawned rather than forked: it reads the file again. Where workers of a
     cluster have read it, `claim` is what a report needs of it, and `message` the whole, which they alone open.
+    `digest` names what the file said when the claim was read: answers are kept, and certificates made, of that alone.
     """
 
     file: str
@@ -39,6 +40,7 @@ class Entry:
     claim: Claim | None
     path: str = ""
     message: bytes | None = None
+    digest: str = ""
 
 
 @dataclass(frozen=True)
@@ -118,7 +120,10 @@ def _answer(entry: Entry, settings: Settings, recorder: Recorder) -> Record:
     from canon.claims.verify import verify
 
     start = time.monotonic()
-    claim = entry.claim if entry.claim is not None else _read_again(entry)
+    try:
+        claim = entry.claim if entry.claim is not None else _read_again(entry)
+    except InputError as error:
+        return {"error": {"file": entry.file, "where": error.where, "message": error.message}, "retire": False}
     budget = settings.seconds(Entry(entry.file, entry.index, claim))
     alarm(budget + 3 * settings.grace(entry))
     retire = False
@@ -150,10 +155,21 @@ def _place(error: Exception) -> str:
 
 
 def _read_again(entry: Entry) -> Claim:
-    """Return the claim of an entry that came without it."""
-    from canon.claims.reader import read_file
+    """Return the claim of an entry that came without it. Raises InputError where its file says something else now."""
+    from canon.claims.reader import read_text
 
-    return next(claim for claim in read_file(entry.path).claims if claim.index == entry.index)
+    text = text_of(entry)
+    return next(claim for claim in read_text(text).claims if claim.index == entry.index)
+
+
+def text_of(entry: Entry) -> str:
+    """Return what an entry's file says. Raises InputError where that isn't what it said when the claim was read."""
+    from canon.claims import document
+
+    text = document.content(entry.path)
+    if entry.digest and document.digest(text) != entry.digest:
+        raise InputError("has changed since it was read")
+    return text
 
 
 def cause_of_death(code: int | None) -> str:

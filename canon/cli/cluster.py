@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, Final
 from canon.errors import InputError
 
 if TYPE_CHECKING:
-    from canon.claims.read_many import Found
     from canon.claims.worker import Entry, Settings
 
 Record = dict[str, Any]
@@ -23,15 +22,17 @@ _ADDRESS: Final = re.compile(r"[a-z]+://\S+|[^\s/:]+:[0-9]+")
 """Of one without a port Dask makes a client that can't be closed again."""
 
 
-def readings_of(address: str, paths: Sequence[Path]) -> list[Found]:
-    """What each of these files holds, read here as text and by the workers of the cluster at this address as claims.
+def readings_of(address: str, paths: Sequence[Path]) -> list[tuple[list[Any], list[dict[str, str]], str]]:
+    """What each of these files holds, read here as text and by the workers of the cluster at this address as claims:
+    those, the file's faults, and the name of what it says.
 
     **Raises:** `InputError` where Dask isn't installed, or nobody answers there.
     """
     from canon.claims import document
     from canon.claims.read_many import Found, read_many
 
-    found: list[Found | None] = [None] * len(paths)
+    found: list[Found] = [Found([], [])] * len(paths)
+    digests = [""] * len(paths)
 
     def texts() -> Iterator[str]:
         for number, path in enumerate(paths):
@@ -41,13 +42,14 @@ def readings_of(address: str, paths: Sequence[Path]) -> list[Found]:
                 found[number] = Found([], [{"where": error.where, "message": error.message}])
                 continue
             sent.append(number)
+            digests[number] = document.digest(text)
             yield text
 
     sent: list[int] = []
     with _client(address) as client:
         for place, read in read_many(texts(), client.get_executor()):
             found[sent[place]] = read
-    return [read if read is not None else Found([], []) for read in found]
+    return [(read.claims, read.problems, digest) for read, digest in zip(found, digests, strict=True)]
 
 
 def answers_of(address: str, entries: Sequence[Entry], settings: Settings) -> Iterator[tuple[int, Record]]:

@@ -151,7 +151,8 @@ def execute(arguments: argparse.Namespace) -> int:
         print_report(record, json=arguments.json, terminal=terminal, seconds=time.monotonic() - start, interrupted=left)
     unwritten = [claim["detail"]["certificate_error"] for claim in claims if "certificate_error" in claim["detail"]]
     if unwritten:
-        print(f"canon verify: {len(unwritten)} certificates are missing: {unwritten[0]}", file=sys.stderr)
+        what = "proofs" if arguments.certificate is None else "certificates"
+        print(f"canon verify: {len(unwritten)} {what} are missing: {unwritten[0]}", file=sys.stderr)
     if unproved:
         print(f"canon verify: --proof: {unproved}", file=sys.stderr)
     status = INTERRUPTED if interrupted else exit_status(claims, errors)
@@ -209,28 +210,34 @@ def _read(
             results |= {len(entries) + k: {"claim": record} for k, record in enumerate(known[1])}
             entries += [Entry(file.name, claim.index, claim, str(file.path)) for claim in known[0]]
             continue
-        claims, problems = next(readings)
-        entries += [Entry(file.name, claim.index, claim, str(file.path), message) for claim, message in claims]
+        claims, problems, digest = next(readings)
+        entries += [Entry(file.name, claim.index, claim, str(file.path), message, digest) for claim, message in claims]
         errors += [error_record(file.name, problem["where"], problem["message"]) for problem in problems]
 
 
-def _readings(paths: list[Path], cluster: str | None) -> Iterator[tuple[list[Any], list[dict[str, str]]]]:
-    """Of each file its claims, each with the message in which it came from elsewhere or None, and its faults."""
+def _readings(paths: list[Path], cluster: str | None) -> Iterator[tuple[list[Any], list[dict[str, str]], str]]:
+    """Of each file its claims, each with the message in which it came from elsewhere or None, its faults, and the name
+    of what it says."""
     if cluster is not None:
         from canon.cli.cluster import readings_of
 
         yield from readings_of(cluster, paths) if paths else ()
         return
+    from canon.claims import document
     from canon.claims.read_many import stopped
-    from canon.claims.reader import read_file
+    from canon.claims.reader import read_text
+    from canon.errors import InputError
 
     for path in paths:
         try:
-            claims, problems = read_file(path)
+            text = document.content(path)
+            claims, problems = read_text(text)
+        except InputError as error:
+            yield [], [{"where": error.where, "message": error.message}], ""
         except Exception as error:  # a flaw of the reader must not keep the other files from being checked
-            yield [], [stopped(error)]
+            yield [], [stopped(error)], ""
         else:
-            yield [(claim, None) for claim in claims], problems
+            yield [(claim, None) for claim in claims], problems, document.digest(text)
 
 
 def _remember(kept: Memory, entries: list[Entry], results: dict[int, Record], others: set[str]) -> None:
@@ -244,7 +251,8 @@ def _remember(kept: Memory, entries: list[Entry], results: dict[int, Record], ot
     for positions in files.values():
         claims = [claim for k in positions if (claim := entries[k].claim) is not None]
         records = [results[k]["claim"] for k in positions if "claim" in results.get(k, {})]
-        remember(kept, entries[positions[0]].path, claims, records)
+        if entries[positions[0]].digest:
+            remember(kept, entries[positions[0]].digest, claims, records)
     if files:
         forget_the_oldest(kept)
 

@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from canon.claim import Claim
-from canon.claims.worker import Entry
+from canon.claims.worker import Entry, text_of
+from canon.errors import InputError
 from canon.report.record import claim_record
 from canon.verdict import Verdict
 
@@ -24,13 +25,18 @@ def certified(
     """The record of a verdict, the claim file's tables with this claim, and the certificate where there is one.
 
     With a `folder` the certificate is written there, and its path is in the record; where it can't be written null is,
-    and the reason under `certificate_error` in the detail.
+    and the reason under `certificate_error` in the detail. So is it where the file isn't what it was any more: a
+    certificate quotes it. Then the tables are empty.
     """
     from canon.claims import document
     from canon.claims.certificate_data import certificate, statement_tables
 
     record = claim_record(entry, claim, verdict)
-    tables = statement_tables(document.load(entry.path), entry.index)
+    try:
+        tables = statement_tables(document.parse(text_of(entry)), entry.index)
+    except InputError as error:
+        record["detail"]["certificate_error"] = f"{entry.file}: {error.message}"
+        return record, {}, None
     if verdict.status not in ("proved", "refuted"):
         return record, tables, None
     data = certificate(claim, verdict, tables)

@@ -35,7 +35,7 @@ def _record(folder: str | None, notation: str | None, entry: Entry, claim: Claim
     from canon.report.certificate_file import certified
 
     record, tables, data = certified(folder, entry, claim, verdict)
-    if notation is not None:
+    if notation is not None and tables:
         record["proof"] = rendered(notation, record, tables, data)
     return record
 

@@ -57,10 +57,10 @@ def verify(claim: Claim, *, budget: float, seed: int, method: str, accuracy: flo
     return Verdict("proved", kind, claim.title, "normal form", 0.0123)
 
 
-def read_file(path: Path) -> tuple[list[Claim], list[Any]]:
+def read_text(text: str) -> tuple[list[Claim], list[Any]]:
     """Read a list of kinds; `!kind` is expected to fail, `kind@2` has a budget of its own."""
     claims = []
-    for index, word in enumerate(Path(path).read_text().split()):
+    for index, word in enumerate(text.split()):
         kind, _, budget = word.removeprefix("!").partition("@")
         expect = "fails" if word.startswith("!") else "holds"
         claims.append(
@@ -71,7 +71,7 @@ def read_file(path: Path) -> tuple[list[Claim], list[Any]]:
 
 reader = types.ModuleType("canon.claims.reader")
 verifier = types.ModuleType("canon.claims.verify")
-reader.read_file = read_file  # type: ignore[attr-defined]
+reader.read_text = read_text  # type: ignore[attr-defined]
 verifier.verify = verify  # type: ignore[attr-defined]
 sys.modules["canon.claims.reader"] = reader
 sys.modules["canon.claims.verify"] = verifier

@@ -19,6 +19,7 @@ import pytest
 import canon.claims.remembered as remembered
 import canon.claims.run as runs
 from canon.budget import Budget
+from canon.claims.document import digest
 from canon.claims.reader import read_text
 from canon.claims.remembered import Memory, recall, remember
 from canon.claims.worker import Entry, Settings
@@ -152,11 +153,11 @@ def test_a_folder_that_cant_be_written_to_is_no_error(tmp_path: Path) -> None:
     claims = read_text(CLAIMS).claims
     records = [{"verdict": "proved"}, {"verdict": "refuted"}]
     for folder in (Path("/proc/none"), file / "below"):
-        remember(Memory(folder, "settings"), file, claims, records)
+        remember(Memory(folder, "settings"), digest(CLAIMS), claims, records)
         assert recall(Memory(folder, "settings"), file, "name") is None
     kept = Memory(tmp_path / "kept", "settings")
     with full_disk(100):
-        remember(kept, file, claims, records)
+        remember(kept, digest(CLAIMS), claims, records)
     assert recall(kept, file, "name") is None
     assert list(kept.folder.iterdir()) == []
 
@@ -169,16 +170,16 @@ def test_two_runs_that_remember_at_once_spoil_nothing(tmp_path: Path) -> None:
     whole = {"expected": False, "method": "", "detail": {}, "seconds": 0.0, "numeric": None, "witness": None}
     told = [{"kind": c.kind, "title": c.title, "index": c.index, "certificate": None, **whole} for c in claims]
     records = [[{**of, "verdict": word, "long": word * 50_000} for of in told] for word in ("proved", "refuted")]
-    remember(kept, file, claims, records[0])
+    remember(kept, digest(CLAIMS), claims, records[0])
     child = os.fork()
     if child == 0:
         until = time.monotonic() + 0.5
         while time.monotonic() < until:
-            remember(kept, file, claims, records[1])
+            remember(kept, digest(CLAIMS), claims, records[1])
         os._exit(0)
     seen = set()
     while os.waitpid(child, os.WNOHANG) == (0, 0):
-        remember(kept, file, claims, records[0])
+        remember(kept, digest(CLAIMS), claims, records[0])
         found = recall(kept, file, "name")
         assert found is not None
         seen.add(found[1][0]["verdict"])
@@ -196,10 +197,10 @@ def test_a_memory_with_anything_in_it_is_none(tmp_path: Path) -> None:
         {"kind": c.kind, "title": c.title, "index": c.index, "certificate": None, "verdict": "proved", **whole}
         for c in claims
     ]
-    remember(kept, file, claims, told)
+    remember(kept, digest(CLAIMS), claims, told)
     assert recall(kept, file, "name") is not None
     evidence = {"points": 3, "max_residual": 1e-9, "bound": 1e-8, "bits": 53}
-    remember(kept, file, claims, [{**told[0], "numeric": evidence}, told[1]])
+    remember(kept, digest(CLAIMS), claims, [{**told[0], "numeric": evidence}, told[1]])
     assert recall(kept, file, "name") is not None
     deep: dict = {}
     for _ in range(400):
@@ -208,10 +209,12 @@ def test_a_memory_with_anything_in_it_is_none(tmp_path: Path) -> None:
     strange += [("numeric", {}), ("numeric", {**evidence, "points": {}}), ("numeric", {**evidence, "bound": []})]
     strange += [("detail", {"value": deep}), ("seconds", 10**400)]
     for key, value in strange:
-        remember(kept, file, claims, [{**told[0], key: value}, told[1]])
+        remember(kept, digest(CLAIMS), claims, [{**told[0], key: value}, told[1]])
         assert recall(kept, file, "name") is None
     for key in told[1]:
-        remember(kept, file, claims, [told[0], {k: v for k, v in told[1].items() if k != key or k == "verdict"}])
+        remember(
+            kept, digest(CLAIMS), claims, [told[0], {k: v for k, v in told[1].items() if k != key or k == "verdict"}]
+        )
         assert (recall(kept, file, "name") is None) == (key != "verdict"), key
 
 

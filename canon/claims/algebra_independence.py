@@ -13,7 +13,12 @@ from canon.claims.algebra_identity import sign_on_the_domain
 from canon.claims.fixed_parameters import fixed_region
 from canon.claims.outcome import Outcome, exact
 from canon.claims.scale import never_zero
-from canon.claims.special_parameters import MEROMORPHIC, PLACES, not_zero_for_any_parameters
+from canon.claims.special_parameters import (
+    MEROMORPHIC,
+    PLACES,
+    denominators,
+    not_zero_for_any_parameters,
+)
 from canon.claims.structure_search import Values, first_values, frame, parameters_of, solve
 from canon.claims.units import same_in_other_units
 from canon.decide.derivative import substitute
@@ -145,12 +150,17 @@ def _never_zero(
 
 
 def _by_places(question: Question, basis: Sequence[Node], parameters: Sequence[Node]) -> bool:
-    """For formulas without branches: a determinant of values at some places is 0 for no parameters."""
+    """For formulas without branches: a determinant of values at some places is 0 for no parameters.
+
+    At a place where a denominator may vanish for some of them they prove nothing: a/(a + x − 1) is 1 at x = 1, but for
+    a = 0 it is 0 throughout.
+    """
     tape = question.tape
     operations = [tape.ops[i] for i in tape.reach(basis)]
     if any(op[0] in ("r", "u") or (op[0] == "f" and op[1] not in MEROMORPHIC) for op in operations):
         return False
     variables = sorted({x for f in basis for x in tape.support(f)} - set(parameters))
+    below, conditions = denominators(tape, basis, variables), question.domain().conditions
     some = {tape.symbol_at(x): sp.Rational(7 + 3 * k, 5 + k) for k, x in enumerate(parameters)}
     rows: list[list[Any]] = []
     rank = 0
@@ -158,6 +168,8 @@ def _by_places(question: Question, basis: Sequence[Node], parameters: Sequence[N
         place = PLACES[shift % (len(PLACES) - 1)]
         values = {x: tape.number(place[(k + shift) % len(place)] + shift) for k, x in enumerate(variables)}
         try:
+            if not all(never_zero(tape.to_sympy(substitute(tape, d, values)), conditions) for d in below):
+                continue
             row: list[Any] = [tape.to_sympy(substitute(tape, f, values)) for f in basis]
         except (InputError, ZeroDivisionError):
             continue
@@ -169,5 +181,5 @@ def _by_places(question: Question, basis: Sequence[Node], parameters: Sequence[N
             value: Any = sp.factor(
                 determinant.as_expr() if hasattr(determinant, "as_expr") else sp.sympify(determinant)
             )
-            return never_zero(value, question.domain().conditions)
+            return never_zero(value, conditions)
     return False

@@ -14,6 +14,7 @@ from canon.claims.determinant import determinant
 from canon.decide.derivative import derivative, substitute
 from canon.decide.region import Requirement
 from canon.decide.tape import Node, Tape
+from canon.errors import InputError
 from canon.sign import declared
 
 if TYPE_CHECKING:
@@ -101,3 +102,22 @@ def required_of(tape: Tape, symbol: sp.Symbol, image: Node) -> Iterator[Requirem
         yield Requirement("positive", (tape.negative(image),), f"{symbol} < 0 (pulled back)")
     elif facts.get("zero") is False:
         yield Requirement("nonzero", (image,), f"{symbol} != 0 (pulled back)")
+
+
+def required_in_place_of(tape: Tape, symbol: sp.Symbol, image: Node, where: str) -> Iterator[Requirement]:
+    """What is assumed of a name must hold of what is put in its place: its formulas are simplified by that.
+
+    √a² is a where a is positive, and cos 2πn is 1 for whole numbers n.
+
+    **Raises:** `InputError` where a whole or a real number stands for something that isn't seen to be one.
+    """
+    facts = declared(symbol)
+    if image == tape.symbol(symbol) or not facts:
+        return
+    if facts.get("integer") and not tape.to_sympy(image).expand().is_integer:
+        raise InputError(
+            f"{symbol} is an integer, and {tape.to_sympy(image)} in its place is not seen to be one", where
+        )
+    if facts.get("real") and tape.is_complex(image):
+        raise InputError(f"{symbol} is real, and {tape.to_sympy(image)} in its place is not seen to be", where)
+    yield from required_of(tape, symbol, image)

@@ -9,8 +9,11 @@ from canon.decide.derivative import derivative, substitute
 from canon.decide.region import Region, Requirement
 from canon.decide.tape import Node, Tape
 from canon.errors import InputError
+from canon.sign import declared
 
 if TYPE_CHECKING:
+    import sympy as sp
+
     from canon.claims.question import Question
 
 
@@ -44,7 +47,8 @@ def moved_region(tape: Tape, region: Region, move: Callable[[Node], Node]) -> Re
 def unfolded(question: Question, region: Region) -> tuple[dict[Node, Node], Region] | None:
     """The surfaces F_k(z) = E_k of all values of parameters E_k, as the whole space with F_k(z) in place of E_k.
 
-    What holds on all these surfaces holds there, and the other way round. None where the surface is no such graph.
+    What holds on all these surfaces holds there, and the other way round. None where the surface is no such graph: a
+    whole number, or a real one beside complex variables, has not every value of F_k.
     """
     from canon.claims.chart import required_of
 
@@ -61,9 +65,17 @@ def unfolded(question: Question, region: Region) -> tuple[dict[Node, Node], Regi
             return None
     if not images or any(x in tape.support(image) for image in images.values() for x in images):
         return None
+    if not all(_takes_all_values(tape, symbols[x], image) for x, image in images.items()):
+        return None
     moved = fixed_region(tape, Region(region.requirements, (), region.symbols), images)
     if moved is None:
         return None
     for x, image in images.items():
         moved = moved.also(*required_of(tape, symbols[x], image))
     return images, moved
+
+
+def _takes_all_values(tape: Tape, symbol: sp.Symbol, image: Node) -> bool:
+    """Whether a name may be any value of the node that its sign allows."""
+    facts = declared(symbol)
+    return not facts.get("integer") and not (facts.get("real") and tape.is_complex(image))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from canon.claims.chart import required_in_place_of
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.own_names import is_free_of
 from canon.claims.show import with_value
@@ -64,15 +65,20 @@ def matrix_group(question: Question) -> Outcome:
     together = [question.load(f) for f in theta]
     residuals = _differences("M(a)*M(b)", tape, _product(tape, M, at(second)), at(together))
     region = question.region(*entries, *theta, *inverse)
-    places = [second, together]
+    places = [(second, "second"), (together, "composition")]
     if inverse:
         back = [question.load(f) for f in inverse]
         one = tuple(tuple(tape.number(int(i == j)) for j in range(len(M))) for i in range(len(M)))
         residuals += _differences("M(a)*M(inverse)", tape, _product(tape, M, at(back)), one)
-        places.append(back)
-    for place in places:
+        places.append((back, "inverse"))
+    for place, word in places:
         moved = question.region(*entries, images=dict(zip(first, place, strict=True)), assumed=False)
-        region = region.also(*(r for r in moved.requirements if r not in region.requirements))
+        granted = [
+            r
+            for symbol, node in zip(question.key("first"), place, strict=True)
+            for r in required_in_place_of(tape, symbol, question.chart.pull(node), f"key {word!r}")
+        ]
+        region = region.also(*(r for r in (*moved.requirements, *granted) if r not in region.requirements))
     return with_value(question, question.decide(_pulled(question, residuals), region))
 
 

@@ -10,14 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-import sympy as sp
-
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.scale import constant_scale
 from canon.decide.derivative import derivative
 from canon.decide.region import Region
 from canon.decide.tape import Node
-from canon.domain import Condition, nonzero, positive
 from canon.expression import Formula
 from canon.mechanics.formulas import substituted
 
@@ -36,17 +33,8 @@ def symmetry(question: Question) -> Outcome:
     """`symmetry`: the new Hamiltonian is H with q → Q, p → P, up to a function of time."""
     question.square_map()
     H, space = question.hamiltonian(), question.space
-    renamed = {old: Formula(new, _inherited(old, new), str(new)) for old, new in zip(space.old, space.new, strict=True)}
+    renamed = {old: Formula(new, (), str(new)) for old, new in zip(space.old, space.new, strict=True)}
     return _transforms(question, H, substituted(H, renamed))
-
-
-def _inherited(old: sp.Symbol, new: sp.Symbol) -> tuple[Condition, ...]:
-    """What H takes for granted of its variable must hold of the new one in its place."""
-    if old.is_positive:
-        return positive(new)
-    if old.is_negative:
-        return positive(-new)
-    return nonzero(new) if old.is_zero is False else ()
 
 
 def _transforms(question: Question, H: Formula, K: Formula) -> Outcome:

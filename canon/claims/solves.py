@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from canon.claims.chart import required_in_place_of
 from canon.claims.outcome import Outcome, Residual
 from canon.decide.derivative import derivative, rebuild, substitute
 from canon.decide.region import Region, Requirement
@@ -92,11 +93,13 @@ class _Replaced:
             for _ in range(order):
                 slope = derivative(self.tape, slope, x)
         images = dict(zip(function.arguments, (self.values[a] for a in arguments), strict=True))
+        own: list[Requirement] = []
         for r in function.region.requirements:
             nodes = tuple(substitute(self.tape, n, images) for n in r.nodes)
-            requirement = r if nodes == r.nodes else Requirement(r.kind, nodes, r.said, f" (of {name} at its argument)")
-            if requirement not in self.requirements:
-                self.requirements.append(requirement)
+            own.append(r if nodes == r.nodes else Requirement(r.kind, nodes, r.said, f" (of {name} at its argument)"))
+        for x, image in images.items():
+            own += required_in_place_of(self.tape, self.tape.symbol_at(x), image, "key 'equations'")
+        self.requirements += [r for r in dict.fromkeys(own) if r not in self.requirements]
         return substitute(self.tape, slope, images)
 
 

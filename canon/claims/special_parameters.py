@@ -107,7 +107,7 @@ def _product_at(
     values = {x: tape.number(place[k % len(place)]) for k, x in enumerate(variables)}
     found: list[sp.Expr] = []
     try:
-        for node in _denominators(tape, branches, variables):
+        for node in denominators(tape, branches, variables):
             below = substitute(tape, node, values)
             if not (is_short(tape, below) and never_zero(tape.to_sympy(below), conditions)):
                 return None
@@ -121,7 +121,7 @@ def _product_at(
     return None if any(v.has(sp.zoo, sp.nan, sp.oo) for v in found) else sp.Mul(*found)
 
 
-def _denominators(tape: Tape, nodes: Sequence[Node], variables: Sequence[Node]) -> list[Node]:
+def denominators(tape: Tape, nodes: Sequence[Node], variables: Sequence[Node]) -> list[Node]:
     """What is divided by and contains one of the variables."""
     found: dict[Node, None] = {}
     for i in tape.reach(nodes):

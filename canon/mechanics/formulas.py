@@ -6,7 +6,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from canon.domain import Condition, Domain, Smoothness
+from canon.domain import Condition, Domain, Smoothness, nonzero, positive
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.special import EllipticPi
@@ -91,14 +91,25 @@ def _assumed(symbol: Any) -> str:
 def substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formula:
     """The pull-back of `formula` along x -> mapping[x].
 
-    It is defined where the images that it uses are defined and its own conditions hold of them.
+    It is defined where the images that it uses are defined, its own conditions hold of them, and they are what is
+    assumed of the symbols in whose place they stand: it may have been simplified by that, as √x² to x.
     """
     used = [symbol for symbol in mapping if symbol in formula.expr.free_symbols]
     needed = {symbol for condition in formula.conditions for term in condition.terms for symbol in term.free_symbols}
     images: dict[sp.Expr, sp.Expr] = {symbol: image.expr for symbol, image in mapping.items()}
     own = Domain(conditions=formula.conditions).substitute(images).conditions
     inherited = tuple(c for s in mapping if s in needed or s in used for c in mapping[s].conditions)
-    return Formula(replaced(formula.expr, images), distinct(inherited + own), formula.text)
+    assumed = tuple(c for s in mapping if s in needed or s in used for c in _assumed_of(s, mapping[s].expr))
+    return Formula(replaced(formula.expr, images), distinct(inherited + own + assumed), formula.text)
+
+
+def _assumed_of(symbol: sp.Symbol, image: sp.Expr) -> tuple[Condition, ...]:
+    """The sign that a symbol is assumed to have, as a condition on what stands in its place."""
+    if image == symbol or (image == 0 and symbol.is_zero is not False):
+        return ()
+    if symbol.is_nonnegative or symbol.is_nonpositive:
+        return positive(image if symbol.is_nonnegative else -image)
+    return nonzero(image) if symbol.is_zero is False else ()
 
 
 def distinct(conditions: Iterable[Condition]) -> tuple[Condition, ...]:

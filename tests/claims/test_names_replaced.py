@@ -1,0 +1,96 @@
+"""What stands in a name's place must be what is assumed of the name: its formulas are simplified by that."""
+
+import pytest
+
+from canon import PhaseSpace, Transformation, verify
+from canon.errors import InputError
+from canon.mechanics.composition import compose
+
+LINE = 'q = ["q"]\np = ["p"]\n'
+ADDED = 'first = ["a"]\nsecond = ["b"]\ncomposition = ["a + b"]'
+WHOLE = 'a = "integer"\nb = "integer"'
+
+
+def group(entry: str, more: str = "", law: str = ADDED) -> str:
+    return f'kind = "matrix_group"\nmatrix = [["{entry}"]]\n{law}\n{more}'
+
+
+@pytest.mark.parametrize(
+    ("claim", "symbols"),
+    [
+        (group("exp(sqrt(a**2))", 'inverse = ["-a"]'), 'a = "positive"'),
+        (group("exp(abs(a))"), 'a = "positive"\nb = "negative"'),
+        (group("exp(a)*cos(2*pi*a)"), 'a = "integer"\nb = "real"'),
+        (group("cos(2*pi*a)", 'inverse = ["a/2"]'), WHOLE),
+        (group("exp(sqrt(a**2) - abs(a))"), 'a = "real"\nb = "complex"'),
+    ],
+)
+def test_elements_of_a_group_outside_of_what_is_assumed(ask, claim, symbols):
+    with pytest.raises((InputError, AssertionError), match=r"in its place is not seen to be|no point of the domain"):
+        ask(claim, space=LINE, symbols=symbols)
+
+
+@pytest.mark.parametrize(
+    ("claim", "symbols", "expected"),
+    [
+        (group("exp(abs(a))"), 'a = "positive"', "proved"),
+        (group("exp(-abs(a))", law=ADDED.replace("a + b", "a - b")), 'a = "positive"', "refuted"),
+        (group("a", 'inverse = ["1/a"]', ADDED.replace("a + b", "a*b")), 'a = "nonzero"', "proved"),
+        (group("(-1)**a", 'inverse = ["-a"]'), WHOLE, "proved"),
+    ],
+)
+def test_elements_of_a_group_that_are_as_assumed(status, claim, symbols, expected):
+    assert status(claim, space=LINE, symbols=symbols) == expected
+
+
+@pytest.mark.parametrize(
+    ("solution", "equation", "symbols"),
+    [
+        ('"x(t)" = "abs(t)"', "x(t) + x(-t)", 't = "positive"'),
+        ('"x(t)" = "sqrt(t**2)"', "x(1) + 1", 't = "negative"'),
+        ('"x(n)" = "cos(2*pi*n)"', "x(n/2) - 1", 'n = "integer"'),
+        ('"x(n)" = "cos(2*pi*n)"', "x(y) - 1", 'n = "integer"\ny = "real"'),
+    ],
+)
+def test_a_solution_is_not_asked_beyond_its_argument(ask, solution, equation, symbols):
+    claim = f'kind = "solves"\nsolution = {{{solution}}}\nequations = ["{equation}"]'
+    with pytest.raises((InputError, AssertionError), match=r"in its place is not seen to be|no point of the domain"):
+        ask(claim, space=LINE, symbols=f'{symbols}\nx = "function"')
+
+
+def test_a_solution_at_arguments_that_are_as_assumed(status):
+    claim = 'kind = "solves"\nsolution = {"x(n)" = "2**n*cos(2*pi*n)"}\nequations = ["x(n + 1) - 2*x(n)", "x(0) - 1"]'
+    assert status(claim, space=LINE, symbols='n = "integer"\nx = "function"') == "proved"
+
+
+def test_the_new_hamiltonian_of_a_symmetry_is_defined_where_the_old_one_is(ask):
+    """√q² is q for q ≥ 0, but for the new coordinate −q it isn't −q."""
+    mirror = {"transformation": 'Q = ["-q"]\nP = ["-p"]', "hamiltonian": 'H = "sqrt(q**2) + p**2/2"'}
+    with pytest.raises(InputError, match=r"no point of the domain|undefined everywhere"):
+        ask('kind = "symmetry"', symbols='q = "nonnegative"', **mirror)
+    assert ask('kind = "symmetry"', **mirror)[0].status == "proved"
+
+
+def test_a_composed_map_is_one_where_the_second_is_defined():
+    """The second map is one of u > 0 alone, so that the composed one speaks of −q > 0."""
+    first = Transformation(one := PhaseSpace("q", "p", new=("u", "w")), Q=-one.q[0], P=-one.p[0])
+    two = PhaseSpace("u", "w", new=("Q", "P"), positive="u")
+    second = Transformation(two, Q=two.formula("sqrt(u**2)"), P=two.formula("w"))
+    whole = compose(first, second)
+    assert [str(c) for f in whole.Q for c in f.conditions] == ["-q > 0"]
+    assert verify(whole.canonical()).witness is None
+
+
+def test_surfaces_of_whole_numbers_are_no_space(status):
+    """On p² + q² = 2n sin πH is 0, though not elsewhere."""
+    claim = 'kind = "algebra"\nbasis = {A = "q", B = "1 + sin(pi*(p**2 + q**2)/2)**2"}\nstructure = {}'
+    on = 'on = ["(p**2 + q**2)/2 - n"]'
+    assert status(claim, space=LINE, symbols='n = "integer"', domain=on) in ("proved", "supported")
+    assert status(claim, space=LINE, symbols='n = "real"', domain=on) == "refuted"
+
+
+@pytest.mark.parametrize(("sign", "expected"), [("nonnegative", "supported"), ("positive", "proved")])
+def test_functions_that_vanish_for_one_value_of_a_parameter_are_dependent(status, sign, expected):
+    """a/(a + q − 1) is 1 at q = 1 for every a but 0, for which it is 0 throughout."""
+    claim = 'kind = "algebra"\nbasis = {A = "a/(a + q - 1)", B = "q"}\nequals = "u(1)^2"'
+    assert status(claim, space=LINE, symbols=f'a = "{sign}"', domain='where = ["q > 2"]') == expected

@@ -4,11 +4,11 @@ The public names below are loaded when they are first used, so `import canon` it
 """
 
 from importlib import import_module
-from typing import TYPE_CHECKING
 
 from canon.homes import HOME_OF
 from canon.version import __version__
 
+TYPE_CHECKING = False  # as a checker of types reads it; `typing` would be most of what the import costs
 if TYPE_CHECKING:
     from canon.claim import Claim
     from canon.claims.audit_report import AuditFailed, AuditReport

@@ -3,15 +3,71 @@
 import os
 import sys
 
+ROOM = 64 << 20
+"""Bytes on the disk below which no compiled files are kept: CPython 3.11 keeps those that are cut short, too."""
+
+CUT_SHORT = (
+    ": a file that Python has compiled is cut short, as where the disk was full when it was written: remove the "
+    f"folders __pycache__ below {os.path.dirname(os.path.abspath(__file__))!r}"
+)
+
 
 def entry() -> None:
-    """Run as a program. Ctrl-C is heard while it is still being loaded, too."""
+    """Run as a program. Ctrl-C, and an end that the system asks for, are heard while it is still being loaded, too."""
+    _drop_the_working_folder()
+    import signal
+
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
+            signal.signal(number, _leave)
+    if _is_short_of_room():
+        sys.dont_write_bytecode = True
     try:
         from canon.cli.main import entry as loaded
-    except KeyboardInterrupt:
-        print("canon: interrupted", file=sys.stderr, flush=True)
-        os._exit(130)
+    except (OSError, MemoryError, EOFError) as error:
+        _say(f"canon can't be loaded: {error or 'out of memory'}{CUT_SHORT if isinstance(error, EOFError) else ''}")
+        os._exit(71)
     loaded()
+
+
+def _leave(*_: object) -> None:
+    """End at once: there is nothing to report. Nothing is raised, which a library that is being loaded might lose."""
+    _say("canon: interrupted")
+    os._exit(130)
+
+
+def _say(text: str) -> None:
+    import contextlib
+
+    with contextlib.suppress(OSError):
+        os.write(2, f"{text}\n".encode("utf-8", "backslashreplace"))
+
+
+def _drop_the_working_folder() -> None:
+    """Import nothing from the folder in which the claims lie: they are data, and what lies beside them is, too.
+
+    `python -m` looks there first. It is left where canon itself lies there.
+    """
+    home = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    try:
+        here = os.getcwd()
+    except OSError:  # it is gone
+        return
+    if not sys.flags.safe_path and sys.path and sys.path[0] in ("", here) and here != home:
+        del sys.path[0]
+
+
+def _is_short_of_room() -> bool:
+    """Whether files that are written may be cut short."""
+    try:
+        import resource
+
+        place = os.statvfs(os.path.dirname(__file__))
+        limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    except (ImportError, OSError):
+        return False
+    return place.f_bavail * place.f_frsize < ROOM or limits[0] != resource.RLIM_INFINITY
 
 
 if __name__ == "__main__":

@@ -1,8 +1,6 @@
-"""In which module each public name lives, so that `import canon` need not load it."""
+"""In which module each public name lives, so that `import canon` need not load it. Nothing is imported here."""
 
-from typing import Final
-
-HOMES: Final[dict[str, tuple[str, ...]]] = {
+HOMES: dict[str, tuple[str, ...]] = {
     "canon.errors": ("CanonError", "ClaimFailed", "InputError"),
     "canon.verdict": ("Verdict",),
     "canon.report.proof.of_claim": ("Proof", "proof"),
@@ -102,4 +100,4 @@ HOMES: Final[dict[str, tuple[str, ...]]] = {
         "normal_form",
     ),
 }
-HOME_OF: Final = {name: module for module, names in HOMES.items() for name in names}
+HOME_OF = {name: module for module, names in HOMES.items() for name in names}

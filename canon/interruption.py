@@ -11,7 +11,8 @@ from __future__ import annotations
 import signal
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, Final, TypeVar
 
 T = TypeVar("T")
@@ -77,17 +78,59 @@ def heeding(work: Callable[[], T]) -> T:
             signal.signal(number, handler)
 
 
+class Raiser:
+    """A handler of signals that raises `KeyboardInterrupt`, and remembers it: a library's callback may lose it."""
+
+    def __init__(self) -> None:
+        self.pressed = False
+
+    def __call__(self, *_: object) -> None:
+        self.pressed = True
+        raise KeyboardInterrupt
+
+
 def raising(work: Callable[[], T]) -> T:
     """What `work` returns; SIGTERM and SIGHUP raise `KeyboardInterrupt` in it, as Ctrl-C does. Called in the main
     thread, for work that is done in other processes and is never long in one step of Python's."""
-    wanted = [n for n in HEARD if signal.getsignal(n) == signal.SIG_DFL]
-    for number in wanted:
-        signal.signal(number, signal.default_int_handler)
+    raiser = Raiser()
+    before = {number: signal.getsignal(number) for number in HEARD}
     try:
+        for number, handler in before.items():
+            if handler is not signal.SIG_IGN:
+                signal.signal(number, raiser)
         return work()
     finally:
-        for number in wanted:
-            signal.signal(number, signal.SIG_DFL)
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def raise_again() -> None:
+    """**Raises:** `KeyboardInterrupt` where `raising` has raised one that didn't arrive; once."""
+    for number in HEARD:
+        handler = signal.getsignal(number)
+        if isinstance(handler, Raiser) and handler.pressed:
+            handler.pressed = False
+            raise KeyboardInterrupt
+
+
+@contextmanager
+def held() -> Iterator[None]:
+    """Signals that are heard wait until this is over: for a process that begins as a copy of this one, and would raise
+    what is meant for this one. It begins with them held, and lets them go (`let_go`)."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, HEARD)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def let_go() -> None:
+    """Signals that were held back arrive from now on, and so does an alarm."""
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {*HEARD, signal.SIGALRM})
 
 
 def interruptible(work: Callable[[], T], until: float | None = None) -> T:

@@ -20,9 +20,14 @@ from multiprocessing.process import BaseProcess
 from typing import Any
 
 from canon.claims.worker import Entry, Record, Recorder, Settings, cause_of_death, serve, without_verdict
+from canon.interruption import held, raise_again
 
 Watcher = Callable[[int, Sequence[int]], None]
 GIB = 1 << 30
+
+
+class NoWorkers(Exception):
+    """The system starts no worker process, and there is none, with the reason."""
 
 
 @dataclass
@@ -53,6 +58,8 @@ def run(
 
     **Yields**: the position in `entries` and {"claim": record}, or {"error": {file, where, message}} where the claim
     turned out to be ill-posed. Leaving the loop early, also by Ctrl-C, ends all workers.
+
+    **Raises**: `NoWorkers` where the system starts none (any more); where it starts fewer, those do the work.
     """
     if not entries:
         return
@@ -65,13 +72,19 @@ def run(
     try:
         while done < len(entries):
             while waiting and len(team.workers) < count:
-                team.hire()
+                try:
+                    team.hire()
+                except OSError as error:
+                    if not team.workers:
+                        raise NoWorkers(f"the system starts no process: {error.strerror or error}") from None
+                    count = len(team.workers)  # those that there are do the rest
             for worker in team.workers:
                 if worker.position is None and waiting:
                     team.give(worker, waiting.popleft())
             for position, reply in team.answers(until=time.monotonic() + 0.25 if watch else float("inf")):
                 done += 1
                 yield position, reply
+            raise_again()
             if watch:
                 watch(done, [worker.position for worker in team.workers if worker.position is not None])
     finally:
@@ -94,6 +107,16 @@ class _Team:
     def hire(self) -> None:
         """Start a worker. A spawned one gets the places of the claims and reads the files again."""
         mine, its = self.context.Pipe()
+        try:
+            process = self._started(mine, its)
+        except OSError:
+            mine.close()
+            raise
+        finally:
+            its.close()
+        self.workers.append(_Worker(process, mine))
+
+    def _started(self, mine: Connection, its: Connection) -> BaseProcess:
         if self.forked:
             entries: Sequence[Entry] = self.entries
             inherited = [*(worker.connection for worker in self.workers), mine]
@@ -103,9 +126,9 @@ class _Team:
         process = self.context.Process(
             target=serve, args=(its, entries, self.settings, self.recorder, inherited), daemon=True
         )
-        process.start()
-        its.close()
-        self.workers.append(_Worker(process, mine))
+        with held():
+            process.start()
+        return process
 
     def give(self, worker: _Worker, position: int) -> None:
         """Hand a claim to an idle worker."""

@@ -19,6 +19,7 @@ from typing import Any, Literal
 
 from canon.claim import Claim
 from canon.errors import InputError
+from canon.interruption import let_go
 from canon.verdict import Verdict
 
 Record = dict[str, Any]
@@ -187,6 +188,7 @@ def isolate(memory: int | None) -> None:
     for name, handler in (("SIGINT", signal.SIG_IGN), ("SIGHUP", signal.SIG_IGN), ("SIGTERM", signal.SIG_DFL)):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), handler)
+    let_go()
     nowhere = os.open(os.devnull, os.O_RDWR)
     for stream in (0, 1, 2):
         os.dup2(nowhere, stream)

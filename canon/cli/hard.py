@@ -59,9 +59,9 @@ def execute(arguments: argparse.Namespace) -> int:
     elif arguments.csv:
         csv.writer(sys.stdout).writerows(hard_csv(found))
     else:
-        from rich.console import Console
+        from canon.report.console import terminal
 
-        console = Console(highlight=False)
+        console = terminal()
         if not console.is_terminal:
             console.width = WIDTH
         console.print(hard_table(found), "", *closing_lines(found), sep="\n")

@@ -17,6 +17,7 @@ from functools import partial
 from typing import Final
 
 import canon
+from canon.__main__ import CUT_SHORT
 from canon.cli import actions, algebra, certificate, cost, hard, scenes, simulate, verify
 from canon.cli.parser import NO_RESOURCES, NOT_WRITTEN, Parser
 from canon.interruption import Left, heeding, left_behind, raising
@@ -141,6 +142,12 @@ def entry() -> None:
         with contextlib.suppress(OSError):
             print(f"canon: {what}: {error.strerror or error}", file=sys.stderr, flush=True)
         os._exit(NO_RESOURCES if refused else NOT_WRITTEN)  # what is left in the buffers can't be written, either
+    except EOFError as error:
+        if "marshal" not in str(error):
+            raise
+        with contextlib.suppress(OSError):
+            print(f"canon: {error}{CUT_SHORT}", file=sys.stderr, flush=True)
+        os._exit(NO_RESOURCES)
     except (MemoryError, RuntimeError, ImportError) as error:
         if isinstance(error, RuntimeError) and str(error) != "can't start new thread":
             raise
@@ -158,7 +165,9 @@ def entry() -> None:
         # Python's orderly end takes the interpreter from compiled code that is still running, which then aborts
         traceback.print_exc()
         os._exit(1)
-    if left_behind():  # compiled code that nobody waits for, and that would be in the way of an orderly end
+    # compiled code that nobody waits for would be in the way of an orderly end; and Python has a status of its own
+    # where an interruption met a text that is executed, as for a namedtuple
+    if left_behind() or status == verify.INTERRUPTED:
         with contextlib.suppress(OSError):
             sys.stderr.flush()
         os._exit(status if isinstance(status, int) else 1)

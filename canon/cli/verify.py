@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any, Final
 
 from canon.cli.accuracy import no_accuracy
 from canon.cli.files import ClaimFile, claim_files
-from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, count, positive, seconds, whole
+from canon.cli.parser import BAD_INPUT, NO_RESOURCES, NOT_WRITTEN, count, positive, seconds, whole
 from canon.cli.verify_output import no_proof_file, not_a_folder, print_report, write_proofs
+from canon.interruption import raise_again
 
 if TYPE_CHECKING:
     from canon.claims.journal import Journal
@@ -96,6 +97,7 @@ def execute(arguments: argparse.Namespace) -> int:
     start = time.monotonic()
     from canon.claims.journal import answered, journal
     from canon.claims.remembered import memory
+    from canon.claims.run import NoWorkers
     from canon.cli.verify_run import run_claims
     from canon.errors import InputError
 
@@ -115,7 +117,7 @@ def execute(arguments: argparse.Namespace) -> int:
     errors: list[Record] = []
     order: dict[str, int] = {}
     terminal = not arguments.json and sys.stdout.isatty()
-    interrupted = False
+    interrupted, unasked = False, ""
     kept = memory(settings) if not (arguments.files or arguments.fresh) else None
     recalled: set[str] = set()
     try:
@@ -128,6 +130,8 @@ def execute(arguments: argparse.Namespace) -> int:
         run_claims(entries, settings, results, **where, terminal=terminal, quiet=quiet, told=told)
     except InputError as error:
         return _refuse(error)
+    except NoWorkers as error:
+        unasked = str(error)
     except KeyboardInterrupt:
         interrupted = True
     if diary is not None and diary.fault:
@@ -144,7 +148,7 @@ def execute(arguments: argparse.Namespace) -> int:
     errors.sort(key=lambda error: (order.get(error["file"], -1), _claim_number(error["where"])))
     record = run_record(claims, errors)
     table = _coverage(entries, record) if arguments.coverage else []
-    left = len(entries) - len(results) if interrupted else 0
+    left = len(entries) - len(results) if interrupted or unasked else 0
     if table and not arguments.json:
         print("\n".join(table))
     else:
@@ -155,6 +159,9 @@ def execute(arguments: argparse.Namespace) -> int:
         print(f"canon verify: {len(unwritten)} {what} are missing: {unwritten[0]}", file=sys.stderr)
     if unproved:
         print(f"canon verify: --proof: {unproved}", file=sys.stderr)
+    if unasked:
+        print(f"canon verify: {left} of {len(entries)} claims not asked: {unasked}", file=sys.stderr)
+        return NO_RESOURCES
     status = INTERRUPTED if interrupted else exit_status(claims, errors)
     unkept = diary is not None and diary.fault
     return status or (NOT_WRITTEN if unwritten or unproved or unkept else 0)
@@ -204,6 +211,7 @@ def _read(
     memories = [None if kept is None else recall(kept, file.path, file.name) for file in files]
     readings = _readings([file.path for file, known in zip(files, memories, strict=True) if known is None], cluster)
     for file, known in zip(files, memories, strict=True):
+        raise_again()
         order.setdefault(file.name, len(order))
         if known is not None:
             recalled.add(file.name)

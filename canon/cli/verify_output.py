@@ -59,11 +59,10 @@ def print_report(record: Record, *, json: bool, terminal: bool, seconds: float, 
     if json:
         print(_notation(record, sys.stdout.encoding or "utf-8"))
     elif terminal:
-        from rich.console import Console
-
         from canon.report.console import print_record
+        from canon.report.console import terminal as here
 
-        print_record(record, Console(highlight=False), seconds=seconds, interrupted=interrupted)
+        print_record(record, here(), seconds=seconds, interrupted=interrupted)
     else:
         from canon.report.plain import print_rest
 

@@ -83,11 +83,10 @@ def _collect(ask: Ask, results: Answers, watch: Watcher | None = None) -> None:
 
 
 def _with_bar(entries: list[Entry], ask: Ask, results: Answers) -> None:
-    from rich.console import Console
-
     from canon.report.console import progress
+    from canon.report.console import terminal as here
 
-    console = Console(stderr=True)
+    console = here(stderr=True)
     if not (console.is_terminal and entries):
         _collect(ask, results)
         return

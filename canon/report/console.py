@@ -6,6 +6,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import groupby
+from shutil import get_terminal_size
 from typing import Final
 
 from rich.console import Console, RenderableType
@@ -16,10 +17,20 @@ from rich.text import Text
 from canon.report.explain import error_line, explained, explanation
 from canon.report.words import Record, closing, duration, name, verdict, visible
 
+NARROWEST: Final = 20
+WIDEST: Final = 500
+"""Columns of a terminal that a table is fitted to."""
 PATIENCE: Final = 1.0
 """Seconds before a progress bar appears."""
 
 _COLOURS: Final = {"proved": "green", "refuted": "red", "supported": "yellow", "undecided": "magenta"}
+
+
+def terminal(*, stderr: bool = False) -> Console:
+    """The terminal, as wide as it says, within reason: rich would print nothing on one of no width."""
+    columns, lines = get_terminal_size()
+    width, height = min(max(columns, NARROWEST), WIDEST), min(max(lines, 5), 500)
+    return Console(stderr=stderr, highlight=False, width=width, height=height)
 
 
 def colour(claim: Record) -> str:
@@ -95,7 +106,7 @@ class part_bar:  # noqa: N801 - it is called as a function, and kept while a run
     """A progress bar of one run, which appears when the wait has become long."""
 
     def __init__(self, label: str = "simulating") -> None:
-        self.bar, self.label = _Bar(100, Console(stderr=True)), label
+        self.bar, self.label = _Bar(100, terminal(stderr=True)), label
 
     def update(self, part: float) -> None:
         """Draw the bar anew: this part of the run is done."""

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from canon.cost.study import Point, Study, measured_order, pareto
+from canon.report.figure_style import plain, words
 from canon.report.whole_file import figure_written
 
 COLOURS: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8A7B00")
@@ -21,6 +22,7 @@ LEAST: Final = 1e-32
 """An error of 0 is drawn here, or at the lowest other one."""
 
 
+@plain()
 def plot_studies(studies: Sequence[Study], path: str | Path) -> None:
     """One panel a study, at most six, into a file whose ending says in which format."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -67,7 +69,11 @@ def _panel(axes: Any, study: Study) -> None:
             "rounding", (0.01, study.floor), xycoords=("axes fraction", "data"), fontsize=8, color="0.4", va="bottom"
         )
     axes.set(
-        xscale="log", yscale="log", xlabel="seconds (median, warm)", ylabel=f"error ({study.error})", title=study.title
+        xscale="log",
+        yscale="log",
+        xlabel="seconds (median, warm)",
+        ylabel=f"error ({study.error})",
+        title=words(study.title),
     )
     axes.title.set_fontsize(10)
     _label(axes, labels)

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from canon.report.drawn import drawn
+from canon.report.figure_style import plain, words
 from canon.report.whole_file import figure_written
 from canon.scenes.simulate import Result
 from canon.scenes.states import named_states
@@ -14,6 +15,7 @@ NAMED: Final = 10
 """Bodies whose names a legend has room for."""
 
 
+@plain()
 def plot(result: Result, path: str | Path) -> None:
     """Write a figure of the run to a file, whose ending says in which format."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -26,7 +28,7 @@ def plot(result: Result, path: str | Path) -> None:
     _orbit(left, result)
     _against_time(right, result)
     if result.scene.title:
-        figure.suptitle(result.scene.title)
+        figure.suptitle(words(result.scene.title))
     figure_written(path, figure)
 
 
@@ -56,7 +58,7 @@ def _orbit(axes: Any, result: Result) -> None:
 def _rays(axes: Any, result: Result) -> None:
     """Rays along the axis, their first coordinate across it."""
     for body in result.scene.bodies:
-        axes.plot(result.times, result.q[:, body.first], lw=1, label=body.name)
+        axes.plot(result.times, result.q[:, body.first], lw=1, label=words(body.name))
     if 1 < len(result.scene.bodies) <= NAMED:
         axes.legend()
     axes.set(xlabel=str(result.scene.model.t), ylabel="x")
@@ -66,7 +68,7 @@ def _tops(axes: Any, result: Result) -> None:
     """Where the third axes of rigid bodies point, seen from above; M in the body where there is no attitude."""
     rotations = named_states(result).get("rotation", {})
     for name, rows in rotations.items():
-        (line,) = axes.plot(rows[:, 0, 2], rows[:, 1, 2], lw=1, label=name)
+        (line,) = axes.plot(rows[:, 0, 2], rows[:, 1, 2], lw=1, label=words(name))
         axes.plot(rows[-1:, 0, 2], rows[-1:, 1, 2], "o", ms=4, color=line.get_color())
     if rotations:
         axes.set(xlabel="x of the third axis", ylabel="y of the third axis")
@@ -79,7 +81,7 @@ def _tops(axes: Any, result: Result) -> None:
 
 def _path(axes: Any, result: Result, first: int, dimension: int, label: str) -> None:
     across = result.q[:, first + 1] if dimension > 1 else result.p[:, first]
-    (line,) = axes.plot(result.q[:, first], across, lw=1, label=label)
+    (line,) = axes.plot(result.q[:, first], across, lw=1, label=words(label))
     axes.plot(result.q[-1:, first], across[-1:], "o", ms=4, color=line.get_color())
 
 

@@ -12,6 +12,7 @@ from canon.errors import InputError
 from canon.numeric.actions.balls import precision
 from canon.numeric.actions.motion import Motion
 from canon.numeric.actions.orbit import Orbit
+from canon.report.figure_style import plain, words
 from canon.report.whole_file import figure_written
 from canon.scenes.actions import Actions
 
@@ -21,6 +22,7 @@ _POINTS: Final = 160
 _WELLS: Final = 6
 
 
+@plain()
 def plot_portrait(actions: Actions, path: str | Path) -> None:
     """Write the portrait of every degree of freedom that moves; the orbit itself, and its point, stand out."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -36,7 +38,7 @@ def plot_portrait(actions: Actions, path: str | Path) -> None:
         if degree.at is not None:
             axes.plot(*(float(x) for x in degree.at), "o", color="C3", ms=6, zorder=4)
     if actions.title:
-        figure.suptitle(actions.title)
+        figure.suptitle(words(actions.title))
     figure_written(path, figure)
 
 

@@ -62,5 +62,57 @@ def test_a_system_that_gives_no_more_is_no_flaw(limit: str, most: int, words: st
         timeout=60,
     )
     assert done.returncode == 71
-    assert done.stderr.startswith(f"canon: the system gave no more: {words}")
+    said = (
+        "canon verify: 1 of 1 claims not asked: the system starts no process: " if words else "canon: the system gave"
+    )
+    assert done.stderr.startswith(f"{said}{words}")
     assert done.stderr.count("\n") == 1
+
+
+def test_a_loaded_file_that_is_cut_short_is_said() -> None:
+    """CPython 3.11 keeps what it has compiled on a full disk, however much of it; each later start fails over it."""
+    program = (
+        "import sys, types; import canon.__main__ as start\n"
+        "class Cut:\n"
+        "    def find_spec(name, *_):\n"
+        "        if name == sys.argv[1]: raise EOFError('marshal data too short')\n"
+        "word = sys.argv[1]; sys.argv[1:] = sys.argv[2:]; sys.meta_path.insert(0, Cut)\n"
+    ).replace("sys.argv[1]: raise", "word: raise")
+    for module in ("canon.cli.main", "canon.claims.reader"):
+        command = [sys.executable, "-c", f"{program}start.entry()", module, "verify", "--coverage"]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+        assert done.returncode == 71, done.stderr
+        assert "marshal data too short: a file that Python has compiled is cut short" in done.stderr
+        assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such limits here")
+def test_where_files_may_be_cut_short_nothing_compiled_is_kept() -> None:
+    import resource
+
+    program = "import sys; import canon.cli.main as loaded; loaded.entry = lambda: print(sys.dont_write_bytecode)\n"
+    command = [sys.executable, "-c", f"{program}from canon.__main__ import entry; entry()"]
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    for most, said in ((1 << 30, "True\n"), (resource.RLIM_INFINITY, "False\n")):
+        done = subprocess.run(
+            command,
+            preexec_fn=lambda most=most: resource.setrlimit(resource.RLIMIT_FSIZE, (most, resource.RLIM_INFINITY)),
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
+        assert done.stdout == said
+
+
+def test_a_working_folder_is_no_place_to_import_from(tmp_path: Path) -> None:
+    """Of what lies beside claims nothing is run, though `python -m` would; its own `importlib` comes before."""
+    for name in ("sympy", "argparse", "typing", "signal", "canon_extra"):
+        (tmp_path / f"{name}.py").write_text("raise SystemExit('run from the working folder')\n")
+    (tmp_path / "true.toml").write_text(CLAIM.format(1))
+    home = str(Path(__file__).resolve().parents[2])
+    environment = {**os.environ, "PYTHONPATH": home}
+    done = subprocess.run(
+        [*CANON, "verify", "true.toml"], cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=60
+    )
+    assert (done.returncode, done.stderr) == (0, "")

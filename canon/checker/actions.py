@@ -51,10 +51,13 @@ def action(s: Statement) -> Case:
     H = f.substitute(s.H, {n: v for n, v in fixed.items() if n != E})
     if claim["kind"] == "frequency" and any(f.ops[b] == ("s", E) for a in fixed.values() for b in f.reach(a)):
         raise Unreadable(f"what is held fixed doesn't change with {E}")
-    level, equals = fixed.get(E, f.node("s", E)), s.key("equals")
-    given = [f.read(claim[word], s.names) for word in ("period", "well") if word in claim]
-    s.written += [level, *fixed.values(), *given]
-    period = f.read(claim.get("period", "2*pi"), s.names)
+    level, claimed = fixed.get(E, f.node("s", E)), s.key("equals")
+    asked = [f.read(claim[word], s.names) for word in ("period", "well") if word in claim]
+    s.written += [level, *fixed.values(), *asked]
+    if claim["kind"] == "frequency" and "period" in claim and any(f.ops[b] == ("s", E) for b in f.reach(asked[0])):
+        raise Unreadable(f"a period doesn't change with {E}")
+    equals, *given = (f.substitute(a, fixed) for a in (claimed, *asked))  # what is held fixed is so everywhere
+    period = given[0] if "period" in claim else f.read("2*pi", s.names)
     if has_complex(s, H) or any(f.ops[b] == ("s", s.time) for b in f.reach(H)):
         raise Unreadable("an action is one of a real Hamiltonian without time")
     form = Form.of(s, H, x, p)

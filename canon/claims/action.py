@@ -69,9 +69,8 @@ def _decided(question: Question, statement: Statement) -> Outcome:
     except NotQuadratic as reason:
         return Outcome("undecided", note=str(reason))
     branch = branch_of(question, setting)
-    stated = question.key("period")
-    if stated is not None and stated.expr.is_positive is False:
-        raise InputError(f"{stated} is no period: it is above 0", "key 'period'")
+    if setting.period is not None and setting.period.is_positive is False:
+        raise InputError(f"{question.key('period')} is no period: it is above 0", "key 'period'")
     reasons: list[str] = []
     try:
         proved = _by_closed_form(question, setting, branch, statement, reasons)
@@ -176,6 +175,9 @@ def setting_of(question: Question, *also: Formula) -> Setting:
                 "write a constant of its own for it",
                 "key 'fixed'",
             )
+    period, well = (question.key(word) for word in ("period", "well"))
+    if question.claim.kind == "frequency" and period is not None and named in period.expr.free_symbols:
+        raise InputError(f"a frequency differentiates by {named}, and a period doesn't change with it", "key 'period'")
     moved: Any = H.expr.xreplace(rules)
     for symbol in sorted(moved.free_symbols & ({*space.q, space.t} - {q}), key=str):
         raise InputError(
@@ -200,7 +202,7 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     if asked.surface:
         raise InputError(f"{_what(question)} is one on the whole phase space, not on a surface")
     conditions = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
-    for formula in (H, equals, *also, *fixed.values()):
+    for formula in (H, equals, *also, *fixed.values(), *(given for given in (period, well) if given is not None)):
         conditions += formula.conditions
     stated = (*assumed(q, sign=False), *assumed(p, sign=True))  # the sign of q is an end of its range
     here = tuple(dict.fromkeys((*(c.substitute(rules) for c in conditions), *stated)))
@@ -212,7 +214,9 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     except NotQuadratic:
         solved = solved_momentum(moved, q, p, energy, here)
         motion = solved.motion
-    return Setting(q, p, moved, energy, equals.expr.xreplace(rules), here, motion, level, solved, others_too)
+    length, inside = (None if given is None else given.expr.xreplace(rules) for given in (period, well))
+    value = equals.expr.xreplace(rules)
+    return Setting(q, p, moved, energy, value, here, motion, level, solved, others_too, length, inside)
 
 
 def _what(question: Question) -> str:
@@ -233,10 +237,10 @@ def branch_of(question: Question, setting: Setting) -> str:
 
 def _check_period(question: Question, setting: Setting) -> None:
     """**Raises** `InputError` where the stated period is none of H."""
-    stated = question.key("period")
+    stated = setting.period
     if stated is None:
         return
-    moved: Any = setting.H.xreplace({setting.q: setting.q + stated.expr})
+    moved: Any = setting.H.xreplace({setting.q: setting.q + stated})
     region = question.region(domain=Domain(setting.conditions), chart=chart_of(question.tape, question.space, None))
     if question.decide([Residual("H after a period", question.load(moved - setting.H))], region).status == "refuted":
         raise InputError(f"{stated} is not a period of H in {setting.q}", "key 'period'")
@@ -246,14 +250,12 @@ def _closed_forms(question: Question, setting: Setting, branch: str) -> Iterator
     motion = setting.motion
     if is_steep(motion.square):  # no standard integral has powers as high as that, and they would be multiplied out
         return
-    period = question.key("period")
     if branch == "rotation":
-        yield from rotation(motion, None if period is None else period.expr)
+        yield from rotation(motion, setting.period)
         return
-    if period is not None:
+    if setting.period is not None:
         raise InputError("a period is one of a rotation's coordinate", "key 'period'")
-    well = question.key("well")
-    inside, region = None if well is None else well.expr, constants_region(question, setting)
+    inside, region = setting.well, constants_region(question, setting)
 
     def positive(expression: Any) -> bool:
         return is_positive(question, region, expression)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 from flint import arb
 
+from canon.claims.action_orbits import is_only_well
 from canon.claims.action_places import FAILURES
 from canon.claims.action_region import constants_region
 from canon.claims.outcome import Outcome
@@ -69,6 +70,7 @@ def by_quadrature(question: Question, setting: Setting, branch: str, where: Iter
             if not isinstance(difference, arb) or not difference.is_finite():
                 continue
             if not difference.contains(0):
+                is_only_well(question, setting, constants_at(question, integrand))
                 return _refuted(question, place, actual, difference)
             found.append((abs(float(difference.mid())), float(difference.rad())))
         if len(found) >= PLACES:
@@ -90,9 +92,8 @@ def on_separatrix(question: Question, setting: Setting, branch: str, here: Examp
         or any(linear_edge(setting.q, c) is None or c.terms[0].has(setting.p) for c in cut)
     ):
         return None
-    well = question.key("well")
     try:
-        inside = None if well is None else here.number(well.expr)
+        inside = None if setting.well is None else here.number(setting.well)
         found = here.motion.orbit(energy=here.number(setting.energy), well=inside, branch=branch)
         claimed = Fraction(float(sp.Float(here.number(setting.equals), 40)))
     except (InputError, OverflowError, TypeError, ValueError):
@@ -161,20 +162,25 @@ def _rotation(question: Question, setting: Setting, place: Place, energy: Node |
 
 def _turn_length(question: Question, setting: Setting, integrand: Integrand) -> Ball | None:
     """The stated period at this place, or the least one that shows in sines and cosines."""
-    stated = question.key("period")
-    if stated is not None:
+    if setting.period is not None:
         point = {node: arb(rational(value)) for node, value in integrand.point.items()}
-        node = question.load(stated)
+        node = question.load(setting.period)
         try:
-            return evaluate(question.tape, question.tape.reach([node]), point)[node]
+            length = evaluate(question.tape, question.tape.reach([node]), point)[node]
         except (*FAILURES, KeyError):
             return None
+        return length if length > 0 else None
     from canon.numeric.actions.period import least_period
 
     tape = question.tape
     rules: Any = {tape.symbol_at(n): sp.Rational(v.numerator, v.denominator) for n, v in integrand.point.items()}
     found = least_period(setting.H.xreplace(rules), setting.q)
     return None if found is None else found()
+
+
+def constants_at(question: Question, integrand: Integrand) -> dict[sp.Symbol, Fraction]:
+    """The values of the constants at a place."""
+    return {question.tape.symbol_at(node): value for node, value in integrand.point.items()}
 
 
 def _at(question: Question, integrand: Integrand) -> str:
@@ -190,7 +196,7 @@ def certified_orbit(question: Question, setting: Setting, place: Place) -> Orbit
     orbit = libration(integrand, place.inside, question.budget)
     if orbit is None or not stays_inside(question, setting, integrand, *orbit.outer):
         return None
-    if question.key("well") is None:
+    if setting.well is None:
         check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
     with precision(BITS):
         if not guarded(question, setting, integrand, [place.inside, (orbit.left + orbit.right) / 2]):

@@ -73,8 +73,7 @@ def _rational(value: Any) -> Any:
 def _constants(question: Question, setting: Setting) -> dict[Any, Any] | None:
     range_of = (setting.motion.low, setting.motion.high)
     named = set().union(setting.H.free_symbols, setting.equals.free_symbols, *(end.free_symbols for end in range_of))
-    well = question.key("well")
-    for expression in (setting.level, setting.energy, None if well is None else well.expr):
+    for expression in (setting.level, setting.energy, setting.well):
         named |= expression.free_symbols if expression is not None else set()
     named -= {setting.q, setting.p}
     if isinstance(setting.energy, sp.Symbol):
@@ -94,6 +93,27 @@ def _constants(question: Question, setting: Setting) -> dict[Any, Any] | None:
     return None
 
 
+def is_only_well(question: Question, setting: Setting, point: Mapping[sp.Symbol, Fraction]) -> None:
+    """**Raises** `InputError` where a map of the potential at these constants has orbits in several wells, and the
+    claim names none: a refutation is one of the orbit that is meant."""
+    from canon.numeric.actions.motion import motion
+
+    if setting.well is not None or question.key("branch") == "rotation":
+        return
+    values: dict[Any, Any] = {name: _rational(value) for name, value in point.items()}
+    level = setting.energy if setting.level is None else setting.level
+    low, high = (_at(end, values) for end in (setting.motion.low, setting.motion.high))
+    try:
+        ends = None if (low, high) == (-sp.oo, sp.oo) else (float(low), float(high))
+        orbits = motion(_at(setting.H, values), setting.q, setting.p, domain=ends)
+        orbits.orbit(energy=_at(level, values), branch="libration")
+    except InputError as error:
+        if error.where == "well":
+            raise InputError(Example(values, orbits).prefix + error.message, "key 'well'") from error
+    except (TypeError, ValueError, OverflowError):
+        return
+
+
 def why_not(question: Question, setting: Setting, branch: str, here: Example | None) -> InputError | None:
     """What is wrong with the energy, branch or well of a claim; None where such an orbit is found after all."""
     if here is None:
@@ -104,8 +124,7 @@ def why_not(question: Question, setting: Setting, branch: str, here: Example | N
         if isinstance(level, sp.Symbol) and level not in here.values:
             _at_any_energy(orbits, branch)
             return None
-        well = question.key("well")
-        inside = None if well is None else here.number(well.expr)
+        inside = None if setting.well is None else here.number(setting.well)
         found = orbits.orbit(energy=here.number(level), well=inside, branch=question.key("branch"))
     except InputError as error:
         if error.where not in PLACES:  # not a fault of what is claimed
@@ -115,7 +134,7 @@ def why_not(question: Question, setting: Setting, branch: str, here: Example | N
         left, right = (end.value for end in found.ends)
         if not left <= float(inside) <= right:
             return InputError(
-                f"{here.prefix}{setting.q} = {well} is not inside an orbit: the nearest one runs from {left:.6g} "
+                f"{here.prefix}{setting.q} = {setting.well} is not inside an orbit: the nearest one runs from {left:.6g} "
                 f"to {right:.6g}",
                 "key 'well'",
             )

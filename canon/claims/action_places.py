@@ -114,7 +114,8 @@ class _Builder:
         self.square, self.mean = question.load(motion.square), question.load(motion.mean)
         self.q, self.p = question.tape.symbol(setting.q), question.tape.symbol(setting.p)
         tape = question.tape
-        loaded = (question.load(setting.H), self.square, *map(question.load, (setting.equals, *setting.also)))
+        given = (e for e in (setting.period, setting.well) if e is not None)
+        loaded = (question.load(setting.H), self.square, *map(question.load, (setting.equals, *setting.also, *given)))
         self.names = set().union(*(tape.support(node) for node in loaded)) - {self.q, self.p}
 
     def place(self, values: Mapping[Node, Fraction], inside: Fraction, energy: Fraction | None) -> Place | None:
@@ -133,9 +134,8 @@ class _Builder:
             point[name] = energy
         if not self.names <= set(point):
             return None
-        well = question.key("well")
-        if well is not None:
-            found = number_at(question, question.load(well), point)
+        if setting.well is not None:
+            found = number_at(question, question.load(setting.well), point)
             if found is None:
                 return None
             inside = found

@@ -34,7 +34,8 @@ class Setting:
     **Arguments:** the coordinate and its momentum; `H`, with what is fixed put in; `energy`; `equals`, likewise;
     `conditions`, all of the domain; `motion`, the orbits H = energy; `level`, the value that an energy with a name has
     in the end, where that is fixed (a frequency is a derivative by it); `solved`, how the square was found where H
-    isn't quadratic in p; `also`, other formulas that the claim is about.
+    isn't quadratic in p; `also`, other formulas that the claim is about; `period` of a rotation's coordinate, and `well`,
+    a point inside, where they are given.
     """
 
     q: sp.Symbol
@@ -47,6 +48,8 @@ class Setting:
     level: Any = None
     solved: SolvedMomentum | None = None
     also: tuple[Any, ...] = ()
+    period: Any = None
+    well: Any = None
 
     def at_level(self, expression: Any) -> Any:
         """A formula in the energy at the value that is fixed, if there is one."""
@@ -66,7 +69,8 @@ def constants_region(question: Question, setting: Setting) -> Region:
     variables = {setting.q, setting.p}
     kept = tuple(c for c in setting.conditions if not any(term.free_symbols & variables for term in c.terms))
     square = setting.at_level(setting.motion.square)
-    named = set().union(square.free_symbols, setting.equals.free_symbols)
+    given = (e for e in (setting.period, setting.well) if e is not None)
+    named = set().union(square.free_symbols, setting.equals.free_symbols, *(e.free_symbols for e in given))
     named |= {name for condition in kept for term in condition.terms for name in term.free_symbols}
     images = {tape.symbol(x): tape.zero for x in question.space.old if x in variables or x not in named}
     plain = chart_of(tape, question.space, None)
@@ -78,10 +82,11 @@ def existing(question: Question, setting: Setting, closed: ClosedAction) -> Regi
     tape, region = question.tape, constants_region(question, setting)
     square = setting.at_level(setting.motion.square)
     wanted = [(e, "such a motion exists") for e in closed.exists if known_sign(e) != "positive"]
-    well = question.key("well")
-    if well is not None:
-        inside: Any = square.xreplace({setting.q: well.expr})
-        wanted.append((inside, f"{well} lies inside"))
+    if setting.well is not None:
+        inside: Any = square.xreplace({setting.q: setting.well})
+        wanted.append((inside, f"{setting.well} lies inside"))
+    if setting.period is not None and known_sign(setting.period) != "positive":
+        wanted.append((setting.period, "a period is above 0"))
     return region.also(*(Requirement("positive", (tape.load(e),), f"{e} > 0 ({why})") for e, why in wanted))
 
 

@@ -81,15 +81,22 @@ def _virial(question: Question) -> Outcome:
         raise InputError(f"{formulas[2]} is no constant of the motion", "key 'bound'")
     outcome = with_value(question, question.decide([Residual("average", tape.minus(mean, claimed), mean)], region))
     outcome = outcome.with_detail(average=question.show(mean))
-    if question.method == "numeric":
+    if question.method == "numeric" and outcome.status != "refuted":
         return combined([constant, steady, outcome])
     sides = [tape.minus(bound, G), tape.plus(bound, G)]
     held = all(is_positive(question, node, region, strict=False) for node in sides)
     if not held:
         return outcome.with_status("undecided", f"it isn't shown that |{formulas[1]}| <= {formulas[2]}")
-    if outcome.status == "refuted" and not goes_on_for_ever(question, H, region):
-        note = "it isn't shown that motions stay in the domain for ever, and the claim is about those that do"
-        return outcome.with_status("undecided", note)
+    if outcome.status == "refuted":
+        known = replace(question, method="symbolic")  # a refutation rests on what is shown, and not on samples
+        rates = [Residual("rate of f - dG/dt", rate(mean)), Residual("rate of the bound", rate(bound))]
+        shown = constant.status == steady.status == "proved"
+        if not shown and known.decide(rates, region).status != "proved":
+            note = f"it isn't shown that f - d({formulas[1]})/dt and {formulas[2]} are constants of the motion"
+            return outcome.with_status("undecided", note)
+        if not goes_on_for_ever(known, H, region):
+            note = "it isn't shown that motions stay in the domain for ever, and the claim is about those that do"
+            return outcome.with_status("undecided", note)
     parts = combined([constant, steady, outcome])
     steps = (*parts.arguments, {"theorem": RATE, "G": str(formulas[1]), "bound": str(formulas[2])})
     return replace(parts, arguments=steps if parts.status == "proved" else parts.arguments)
@@ -133,7 +140,13 @@ def _along(question: Question) -> Outcome:
     stretch = clock.subs(u, ends[1].expr) - clock.subs(u, ends[0].expr)
     total = question.tape.times(question.load(claimed), question.load(stretch))
     outcome = integral_is(question, span, integrand, question.load(integrand), total, question.key("antiderivative"))
-    return combined([solved, outcome]) if solved is not None else outcome
+    if solved is None:
+        return outcome
+    if outcome.status == "refuted" and solved.status != "proved":
+        solved = _solves(replace(question, method="symbolic"), motion, u, span.inside)
+        if solved is None or solved.status != "proved":
+            return outcome.with_status("undecided", "it isn't shown that the motion solves Hamilton's equations")
+    return combined([solved, outcome])
 
 
 def _beyond(question: Question, f: Formula, motion: Mapping[sp.Symbol, Formula], span: Range) -> Requirement | None:

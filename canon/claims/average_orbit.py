@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from flint import arb
 
 from canon.claims.action import branch_of, setting_of
-from canon.claims.action_evidence import METHOD, certified_orbit, constants_hold
-from canon.claims.action_orbits import example, why_not
+from canon.claims.action_evidence import METHOD, certified_orbit, constants_at, constants_hold
+from canon.claims.action_orbits import example, is_only_well, why_not
 from canon.claims.action_places import FAILURES, Place, places, places_by_wells
 from canon.claims.action_region import Setting
 from canon.claims.outcome import Outcome
@@ -57,6 +57,7 @@ def over_orbits(question: Question) -> Outcome:
             if value is None or gap is None:
                 continue
             if not gap.contains(0):
+                is_only_well(question, setting, constants_at(question, place.integrand))
                 return _refuted(question, place, value, gap)
             found.append((abs(float(gap.mid())), float(gap.rad())))
             if len(found) >= AVERAGES:

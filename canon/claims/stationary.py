@@ -63,7 +63,7 @@ def stationary(question: Question) -> Outcome:
     if first.status == "refuted":
         return first
     missing = [r for r in span.demanded if not holds(question, r, span.inside, span)]
-    if missing and question.method != "numeric":
+    if missing and (word is not None or question.method != "numeric"):
         return first.with_status("undecided", f"it isn't shown that {missing[0].text} all along the path")
     if word is None:
         return first

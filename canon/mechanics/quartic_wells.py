@@ -35,6 +35,11 @@ def _one_well(A: Any, B: Any) -> bool:
     return False
 
 
+def _between(well: sp.Expr | None, square: sp.Expr) -> tuple[sp.Expr, ...]:
+    """That a point lies between the turning points ±√square: p² is positive beyond the barriers, too."""
+    return () if well is None else (square - well**2,)
+
+
 def quartic_wells(motion: OneDegree, positive: Test = nowhere, well: sp.Expr | None = None) -> Iterator[ClosedAction]:
     """The action of the libration through q = 0, or of the one to the right of it where the range ends at 0.
 
@@ -73,11 +78,12 @@ def quartic_wells(motion: OneDegree, positive: Test = nowhere, well: sp.Expr | N
             )
     elif known_sign(C) == "positive" and whole and sp.expand(root**2) == 0:
         edge = sp.sqrt(-B / (2 * C))
-        yield ClosedAction(8 * sp.sqrt(C) * edge**3 / 3, (A, -B), (), SEPARATRIX)
+        exists = (A, -B, *_between(well, edge**2))
+        yield ClosedAction(8 * sp.sqrt(C) * edge**3 / 3, exists, (), SEPARATRIX)
     elif known_sign(C) == "positive" and whole:
         inner, outer = (-B - root) / (2 * C), (-B + root) / (2 * C)
         m = inner / outer
         both = (outer + inner) * sp.elliptic_e(m) - (outer - inner) * sp.elliptic_k(m)
-        exists = (A, -B, B**2 - 4 * A * C)
+        exists = (A, -B, B**2 - 4 * A * C, *_between(well, inner))
         value = 4 * sp.sqrt(C) * sp.sqrt(outer) / 3 * both
         yield ClosedAction(value, exists, (), "an even quartic", inside=sp.S.Zero)

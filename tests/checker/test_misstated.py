@@ -143,6 +143,9 @@ TRUE = {
         "virial": "0", "bound": "1"}, 0, hamiltonian={"H": "(x**2 + p**2)/2"}), x="1", p="3"),
     "an average where motions end": against(of({"kind": "average", "f": "1", "equals": "2", "virial": "0",
         "bound": "0"}, 0, hamiltonian={"H": "p**2/2 - exp(x)"}, domain={"where": ["p**2/2 < exp(x)"]}), x="1", p="1"),
+    "an action with a name that is fixed": against(of({"kind": "action", "coordinate": "x", "energy": "E",
+        "equals": "2*pi*E/sqrt(k)", "fixed": {"k": "4"}}, 0, symbols={"k": "positive"},
+        hamiltonian={"H": "p**2/2 + k*x**2/2"}), E="1", k="9"),
     "a positive function that is negative": against(
         forged("sqrt(V(x)**2)", "V(x)", symbols={"V": ["function", "positive"]}), x="1", p="1", V="-1"),
     "functions that are independent outside": against(of({"kind": "algebra", "basis": {"A": "p", "B": "(x - 1)**2/2",

@@ -139,3 +139,54 @@ def test_a_complex_hamiltonian_has_no_action(ask, H):
 def test_a_real_hamiltonian_in_complex_words(status):
     claim = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"'
     assert status(claim, symbols='E = "positive"', hamiltonian='H = "(p - 1j*q)*(p + 1j*q)/2"') == "proved"
+
+
+SOFT = {"hamiltonian": 'H = "p**2/2 + q**2/2 - q**4/4"', "space": LINE}
+
+
+@pytest.mark.parametrize("kind", ["action", "frequency"])
+@pytest.mark.parametrize("fixed", ['{E = "1/8"}', "{}"])
+def test_a_well_beyond_the_barrier_is_none(ask, kind, fixed):
+    """p² is positive beyond the barriers of a soft spring too, where nothing comes back."""
+    with pytest.raises(InputError):
+        ask(action_claim("1", kind=kind, well='"10"', fixed=fixed), **SOFT)
+
+
+def test_the_loop_between_two_barriers_has_its_well_inside(ask):
+    (inner,) = ask(action_claim("4*sqrt(2)/3", well='"1/2"', fixed='{E = "1/4"}'), **SOFT)
+    assert inner.status == "proved"
+    with pytest.raises(InputError, match="not bounded"):
+        ask(action_claim("4*sqrt(2)/3", well='"2"', fixed='{E = "1/4"}'), **SOFT)
+
+
+@pytest.mark.parametrize("method", ["symbolic", "numeric"])
+def test_wells_far_apart_are_ambiguous(ask, method):
+    """A hundred widths away: which orbit is meant isn't known, so that neither refutes."""
+    H, options = 'H = "p**2/2 + q**2*(q - 100)**2/10000"', {"method": method}
+    claim = action_claim("2*pi*E", fixed='{E = "1/100"}')
+    with pytest.raises(InputError, match="2 wells"):
+        ask(claim, space=LINE, hamiltonian=H, options=options)
+    (verdict,) = ask(claim + '\nwell = "0"', space=LINE, hamiltonian=H, options=options)
+    assert verdict.status == "refuted"
+
+
+def test_what_is_fixed_is_so_in_a_period_and_a_well(ask):
+    turn = action_claim("L*sqrt(2*E)", branch='"rotation"', period='"L"', fixed='{L = "3"}')
+    inside = action_claim("4*sqrt(2)/3", well='"a"', fixed='{E = "1/4", a = "1/2"}')
+    symbols = 'E = "positive"\nL = "real"\na = "real"'
+    (free,) = ask(turn, space=LINE, symbols=symbols, hamiltonian='H = "p**2/2"')
+    (bound,) = ask(inside, symbols=symbols, **SOFT)
+    assert (free.status, bound.status) == ("proved", "proved")
+
+
+def test_a_period_is_above_zero_wherever_it_is_one(ask):
+    same = {"space": LINE, "symbols": 'E = "positive"\nL = "real"', "hamiltonian": 'H = "p**2/2"'}
+    (forward,) = ask(action_claim("abs(L)*sqrt(2*E)", branch='"rotation"', period='"L"'), **same)
+    (backward,) = ask(action_claim("L*sqrt(2*E)", branch='"rotation"', period='"-L"'), **same)
+    assert (forward.status, backward.status) == ("proved", "refuted")
+
+
+def test_a_period_stays_while_the_energy_changes(ask):
+    claim = action_claim("2/(3*sqrt(2*E))", kind="frequency", branch='"rotation"', period='"E"')
+    with pytest.raises(InputError, match="doesn't change with it"):
+        ask(claim, space=LINE, symbols='E = "positive"', hamiltonian='H = "p**2/2"')

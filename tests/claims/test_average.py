@@ -197,3 +197,26 @@ ROUND += 'motion = {{ q = "cos(u)", p = "-sin(u)", t = "u" }}'
 def test_a_motion_stays_in_the_domain(status, f, equals, to, symbols, where, expected):
     claim = ROUND.format(f=f, equals=equals, to=to)
     assert status(claim, symbols=symbols, domain=where, hamiltonian='H = "p**2/2 + q**2/2"') == expected
+
+
+NUMERIC = {"method": "numeric"}
+
+
+@pytest.mark.parametrize(
+    ("claim", "H", "where"),
+    [
+        ('f = "p"\nequals = "p"\nvirial = "q"\nbound = "1000"', "p**2/2", ""),  # q is not bounded by 1000
+        ('f = "1"\nequals = "2"\nvirial = "0"\nbound = "1"', "p**2/2 - exp(q)", 'where = ["p**2/2 < exp(q)"]'),
+    ],
+)
+@pytest.mark.parametrize("method", ["symbolic", "numeric"])
+def test_samples_refute_no_average_of_motions_that_may_not_be_there(ask, claim, H, where, method):
+    sections = {"hamiltonian": f'H = "{H}"', **({"domain": where} if where else {})}
+    (verdict,) = ask(f'kind = "average"\n{claim}', options={"method": method}, **sections)
+    assert verdict.status == "undecided"
+
+
+def test_samples_refute_a_wrong_average_where_the_theorem_holds(ask):
+    wrong = _virial("p**2/m", "p**2/m + m*w**2*q**2")
+    (verdict,) = ask(wrong, symbols=SYMBOLS, hamiltonian=OSCILLATOR, options=NUMERIC)
+    assert verdict.status == "refuted"

@@ -168,3 +168,12 @@ def test_a_path_stays_where_its_coordinate_is_said_to_be(end: str, status: str) 
     keys = f'L = "v**2/2 - sqrt(q**2)"\nvelocities = ["v"]\npath = ["1 - t**2/2"]\nfrom = "0"\nto = "{end}"\n'
     (claim,) = read_text(head + keys).claims
     assert verify(claim).status == status
+
+
+@pytest.mark.parametrize("extremum", ["minimum", "maximum"])
+def test_no_variations_are_sampled_across_a_kink(ask, extremum):
+    """|q| adds a second variation of its own where q passes 0, which no formula for P and S holds."""
+    claim = 'kind = "stationary"\nL = "v**2/2 - q**2/2 + abs(q)"\nvelocities = ["v"]\nfrom = "-2"\nto = "2"\n'
+    claim += f'path = ["(1 - cos(t))*sign(t) + sin(t)/10"]\nextremum = "{extremum}"'
+    (verdict,) = ask(claim, options={"method": "numeric"})
+    assert verdict.status == "undecided"

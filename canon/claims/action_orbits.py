@@ -103,13 +103,14 @@ def is_only_well(question: Question, setting: Setting, point: Mapping[sp.Symbol,
     values: dict[Any, Any] = {name: _rational(value) for name, value in point.items()}
     level = setting.energy if setting.level is None else setting.level
     low, high = (_at(end, values) for end in (setting.motion.low, setting.motion.high))
+    prefix = "".join(f"{name} = {value}, " for name, value in sorted(values.items(), key=str))
     try:
         ends = None if (low, high) == (-sp.oo, sp.oo) else (float(low), float(high))
         orbits = motion(_at(setting.H, values), setting.q, setting.p, domain=ends)
         orbits.orbit(energy=_at(level, values), branch="libration")
     except InputError as error:
         if error.where == "well":
-            raise InputError(Example(values, orbits).prefix + error.message, "key 'well'") from error
+            raise InputError(f"at {prefix}{error.message}", "key 'well'") from error
     except (TypeError, ValueError, OverflowError):
         return
 

@@ -34,8 +34,8 @@ class Setting:
     **Arguments:** the coordinate and its momentum; `H`, with what is fixed put in; `energy`; `equals`, likewise;
     `conditions`, all of the domain; `motion`, the orbits H = energy; `level`, the value that an energy with a name has
     in the end, where that is fixed (a frequency is a derivative by it); `solved`, how the square was found where H
-    isn't quadratic in p; `also`, other formulas that the claim is about; `period` of a rotation's coordinate, and `well`,
-    a point inside, where they are given.
+    isn't quadratic in p; `also`, other formulas that the claim is about; `period` of a rotation's coordinate, and
+    `well`, a point inside, where they are given.
     """
 
     q: sp.Symbol

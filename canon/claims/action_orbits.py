@@ -135,8 +135,8 @@ def why_not(question: Question, setting: Setting, branch: str, here: Example | N
         left, right = (end.value for end in found.ends)
         if not left <= float(inside) <= right:
             return InputError(
-                f"{here.prefix}{setting.q} = {setting.well} is not inside an orbit: the nearest one runs from {left:.6g} "
-                f"to {right:.6g}",
+                f"{here.prefix}{setting.q} = {setting.well} is not inside an orbit: the nearest one runs from "
+                f"{left:.6g} to {right:.6g}",
                 "key 'well'",
             )
     if rate and found.period is None:

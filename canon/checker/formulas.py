@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import ast
-import re
-import unicodedata
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
-from canon.checker.functions import ARITIES, SLOPES, Unknown, Unreadable
+from canon.checker import language
+from canon.checker.functions import SLOPES, Unknown, Unreadable
+from canon.checker.language import LONGEST
 
-_NAME = re.compile(r"(?<![\w.])[^\W\d]\w*")
-LONGEST, MOST, BITS = 50_000, 50_000, 40_000
-"""The most characters of a formula, operations of a certificate, and bits of a number."""
+MOST, BITS = 50_000, 40_000
+"""The most operations of a certificate, and bits of a number."""
+Words = Mapping[str, Sequence[str]]
 ZERO, ONE = 0, 1
 """The nodes of these numbers."""
 
@@ -25,9 +25,15 @@ class Formulas:
     `functions`; `pairs` are the names (q, p) by which `bracket` differentiates.
     """
 
-    def __init__(self, functions: Sequence[str] = (), pairs: Sequence[tuple[str, str]] = ()) -> None:
+    def __init__(
+        self, functions: Sequence[str] = (), pairs: Sequence[tuple[str, str]] = (), words: Words | None = None
+    ) -> None:
         self.ops: list[tuple[Any, ...]] = []
-        self.functions, self.pairs = functions, pairs
+        self.functions, self.pairs, self.words = functions, pairs, words or {}
+        self.is_complex = any("complex" in said for said in self.words.values())
+        self.taken = {*self.words} - {*functions}  # names of what is no function
+        self.unseen: list[int] = []  # what stands in texts, and is in no formula: of 0·log(x) the logarithm
+        self._behind = dict[str, list[int]]()  # the same of abbreviations
         self._memo, self._slopes, self._counts = dict[Any, int](), dict[tuple[int, str], int](), dict[str, int]()
         self._bodies = dict[tuple[str, tuple[int, ...]], int]()
         for value in (0, 1):
@@ -159,7 +165,8 @@ class Formulas:
         if (text, orders) not in self._bodies:
             marks = [f"#{k}" for k in range(1, len(orders) + 1)]
             nodes = [self.node("s", mark) for mark in marks]
-            body = self.read(text, {"a": nodes[0], **{f"a{k}": node for k, node in enumerate(nodes, 1)}})
+            own = {"a": nodes[0], **{f"a{k}": node for k, node in enumerate(nodes, 1)}}
+            body = language.read(self, text, own, plain=True)
             for mark, order in zip(marks, orders, strict=True):
                 for _ in range(order):
                     body = self.slope(body, mark)
@@ -194,10 +201,19 @@ class Formulas:
             return self.node("f", op[1], tuple(n + (j == k) for j, n in enumerate(op[2])), parts)
         if op[1] == "power":
             return self.mul(a, self.node("f", "log", (), parts[:1]) if k else self.over(parts[1], parts[0]))
+        if op[1] in ("abs", "sign") and self._may_be_complex(parts[0]):
+            raise Unknown(f"the derivative of {op[1]} beside complex numbers")
         slopes = SLOPES.get(f"{op[1]}/{len(parts)}", SLOPES[op[1]])
         if k >= len(slopes):
             raise Unknown(f"the derivative of {op[1]} by its argument {k + 1}")
-        return self.read(slopes[k], dict(zip("uvw", parts, strict=False)))
+        return language.read(self, slopes[k], dict(zip("uvw", parts, strict=False)), plain=True)
+
+    def _may_be_complex(self, a: int) -> bool:
+        """Whether a formula isn't seen to be real by its names and operations, in a file with complex numbers."""
+        ops = [self.ops[b] for b in self.reach(a)]
+        plain = all(op[0] != "f" for op in ops)
+        real = all(op[0] != "s" or (op[1] != "1j" and "complex" not in self.words.get(op[1], ())) for op in ops)
+        return not real or (self.is_complex and not plain)
 
     def bracket(self, a: int, b: int, pairs: Sequence[tuple[str, str]]) -> int:
         """Poisson's bracket."""
@@ -207,81 +223,31 @@ class Formulas:
     # -- text ---------------------------------------------------------------------------------------
 
     def tree(self, text: Any) -> tuple[ast.expr, bytes]:
-        """The tree of a text; every name gets a mark in front, so that Python's own words are names too."""
-        if not isinstance(text, (str, int)) or len(str(text)) > LONGEST:
-            raise Unreadable(f"no formula: {str(text)[:40]}")
-        if "#" in str(text) or unicodedata.normalize("NFKC", str(text)) != str(text):
-            raise Unreadable(f"letters that aren't of the language, or look like others: {str(text)[:60]}")
-        marked = _NAME.sub(r"_\g<0>", " ".join(str(text).split()))
-        try:
-            return ast.parse(marked, mode="eval").body, marked.encode()
-        except (SyntaxError, RecursionError, MemoryError, ValueError):
-            raise Unreadable(f"not a formula: {str(text)[:60]}") from None
+        """The tree of a text, and the text with the marks that its names have there. Raises Unreadable."""
+        return language.tree(text)
+
+    def abbreviate(self, name: str, text: Any, names: dict[str, int]) -> None:
+        """An abbreviation: what stands unseen in it stands where it is used."""
+        before = len(self.unseen)
+        names[name] = self.read(text, names)
+        self._behind[name] = self.unseen[before:]
+        del self.unseen[before:]
 
     def read(self, text: Any, names: Mapping[str, int]) -> int:
         """The formula of a text; `names` are abbreviations, any other name stands for itself."""
-        tree, written = self.tree(text)
-        try:
-            return self._build(tree, written, names)
-        except (RecursionError, TypeError, LookupError, AttributeError, ArithmeticError, ValueError) as error:
-            if isinstance(error, (Unreadable, Unknown)):
-                raise
-            raise Unreadable(f"not a formula of the language: {str(text)[:60]}") from None
+        return language.read(self, text, names)
 
-    def _build(self, tree: Any, text: bytes, names: Mapping[str, int]) -> int:
-        rights: list[Any] = []
-        while isinstance(tree, ast.BinOp) and not isinstance(tree.op, ast.Pow):  # a long sum is no deep one
-            rights.append((type(tree.op), tree.right))
-            tree = tree.left
-        found = self._operand(tree, text, names)
-        for op, right in reversed(rights):
-            rule = {ast.Add: self.add, ast.Sub: self.sub, ast.Mult: self.mul, ast.Div: self.over}[op]
-            found = rule(found, self._build(right, text, names))
-        return found
+    def behind(self, name: str) -> list[int]:
+        """What stands unseen in an abbreviation."""
+        return self._behind.get(name, [])
 
-    def _operand(self, tree: Any, text: bytes, names: Mapping[str, int]) -> int:
-        if isinstance(tree, ast.BinOp):
-            return self.power(self._build(tree.left, text, names), self._build(tree.right, text, names))
-        if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, (ast.UAdd, ast.USub)):
-            return self.mul(
-                self.number(1 if isinstance(tree.op, ast.UAdd) else -1), self._build(tree.operand, text, names)
-            )
-        if isinstance(tree, ast.Constant):
-            digits = text[tree.col_offset : tree.end_col_offset].decode()
-            if len(digits) > 4000 or len(digits.lower().partition("e")[2].strip("+-")) > 4:
-                raise Unreadable("a number that is too long")
-            return self.mul(
-                self.number(digits.rstrip("j")), self.node("s", "1j") if digits.endswith("j") else self.number(1)
-            )
-        if isinstance(tree, ast.Name):
-            return names[tree.id[1:]] if tree.id[1:] in names else self.node("s", tree.id[1:])
-        if not isinstance(tree, ast.Call) or tree.keywords:
-            raise Unreadable("something that isn't in the language of formulas")
-        of: Any = tree.func
-        counts: Any = getattr(of, "slice", None)
-        orders = [int(item.value) for item in getattr(counts, "elts", [counts])] if counts else []
-        of = of.value if isinstance(of, ast.Subscript) else of
-        return self.call(of.id[1:], orders, [self._build(item, text, names) for item in tree.args])
+    def has_arguments(self, name: str, count: int) -> bool:
+        """Whether a declared function has so many arguments: those that it is called with first."""
+        return name in self.functions and self._counts.setdefault(name, count) == count
 
     def call(self, name: str, orders: Sequence[int], arguments: Sequence[int]) -> int:
         """The value of a function, a derivative or a bracket."""
-        a, count = arguments[0], len(arguments)
-        if name in self.functions and len(orders) in (0, count) and self._counts.setdefault(name, count) == count:
-            return self.node("f", name, tuple(orders) or (0,) * len(arguments), tuple(arguments))
-        if orders or count not in ARITIES.get(name, ()):
-            raise Unreadable(f"{name[:40]} is no function of {count} arguments")
-        if name in ("sqrt", "cbrt"):
-            return self.power(a, self.number(Fraction(1, 2 if name == "sqrt" else 3)))
-        if name == "bracket":
-            return self.bracket(a, arguments[1], self.pairs)
-        if name == "D":
-            order = self.value(arguments[2]) if count > 2 else Fraction(1)
-            if self.ops[arguments[1]][0] != "s" or order is None or order.denominator > 1 or not 0 <= order <= 20:
-                raise Unreadable("D is by a name, and of a whole order up to 20")
-            for _ in range(int(order)):
-                a = self.slope(a, self.ops[arguments[1]][1])
-            return a
-        return self.node("f", name, (), tuple(arguments))
+        return language.call(self, name, orders, arguments)
 
     def text(self, a: int) -> str:
         """The formula as text."""

@@ -1,7 +1,7 @@
 """Intervals that hold a formula's value at a point: mpmath's, with functions that it has none of by their monotony.
 
-Sums, products, powers, exp, log, sin and cos are mpmath's own intervals, rounded outwards. Of atan, asinh, elliptic
-integrals and so on, mpmath's values at the ends of an interval are trusted but for their last ten digits.
+Sums, products, powers, exp, log, sin, cos and gamma are mpmath's own intervals, rounded outwards. Of atan, asinh,
+elliptic integrals and so on, mpmath's values at the ends of an interval are trusted but for their last ten digits.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ class Intervals:
             raise Open
         if name == "power":
             return iv.exp(x[1] * iv.log(x[0]))
-        if name in ("exp", "log", "sin", "cos"):
+        if name in ("exp", "log", "sin", "cos") or (name == "gamma" and x[0].a > 0):
             return getattr(iv, name)(x[0])
         if name in ("tan", "cot", "sec", "csc"):
             sine, cosine = iv.sin(x[0]), iv.cos(x[0])

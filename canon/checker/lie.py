@@ -12,6 +12,7 @@ dimensions of the centre and of [g, g]. Where they differ, it is another one. Wh
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations, product
@@ -26,6 +27,7 @@ SAME = {
     "e(2)": "iso(2)", "sp(4,R)": "so(3,2)", "so(2)": "u(1)", "usp(4)": "so(5)",
 }  # fmt: skip
 FORMS = {"su(3)": (8, (0, 8, 0), 0, 8), "su(2,1)": (8, (4, 4, 0), 0, 8), "sl(3,R)": (8, (5, 3, 0), 0, 8)}
+_NAMED = re.compile(r"(so|iso|heisenberg)\(([1-9])(?:, ?([1-9]))?\)")
 Invariants = tuple[int, tuple[int, int, int], int, int]
 """Dimension; positive, negative and zero squares of the Killing form; dimensions of the centre and of [g, g]."""
 
@@ -134,16 +136,16 @@ def named(name: str) -> Algebra | Invariants | None:
     (word,) = parts
     if word in FORMS:
         return FORMS[word]
-    head, _, rest = word.partition("(")
-    numbers = [int(x) for x in rest.rstrip(")").split(",") if x.isdecimal() and int(x) < 12]
+    found = _NAMED.fullmatch(word)
+    head, numbers = (found[1], [int(n) for n in found.groups()[1:] if n]) if found else ("", [])
     if word == "u(1)":
         return Algebra(1, {})
     if word in ("u(2)", "u(3)"):
-        n = numbers[0] ** 2
+        n = int(word[2]) ** 2
         return n, (0, n - 1, 1), 1, n - 1
     if word == "aff(1)":
         return Algebra(2, {(0, 1): {1: Fraction(1)}})
-    if head == "heisenberg" and numbers:
+    if head == "heisenberg" and len(numbers) == 1:
         n = numbers[0]
         return Algebra(2 * n + 1, {(2 * k, 2 * k + 1): {2 * n: Fraction(1)} for k in range(n)})
     if word in ("galilei", "bargmann"):

@@ -253,7 +253,7 @@ def value_of(a: Polynomial, of: Mapping[str, Any], number_of: Callable[[Fraction
 
 def domain_of(s: Statement) -> list[int]:
     """The formulas that have a value throughout the domain."""
-    return [s.pull(a) for a in (*s.written, *s.images.values())]
+    return [s.pull(a) for a in (*s.written, *s.f.unseen, *s.images.values())]
 
 
 def allowed(words: Sequence[str], value: Any, numbers: Numbers) -> bool:

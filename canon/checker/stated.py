@@ -46,6 +46,12 @@ SQUARE = (
 """Kinds of claims about a map, the latter about one with as many new pairs as old ones."""
 
 
+def own_names(claim: Mapping[str, Any]) -> set[str]:
+    """The names that a claim has for something of its own."""
+    held = [dict.get(claim, key, []) for key in NAMING]  # which doesn't say that the keys were read
+    return {str(name) for value in held for name in (value if isinstance(value, list) else [value])}
+
+
 def check_names(tables: Mapping[str, Any]) -> None:
     """Refuse names that are declared twice, and words that say nothing. Raises Unreadable."""
     space, symbols = tables["phase_space"], tables.get("symbols", {})

@@ -23,7 +23,8 @@ KNOWN = {
 """What a certificate may say of what its claim leaves open."""
 
 
-DESCRIBE = ("kind", "title", "source", "expect", "antiderivative")
+_IMAGINARY = re.compile(r"[\d.]j\b", re.IGNORECASE)
+DESCRIBE = ("kind", "title", "source", "expect", "budget", "antiderivative")
 """Keys of claims that say nothing of what has to hold."""
 
 
@@ -63,14 +64,16 @@ class Statement:
         self.words = {name: [w] if isinstance(w, str) else list(w) for name, w in tables.get("symbols", {}).items()}
         self.q, self.p, self.Q, self.P = (list(space.get(side, [])) for side in "qpQP")
         functions = [name for name, words in self.words.items() if "function" in words]
-        self.f = Formulas(functions, list(zip(self.q, self.p, strict=True)))
+        self.f = Formulas(functions, list(zip(self.q, self.p, strict=True)), self.words)
+        self.f.taken |= {*self.q, *self.p, *self.Q, *self.P, space.get("time", "t"), *stated.own_names(self.claim)}
+        self.f.is_complex = self.f.is_complex or _IMAGINARY.search(str(tables)) is not None
         self.fixed = {n for n, words in self.words.items() if "integer" in words}
         self.declared = {*self.words, *self.q, *self.p, *self.Q, *self.P}
         self.time, self.names, self.written = space.get("time", "t"), dict[str, int](), list[int]()
         self.added: list[int] = []  # formulas that the certificate says of what the claim leaves open
         self.bracketed: list[str] = []  # coordinates of a bracket that isn't the canonical one
         for name, text in tables.get("definitions", {}).items():
-            self.names[name] = self.f.read(text, self.names)
+            self.f.abbreviate(name, text, self.names)
         self._H = self.f.read(tables["hamiltonian"]["H"], self.names) if "hamiltonian" in tables else None
         self.written += [] if self._H is None else [self._H]
         self._chart(tables.get("transformation"), tables.get("generating_function"))
@@ -85,8 +88,7 @@ class Statement:
 
     def check_names(self) -> None:
         """Refuse a name that nothing declares: a section of the file, or a key of the claim that holds names."""
-        own = [dict.get(self.claim, key, []) for key in stated.NAMING]
-        named = {str(name) for value in own for name in (value if isinstance(value, list) else [value])}
+        named = stated.own_names(self.claim)
         for op in self.f.ops:
             if op[0] == "s" and op[1][0] != "#" and op[1] not in self.declared | named | {self.time, "pi", "1j"}:
                 raise Unreadable(f"the name {op[1][:40]!r} is not declared")

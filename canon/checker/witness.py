@@ -99,11 +99,11 @@ def _enclosed(s: Statement, case: Case, witness: Mapping[str, Any], k: int, *, r
         own = Intervals(digits, real=real)
         try:
             own.signs = {n: words for n, words in s.words.items() if n in f.functions}
-            of: dict[str, Any] = {**functions, **_point(s, own, exact, functions)}
+            of: dict[str, Any] = {**functions, **point_of(s, own, exact, functions)}
             for name, image in case.images.items():
                 of[name] = own.values(f, [image], of)[image]
             found = own.values(f, [*case.zeros, *positive, *written], of)
-            if not _lies_inside(s, own, of, found):
+            if not lies_inside(s, own, of, found):
                 continue
             if any(own.is_nonzero(found[a]) for a in case.zeros):
                 return True
@@ -139,7 +139,7 @@ def _is_zero(s: Statement, a: int, exact: Mapping[str, tuple[Fraction, Fraction]
     return s.f.value(a) == 0 or _at(s, a, exact) == 0
 
 
-def _point(
+def point_of(
     s: Statement, own: Intervals, exact: Mapping[str, tuple[Fraction, Fraction]], functions: Mapping[str, str]
 ) -> dict[str, Any]:
     """The point in intervals, which hold one of the surface: an equation that isn't 0 there exactly changes its sign
@@ -165,7 +165,7 @@ def _point(
     return of
 
 
-def _lies_inside(s: Statement, own: Intervals, of: Mapping[str, Any], found: Mapping[int, Any]) -> bool:
+def lies_inside(s: Statement, own: Intervals, of: Mapping[str, Any], found: Mapping[int, Any]) -> bool:
     """Whether the inequalities and the assumptions hold, of all names and of the variables that the map gives."""
     signs = [(found[a], kind) for a, kind in s.conditions]
     if not all(own.real(x).a > 0 if kind == "positive" else own.is_nonzero(x) for x, kind in signs):
@@ -193,7 +193,7 @@ def _are_independent(
         of = {**functions, **{n: own.number(x) for n, x in near.items()}}
         images = (s.pull(image) for image in s.images.values())
         found = own.values(s.f, [*group, *domain_of(s), *images, *(a for a, _ in s.conditions)], of)
-        if not _lies_inside(s, own, of, found):
+        if not lies_inside(s, own, of, found):
             return False
         rows.append([found[a] for a in group])
     return own.is_regular(rows)

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from canon.checker.check import Answer, check, checksum
+from canon.checker.functions import Unreadable
 
 PRIME = 2**127 - 1
 """The prime of an earlier version."""
@@ -124,10 +125,16 @@ REFUTATIONS = {
 }
 
 
+def answered(data: dict[str, Any]) -> str:
+    try:
+        return check(data).status
+    except Unreadable:
+        return "unreadable"
+
+
 @pytest.mark.parametrize("name", sorted(FORGERIES))
 def test_no_proof_of_what_is_false(name: str) -> None:
-    answer = check(FORGERIES[name])
-    assert answer.status != "confirmed", name
+    assert answered(FORGERIES[name]) != "confirmed", name
 
 
 @pytest.mark.parametrize("name", sorted(REFUTATIONS))

@@ -185,7 +185,7 @@ def test_intervals_hold_the_value(text: str) -> None:
     assert abs(float(narrow.a) - float(value)) < 1e-15
 
 
-@pytest.mark.parametrize("text", ["log(x - x)", "1/(x - x)", "gamma(x)", "sqrt(-x)", "abs(x - x)", "asin(3*x + 1)"])
+@pytest.mark.parametrize("text", ["log(x - x)", "1/(x - x)", "lambertw(x)", "gamma(-x)", "sqrt(-x)", "abs(x - x)"])
 def test_where_there_is_no_interval(text: str) -> None:
     s = Statement({"phase_space": {}, "claim": {}}, {}, "proved")
     own = Intervals(30)

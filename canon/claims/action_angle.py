@@ -9,7 +9,7 @@ verified.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -65,13 +65,32 @@ def action_angle(question: Question) -> Outcome:
         grounds.append(verified)
     depends = backward.decide(_slopes(backward), _whole_cycle(backward))
     if depends.status == "refuted":
-        return depends.with_detail(fails=f"K depends on an angle: {depends.detail.get('fails', '')}")
+        depends = depends.with_detail(fails=f"K depends on an angle: {depends.detail.get('fails', '')}")
+        return _if_inverted(backward, given, length, grounds, depends)
     if given.direction != "backward" and combined(grounds).status not in ("proved", "supported"):
         return combined(grounds)
     whole, turn = _whole_cycle(backward), backward.tape.load(length)
     cycles = [closes(Cycle(backward, angle, turn, whole)) for angle in space.Q]
     bent = stays_smooth(backward, whole)
-    return combined([*grounds, depends, *cycles, *([bent] if bent is not None else [])])
+    found = combined([*grounds, depends, *cycles, *([bent] if bent is not None else [])])
+    return _if_inverted(backward, given, length, grounds, found)
+
+
+def _if_inverted(
+    backward: Question, given: Transformation, length: Any, grounds: Sequence[Outcome], found: Outcome
+) -> Outcome:
+    """The outcome; but a refutation by an inverse that was sampled only is none, unless the inverse is proved."""
+    if found.status != "refuted" or given.direction == "backward" or grounds[-1].status == "proved":
+        return found
+    exactly = replace(backward, method="symbolic")
+    if any(_is_inverse(exactly, given, *part).status == "proved" for part in _parts(length)):
+        return found
+    return found.with_status("undecided", "it fails for what seems to be the map's inverse, which isn't proved")
+
+
+def _parts(length: Any) -> Sequence[tuple[Any, Any]]:
+    """Parts of a turn of the angles, in which the map's formulas are those of one branch."""
+    return (sp.S.Zero, length / 4), (-length / 2, length / 2)
 
 
 def _written(given: Transformation) -> tuple[Formula, ...]:
@@ -93,7 +112,7 @@ def _inverted(question: Question, length: Any) -> tuple[Question, Outcome] | Non
             return None
         subject = replace(question.subject, generating_function=None, transformation=inverse)
         other = Question(replace(question.claim, subject=subject), question.budget, question.seed, question.method)
-        found = [_is_inverse(other, given, *part) for part in ((sp.S.Zero, length / 4), (-length / 2, length / 2))]
+        found = [_is_inverse(other, given, *part) for part in _parts(length)]
         best = next((verified for verified in found if verified.status == "proved"), found[0])
         if best.status in ("proved", "supported"):
             return other, best

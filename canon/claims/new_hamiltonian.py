@@ -42,21 +42,33 @@ def _transforms(question: Question, H: Formula, K: Formula) -> Outcome:
     constant = constant_scale(question, region)
     if constant.status in ("refuted", "undecided") or constant.node is None:
         return constant.outcome.with_detail(canonical=constant.status)
-    return combined([constant.complete, equations(question, H, K, constant.node, region)])
+    found = equations(question, H, K, constant.node, region)
+    if found.status == "refuted" and constant.outcome.status != "proved" and constant.actual is not None:
+        found = equations(question, H, K, constant.actual, region)
+    return combined([constant.complete, found])
 
 
 def equations(question: Question, H: Formula, K: Formula, scale: Node, region: Region) -> Outcome:
-    """The residuals, decided, for a map that is canonical with this constant scale."""
+    """The residuals, decided, for a map that is canonical with this scale, which is constant."""
     return question.decide(residuals(question, question.load(H), question.load(K), scale), region)
 
 
 def residuals(question: Question, H: Node, K: Node, scale: Node) -> Iterator[Residual]:
-    """∇ᵤ[K − scale·H] + DₙᵀJ ∂ₜ(new) − scale·DₒᵀJ ∂ₜ(old), component by component."""
+    """∇ᵤ[K − scale·H] + DₙᵀJ ∂ₜ(new) − scale·DₒᵀJ ∂ₜ(old), component by component.
+
+    A scale that isn't seen to be constant is held fixed.
+    """
     tape, chart = question.tape, question.chart
-    difference = tape.minus(chart.pull(K), tape.times(scale, chart.pull(H)))
+    new, old = chart.pull(K), chart.pull(H)
+    fixed = tape.support(scale).isdisjoint(chart.coordinates)
+    difference = tape.minus(new, tape.times(scale, old))
     new_rates, old_rates = chart.by_time(chart.new), chart.by_time(chart.old)
     for u in chart.coordinates:
-        slope = derivative(tape, difference, u)
+        slope = (
+            derivative(tape, difference, u)
+            if fixed
+            else tape.minus(derivative(tape, new, u), tape.times(scale, derivative(tape, old, u)))
+        )
         moving = _dragged(question, chart.new, new_rates, u)
         carried = tape.times(scale, _dragged(question, chart.old, old_rates, u))
         yield Residual(f"d/d{tape.symbol_at(u)}", tape.minus(tape.plus(slope, moving), carried))

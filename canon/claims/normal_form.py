@@ -29,6 +29,7 @@ from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.birkhoff import resonances
 from canon.mechanics.graded_algebra import Polynomial, terms
+from canon.substitution import replaced
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -182,7 +183,7 @@ def _sampled(question: Question, H: Formula, N: Mapping[int, Formula], inside: R
     """Balls for {H₂, N} = 0; that N is reached from H, at a few values of the parameters."""
     space, tape = question.space, question.tape
     origin = dict.fromkeys(space.old, sp.S.Zero)
-    slopes = [[H.expr.diff(x, y).xreplace(origin) for y in space.old] for x in space.old]
+    slopes = [[replaced(H.expr.diff(x, y), origin) for y in space.old] for x in space.old]
     H2 = sp.Add(
         *(a * x * y / 2 for row, x in zip(slopes, space.old, strict=True) for a, y in zip(row, space.old, strict=True))
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -179,12 +180,14 @@ class Brackets:
 class ConstantScale:
     """The constant with which a map is canonical, if it is: `node` is None where it was not found.
 
-    `outcome` says that all brackets agree with that constant, `nonzero` that it is seen to be nowhere zero.
+    `outcome` says that all brackets agree with that constant, `nonzero` that it is seen to be nowhere zero. `actual` is
+    what it is at each point: where the constant is only supported, nothing is refuted by it that isn't by this, too.
     """
 
     outcome: Outcome
     node: Node | None
     nonzero: bool = True
+    actual: Node | None = None
 
     @property
     def status(self) -> str:
@@ -209,23 +212,23 @@ def constant_scale(question: Question, region: Region) -> ConstantScale:
     if question.chart.direction == "implicit":
         from canon.claims.generating_function import hessian_outcome
 
-        return ConstantScale(hessian_outcome(question), tape.one)
+        return ConstantScale(hessian_outcome(question), tape.one, actual=tape.one)
     brackets = Brackets(question)
     first = brackets.bracket(0, brackets.pairs)
     candidate, outcome = _candidate(question, region, brackets, first)
     if candidate is None:
         return ConstantScale(outcome, None)
-    scale = tape.power(candidate, -1) if brackets.inverted else candidate
-    rest = brackets.residuals(scale)
-    next(rest)
-    outcome = combined([outcome, question.decide(rest, region)])
-    outcome = outcome.with_detail(scale=question.show(scale))
+    scale, actual = (tape.power(node, -1) if brackets.inverted else node for node in (candidate, first))
+    agree = question.decide(islice(brackets.residuals(scale), 1, None), region)
+    if agree.status == "refuted" and outcome.status != "proved":
+        agree = question.decide(islice(brackets.residuals(actual), 1, None), region)
+    outcome = combined([outcome, agree]).with_detail(scale=question.show(scale))
     if is_short(tape, candidate) and never_zero(tape.to_sympy(candidate), question.domain().conditions):
-        return ConstantScale(outcome, scale)
+        return ConstantScale(outcome, scale, actual=actual)
     vanishing = question.decide([Residual("scale", candidate)], region)
     if vanishing.status == "proved":
         return ConstantScale(combined([question.refuted_exactly(region, "a scale is not zero"), vanishing]), None)
-    return ConstantScale(outcome, scale, nonzero=False)
+    return ConstantScale(outcome, scale, nonzero=False, actual=actual)
 
 
 def _candidate(question: Question, region: Region, brackets: Brackets, first: Node) -> tuple[Node | None, Outcome]:

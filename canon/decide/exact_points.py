@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy as sp
 from flint import arb, arb_poly, fmpq, fmpq_poly
+from sympy.polys.orderings import grevlex
 
 from canon.budget import Budget
 from canon.deadline import within
@@ -74,7 +75,7 @@ def _sympy(terms: Terms, names: Mapping[int, sp.Symbol]) -> sp.Expr:
 
 def _independent(basis: Any, used: Sequence[int]) -> list[int]:
     """Coordinates in which no leading monomial of the basis is written: they can be chosen at will."""
-    leading = [{used[i] for i, e in enumerate(p.monoms(order="grevlex")[0]) if e} for p in basis.polys]
+    leading = [{used[i] for i, e in enumerate(p.monoms(order=grevlex)[0]) if e} for p in basis.polys]
     free: list[int] = []
     for k in used:
         if not any(support <= {*free, k} for support in leading):

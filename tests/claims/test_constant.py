@@ -90,3 +90,19 @@ def test_the_lesson_of_a_refutation_keeps_to_its_time(ask):
     )
     assert verdict.status == "refuted"
     assert verdict.seconds < 10
+
+
+@pytest.mark.parametrize("method", ["symbolic", "numeric"])
+def test_what_is_supported_only_refutes_nothing(status, method):
+    """The scale tanh a can't be told from 1 for a > 10⁴; with tanh a = 1 − 2/(exp 2a + 1) that K is tanh a times H."""
+    powers = [f"{{0}}**{k}/{k}" for k in range(1, 70)]  # so many that sums are merged term by term
+    large = " + ".join(f"exp(2*a)*{power}" for power in powers)
+    K = f"{large} - 2*exp(2*a)/(exp(2*a) + 1)*({' + '.join(powers)})".format("Q")
+    file = {
+        "symbols": 'a = "real"',
+        "domain": 'where = ["a > 10000", "0 < q < 1/2"]',
+        "hamiltonian": f'H = "{large.format("q")}"',
+        "transformation": 'Q = ["q"]\nP = ["p*tanh(a)"]',
+    }
+    assert status(NEW.format(K), options={"method": method}, **file) == "supported"
+    assert status(NEW.format(f"2*({K})"), options={"method": method}, **file) == "refuted"

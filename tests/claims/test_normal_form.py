@@ -185,3 +185,9 @@ def test_a_degree_stands_once():
     text = '[phase_space]\nq = ["q"]\np = ["p"]\n[hamiltonian]\nH = "(p**2 + q**2)/2 + q**3"\n[[claim]]\n'
     (problem,) = read_text(f'{text}kind = "normal_form"\norder = 4\nN = {{4 = "0", 04 = "q**4"}}\n').problems
     assert problem["message"] == "the degree 4 stands there twice"
+
+
+def test_an_arbitrary_function_in_numbers(ask):
+    claim = 'kind = "normal_form"\norder = 4\nN = {}'
+    file = {"symbols": 'V = "function"', "hamiltonian": 'H = "p**2/2 + q**2/2 + V(q)*q**3"'}
+    assert ask(claim, options={"method": "numeric"}, **file)[0].status == "undecided"

@@ -69,6 +69,14 @@ def _product(factors):
     return out
 
 
+def test_equations_of_one_coordinate():
+    """Of which sympy keeps polynomials of another class, with other arguments."""
+    for equation, root in ((x**4 - 4, 2**0.5), (x**3 - 2, 2 ** (1 / 3))):
+        exact, solved = found(equation) or ({}, {})
+        assert not exact
+        assert abs(abs(float(solved[0].mid())) - root) < 1e-12
+
+
 def test_free_coordinates_keep_their_values():
     exact, solved = found((x - 2) ** 2 * (x + 7), (x - 2) * y) or ({}, {})
     assert not solved

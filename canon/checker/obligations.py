@@ -7,6 +7,7 @@ from itertools import combinations
 from math import factorial
 
 from canon.checker.case import Case, whole
+from canon.checker.everywhere import is_exact, is_somewhere
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.positive import is_nowhere_zero
 from canon.checker.shapes import is_rational, is_smooth_there
@@ -132,7 +133,8 @@ def cartan_invariant(s: Statement) -> Case:
         return Case([f.sub(slope, f.slope(W, u)) for u, slope in zip(names, slopes, strict=True)], trusted=trusted)
     pairs = combinations(range(len(names)), 2)
     zeros = [f.sub(f.slope(slopes[j], names[i]), f.slope(slopes[i], names[j])) for i, j in pairs]
-    return Case(zeros, trusted="that the form, which is closed, is exact")
+    exact = is_exact(s, [*s.old, *s.new, K, H])
+    return Case(zeros, trusted="" if exact else "that the form, which is closed, is exact")
 
 
 def bracket_invariance(s: Statement) -> Case:
@@ -217,7 +219,8 @@ def independent(s: Statement) -> Case:
     rows = [[s.pull(s.f.slope(a, x)) for x in variables] for a in s.keys("functions")]
     columns = combinations(range(len(variables)), len(rows))
     minors = [s.determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
-    everywhere = all(is_rational(s, a, s.coordinates) for a in minors) or any(is_nowhere_zero(s, a) for a in minors)
+    everywhere = all(is_rational(s, a, s.coordinates) for a in minors)
+    everywhere = everywhere or any(is_nowhere_zero(s, a) or is_somewhere(s, a) for a in minors)
     trusted = "that a minor, which is not 0 at some points, is not 0 on any component of the domain"
     trusted = "" if everywhere else trusted
     return Case([], [minors or [s.f.number(0)]], trusted=trusted)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from canon.checker.bounded import is_positive_between
 from canon.checker.intervals import Intervals, Open
 from canon.checker.shapes import is_product_of_nonzeros
 from canon.checker.signs import Signs
@@ -21,7 +22,7 @@ def is_positive(s: Statement, a: int, *, strict: bool, real: bool) -> bool:
     names = {f.ops[b][1] for b in f.reach(a) if f.ops[b][0] == "s"} - {"pi"}
     if not names and not any(f.ops[b][1] in f.functions for b in f.reach(a) if f.ops[b][0] == "f"):
         return _number(s, a, strict=strict)
-    return Signs(s).is_positive(a, strict=strict)
+    return Signs(s).is_positive(a, strict=strict) or is_positive_between(s, a)
 
 
 def _number(s: Statement, a: int, *, strict: bool) -> bool:

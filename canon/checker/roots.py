@@ -54,13 +54,16 @@ class Roots:
                 continue
 
     def sign_of_circular(self, name: str, angle: Element) -> Sequence[str]:
-        """That a sine, or a cosine, is nowhere negative, where the domain says so of its angle."""
+        """That a sine, or a cosine, has one sign, where the domain says so of its angle."""
         self._read_conditions(plain=True)
         turn = self.t.mul(self.named("pi"), self.t.constant(core.Fraction(1, 2)))
         if name == "sin":
             angle = self.t.add(angle, turn, -1)
-        bounds = (self.t.add(turn, angle, sign) for sign in (1, -1))
-        return ("nonnegative",) if all(self._multiple_sign(x) > 0 for x in bounds) else ()
+        for half, word in ((0, "nonnegative"), (1, "nonpositive"), (-1, "nonpositive")):
+            moved = self.t.add(angle, self.t.mul(turn, self.t.constant(core.Fraction(2 * half))), -1)
+            if all(self._multiple_sign(self.t.add(turn, moved, sign)) > 0 for sign in (1, -1)):
+                return (word,)
+        return ()
 
     def fraction(self, x: Fraction_) -> Element:
         """The value of numerator / denominator. Raises ZeroDivisionError."""

@@ -130,12 +130,30 @@ class Signs:
             pair = name_of(mark, abs(r.numerator)), times(*[below] * abs(r.numerator))
             return pair if r > 0 else (pair[1], pair[0])
         if op[1] in ("sin", "cos"):
+            angle, under = x[0]
+            if under == ONE and {*angle} <= {(("pi", 1),)} and (right := 2 * sum(angle.values())).denominator == 1:
+                value = (0, 1, 0, -1)[int(right + (op[1] == "cos")) % 4]  # after whole right angles
+                return ({(): Fraction(value)} if value else {}), ONE
             sine, cosine = (f"#{word} {op[3][0]}" for word in ("sin", "cos"))
-            self._circles[sine] = cosine
+            if sine not in self._circles:
+                self._circles[sine] = cosine
+                self._turned(sine, cosine, x[0])
             return name_of(sine if op[1] == "sin" else cosine), ONE
         sure = op[1] in ("exp", "cosh", "abs")
         self.words[mark] = ["positive"] if sure else [*self.s.words.get(op[1], ())] if not any(op[2]) else []
         return name_of(mark), ONE
+
+    def _turned(self, sine: str, cosine: str, angle: Pair) -> None:
+        """The signs of sine and cosine, where the angle is seen to lie in a half of the circle."""
+        if not any("pi" in core.names(p) for p in self._positive):
+            return
+        right, (over, under) = {(("pi", 1),): Fraction(1, 2)}, angle
+        for name, first in ((sine, 0), (sine, -2), (cosine, -1), (cosine, 1)):
+            low, high = (times({(): Fraction(k)}, right, under) if k else {} for k in (first, first + 2))
+            above = combined(over, low, {(): Fraction(-1)}) if low else over
+            below = combined(high, over, {(): Fraction(-1)}) if high else minus(over)
+            if all(self._is_sure(p, strict=True, depth=2) for p in (under, above, below)):
+                self.words[name] = ["positive" if first in (0, -1) else "negative"]
 
     def _reduced(self, p: Polynomial, *, cosines: bool) -> Polynomial:
         """Without powers of roots that are polynomials, or squares of sines (or of cosines)."""
@@ -159,9 +177,9 @@ class Signs:
 
     # -- signs of polynomials -----------------------------------------------------------------------
 
-    def _is_sure(self, p: Polynomial, *, strict: bool) -> bool:
+    def _is_sure(self, p: Polynomial, *, strict: bool, depth: int = DEPTH) -> bool:
         try:
-            return self._holds(p, strict=strict)
+            return self._holds(p, strict=strict, depth=depth)
         except (Undetermined, Unreadable, RecursionError):
             return False
 

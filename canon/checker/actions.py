@@ -10,6 +10,7 @@ proof; where two ways of measuring it don't agree, nothing is.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -27,6 +28,7 @@ from canon.checker.periods import is_so
 from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_nowhere_zero, is_positive
 from canon.checker.power_wells import is_action
+from canon.checker.separatrices import separatrix
 from canon.checker.shapes import has_complex, is_smooth
 from canon.checker.statement import Statement
 
@@ -102,6 +104,12 @@ def action(s: Statement) -> Case:
         if zeros is not None:
             return Case(zeros)
     square = squared(s, form, H, level)
+    if square is not None and not rate:
+        turn, well = period if rotates else None, given[-1] if "well" in claim else None
+        known = separatrix(s, x, square, turn, well)
+        if known is not None:
+            case = Case([f.sub(known, equals)])
+            return replace(case, measured=measured, digits=DIGITS, found=True) if s.verdict == "proved" else case
     solved = None if form.quadratic else square
     case = Case([], measured=measured, digits=DIGITS, enclosed=enclosed if form.quadratic or square else None)
     stated = s.verdict == "proved" and "well" not in claim and not s.surface

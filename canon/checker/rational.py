@@ -83,10 +83,10 @@ class Rational:
         found: tuple[int, ...] = (c,)
         for p, e in factors.items():
             for _ in range(e):
-                found = self._times(found, p)
+                found = self.times(found, p)
         return found
 
-    def _times(self, p: Factor, q: Factor) -> tuple[int, ...]:
+    def times(self, p: Factor, q: Factor) -> tuple[int, ...]:
         f, size = self.f, len(p) + len(q) - 1
         if size > HIGHEST + 1:
             raise NoForm

@@ -107,6 +107,10 @@ class Shown:
                 trusted.append("that what must not vanish everywhere doesn't, as values in 50 digits say")
         if case.independent and all(independence(s, case, case.independent, self.numbers, of) == 0 for of, _ in places):
             raise Rejected("what must be linearly independent is not, at the points that were tried")
+        f_names = {f.ops[a][1] for a in f.reach(*case.independent) if f.ops[a][0] == "s"}
+        held = f_names - {*s.coordinates, *s.bracketed, s.time, "pi", "1j"}
+        if held:  # it is claimed for all their values, and a·x is 0 where a is
+            trusted.append(f"that the basis is independent for all values of {', '.join(sorted(held))[:80]}")
         return [*trusted, *self._positive(case, places), *self._measured(case, places)]
 
     def is_somewhere(self, case: Case) -> list[str]:

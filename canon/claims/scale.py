@@ -38,7 +38,7 @@ def never_zero(expression: sp.Expr, conditions: Iterable[Condition] = ()) -> boo
     kept: set[sp.Expr] = set()
     for condition in conditions:
         if condition.kind in ("positive", "nonzero", "slit"):
-            kept |= set(_bases(condition.terms[0]))
+            kept |= set(_bases(condition.terms[0], certain=True))
     return all(_base_never_zero(base, kept) for base in _bases(expression))
 
 
@@ -67,8 +67,11 @@ def _no_real_root(base: sp.Expr) -> bool:
     return polynomial.count_roots(low, high) == 0
 
 
-def _bases(expression: Any) -> Iterator[Any]:
-    """The factors without their exponents."""
+def _bases(expression: Any, *, certain: bool = False) -> Iterator[Any]:
+    """The factors without their exponents; `certain`: those that are not 0 where the product isn't.
+
+    A factor b of bⁿ may be 0 where n may be.
+    """
     if sp.count_ops(expression) < 200 and not expression.has(AppliedUndef) and not is_steep(expression):
         try:
             expression = sp.factor(expression)
@@ -76,12 +79,16 @@ def _bases(expression: Any) -> Iterator[Any]:
             expression = sp.factor_terms(expression)
     for factor in sp.Mul.make_args(expression):
         base = factor
-        while isinstance(base, sp.Pow):
+        while isinstance(base, sp.Pow) and (not certain or _is_not_zero(base.exp)):
             base = base.base
         if isinstance(base, sp.Mul):
-            yield from _bases(base)
+            yield from _bases(base, certain=certain)
         else:
             yield base
+
+
+def _is_not_zero(exponent: Any) -> bool:
+    return known_sign(exponent) in ("positive", "negative", "nonzero")
 
 
 def scale_of(question: Question) -> Formula | None:

@@ -112,6 +112,16 @@ def test_the_refutation_of_something_true_is_rejected(claim: str, proof: str) ->
     assert check(resealed(wrong)).status in ("rejected", "not confirmed")
 
 
+def test_a_basis_may_depend_on_itself_for_one_value_of_a_parameter() -> None:
+    """x/(a + x − 1) times a is 0 for a = 0, which a nonnegative a may be: what is seen at some values isn't shown."""
+    symbols = PLANE + '[symbols]\na = "positive"\n[domain]\nwhere = ["x > 2"]\n'
+    data = certified(symbols, 'kind = "algebra"\nbasis = { A = "a/(a + x - 1)", B = "1" }\nstructure = {}')
+    data["tables"]["symbols"]["a"] = "nonnegative"
+    answer = check(resealed(data))
+    assert answer.status == "confirmed in part"
+    assert "independent for all values of a" in str(answer)
+
+
 def test_another_name_is_rejected() -> None:
     for name, other in (("so(3)", "so(2,1)"), ("e(3)", "so(4)"), ("pauli", "so(2,1)"), ("affine", "u(1) + u(1)")):
         data = copy.deepcopy(made(name))

@@ -94,3 +94,11 @@ def test_functions_that_vanish_for_one_value_of_a_parameter_are_dependent(status
     """a/(a + q − 1) is 1 at q = 1 for every a but 0, for which it is 0 throughout."""
     claim = 'kind = "algebra"\nbasis = {A = "a/(a + q - 1)", B = "q"}\nequals = "u(1)^2"'
     assert status(claim, space=LINE, symbols=f'a = "{sign}"', domain='where = ["q > 2"]') == expected
+
+
+@pytest.mark.parametrize(("power", "expected"), [("b**n", "refuted"), ("b**(n + 1)", "proved")])
+def test_what_a_power_of_it_says_of_a_number(status, power, expected):
+    """b⁰ is 1 for b = 0, too."""
+    claim = 'kind = "independent"\nfunctions = ["b*q", "p"]'
+    words = 'b = "real"\nn = ["integer", "nonnegative"]'
+    assert status(claim, space=LINE, symbols=words, domain=f'where = ["{power} > 0"]') == expected

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
-import sys
 import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
@@ -13,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Final
 from canon.cli.parser import NOT_WRITTEN
 from canon.cli.refusal import refused
 from canon.cli.simulate import picture
+from canon.cli.spoken import complain, notation, shown
 
 if TYPE_CHECKING:
     from canon.scenes.actions import Actions
@@ -64,7 +63,7 @@ def execute(arguments: argparse.Namespace) -> int:
 
     begun = time.monotonic()
     try:
-        check_folder("--plot", arguments.plot)
+        check_folder("--plot", arguments.plot, arguments.file)
         found = _found(arguments)
         faults = write_each(arguments, {"plot": lambda: _draw(found, arguments.plot)})
     except InputError as error:
@@ -72,13 +71,13 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.report.action_record import action_lines, action_record
 
     if arguments.json:
-        print(json.dumps(action_record(found, time.monotonic() - begun), ensure_ascii=False, allow_nan=False))
+        print(notation(action_record(found, time.monotonic() - begun)))
     else:
         print("\n".join(action_lines(found)))
         if arguments.plot is not None:
-            print(f"  figure       {arguments.plot}")
+            print(f"  figure       {shown(arguments.plot)}")
     for fault in faults:
-        print(f"canon actions: {fault}", file=sys.stderr)
+        complain(f"canon actions: {fault}")
     return NOT_WRITTEN if faults else 0
 
 

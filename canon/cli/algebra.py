@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import json
-import sys
 from typing import Any, Final
 
 from canon.cli.files import claim_files
 from canon.cli.parser import BAD_INPUT, seconds, whole
+from canon.cli.spoken import complain, notation
 
 HELP: Final = "show the Lie algebras of claims: bracket table, Killing form, identification"
 DESCRIPTION: Final = (
@@ -33,7 +32,6 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.claims.reader import read_file
     from canon.errors import InputError
     from canon.report.algebra_text import as_latex, as_record, as_text
-    from canon.report.words import visible
 
     files, missing = claim_files(arguments.files)
     errors: list[dict[str, Any]] = [{"file": f.name, "where": "", "message": f.message} for f in missing]
@@ -54,7 +52,7 @@ def execute(arguments: argparse.Namespace) -> int:
         errors.append({"file": arguments.files[0], "where": "", "message": f"no claim of kind {kinds} is in it"})
     if arguments.json:
         record = {"format": 1, "algebras": [as_record(table, name) for name, table in tables], "errors": errors}
-        print(json.dumps(record, ensure_ascii=False))
+        print(notation(record))
     elif arguments.latex:
         print("\n\n".join(as_latex(table) for _, table in tables))
     else:
@@ -62,7 +60,7 @@ def execute(arguments: argparse.Namespace) -> int:
     if not arguments.json:
         for error in errors:
             place = ": ".join(part for part in (error["file"], error["where"], error["message"]) if part)
-            print(f"canon algebra: {visible(place)}", file=sys.stderr)
+            complain(f"canon algebra: {place}")
     against = [table.verdict.status for _, table in tables if not table.claim.is_met_by(table.verdict.status)]
     if errors:
         return BAD_INPUT

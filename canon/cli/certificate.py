@@ -8,6 +8,7 @@ import sys
 from typing import Final
 
 from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, Parser
+from canon.cli.spoken import complain, notation, shown
 
 HELP: Final = "check certificates of proofs and refutations, or put them in Coq"
 DESCRIPTION: Final = "Works with certificates that `canon verify --certificate DIR` has written."
@@ -59,17 +60,17 @@ def _export(arguments: argparse.Namespace) -> int:
         if (answer := check(data)).status == "rejected":
             remedy = "one that another version of canon made has to be made anew: `canon verify FILE --certificate DIR`"
             raise InputError(f"this certificate is {answer} ({remedy})")
-        check_folder("--coq", arguments.coq)
+        check_folder("--coq", arguments.coq, arguments.file)
         text = coq_of(data)
         written(arguments.coq, text)
     except (InputError, Unreadable) as error:
-        print(f"canon certificate: {arguments.file}: {error}", file=sys.stderr)
+        complain(f"canon certificate: {arguments.file}: {error}")
         return BAD_INPUT
     except OSError as error:
-        print(f"canon certificate: {arguments.coq} can't be written: {error.strerror}", file=sys.stderr)
+        complain(f"canon certificate: {arguments.coq} can't be written: {error.strerror}")
         return NOT_WRITTEN
     count = text.count("\nTheorem ")
-    print(f"{arguments.coq}: {count} theorem{'s' * (count > 1)}; check with `coqc {arguments.coq}`")
+    print(shown(f"{arguments.coq}: {count} theorem{'s' * (count > 1)}; check with `coqc {arguments.coq}`"))
     return 0
 
 
@@ -91,10 +92,8 @@ def _check(arguments: argparse.Namespace) -> int:
             why = visible("; ".join(reasons))  # which quotes the file, as does its name
             print(f"{status:<18} {visible(name)}{': ' if why else ''}{cut(why)}", flush=True)
     if arguments.json:
-        import json
-
         rows = [{"file": name, "status": status, "reasons": reasons} for name, status, reasons in answers]
-        print(json.dumps({"format": 1, "certificates": rows}, ensure_ascii=False, indent=1))
+        print(notation({"format": 1, "certificates": rows}, indent=1))
     elif len(answers) > 1:
         counts = ((status, sum(answer[1] == status for answer in answers)) for status in STATUS)
         print(f"\n{len(answers)} certificates: " + ", ".join(f"{n} {status}" for status, n in counts if n))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import sys
 from collections.abc import Callable
@@ -13,6 +12,7 @@ from canon.cli.actions import parameter_values
 from canon.cli.parser import NOT_WRITTEN, Parser, count, positive, seconds
 from canon.cli.refusal import refused
 from canon.cli.simulate import check_folder, picture, read_scene_or_system, write_each
+from canon.cli.spoken import complain, notation, shown
 
 if TYPE_CHECKING:
     from canon.cost.study import Study
@@ -89,8 +89,8 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.errors import InputError
 
     try:
-        check_folder("--plot", arguments.plot)
-        check_folder("--csv", arguments.csv)
+        check_folder("--plot", arguments.plot, arguments.file, arguments.csv)
+        check_folder("--csv", arguments.csv, arguments.file)
         with _watched(arguments.json) as watch:
             studies = _STUDIES[arguments.what](arguments, watch)
     except InputError as error:
@@ -98,7 +98,7 @@ def execute(arguments: argparse.Namespace) -> int:
     faults = _write(studies, arguments)
     _print(studies, arguments)
     for fault in faults:
-        print(f"canon cost: {fault}", file=sys.stderr)
+        complain(f"canon cost: {fault}")
     return NOT_WRITTEN if faults else 0
 
 
@@ -177,7 +177,7 @@ class _watched:  # noqa: N801 - a context manager that reads as a word
 
     def _show(self, what: str) -> None:
         if self.shown:
-            print(f"\r\033[Kmeasuring {what} …", end="", file=sys.stderr, flush=True)
+            print(f"\r\033[Kmeasuring {shown(what)} …", end="", file=sys.stderr, flush=True)
 
     def __exit__(self, *exception: object) -> None:
         if self.shown:
@@ -205,11 +205,7 @@ def _print(studies: list[Study], arguments: argparse.Namespace) -> None:
     if arguments.json:
         from canon.cost.study import record
 
-        print(
-            json.dumps(
-                {"format": 1, "studies": [record(study) for study in studies]}, ensure_ascii=False, allow_nan=False
-            )
-        )
+        print(notation({"format": 1, "studies": [record(study) for study in studies]}))
         return
     from canon.report.cost_text import study_lines
 
@@ -217,4 +213,4 @@ def _print(studies: list[Study], arguments: argparse.Namespace) -> None:
         print("\n".join(study_lines(study, accuracy=arguments.accuracy, budget=arguments.within)))
     for option, path in (("table", arguments.csv), ("figure", arguments.plot)):
         if path is not None:
-            print(f"  {option:<7} {path}")
+            print(f"  {option:<7} {shown(path)}")

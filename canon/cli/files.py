@@ -47,6 +47,11 @@ def claim_files(names: Iterable[str]) -> tuple[list[ClaimFile], list[Missing]]:
     return _once(found), list(dict.fromkeys(missing))
 
 
+def same_file(path: str, others: Iterable[str | None]) -> bool:
+    """Whether a file that is to be written is one of the others, which are read or written, too, by whatever name."""
+    return any(other is not None and os.path.realpath(path) == os.path.realpath(other) for other in others)
+
+
 def _refused(name: str) -> bool:
     """Whether something is in the way of even looking: the reader says what."""
     try:

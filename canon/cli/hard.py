@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import argparse
 import csv
-import json
 import sys
 from typing import Final
 
 from canon.cli.parser import BAD_INPUT
+from canon.cli.spoken import complain, notation
 
 HELP: Final = "run the catalogue of hard cases: digits kept beside what conditioning allows"
 DESCRIPTION: Final = (
@@ -39,7 +39,7 @@ def execute(arguments: argparse.Namespace) -> int:
     try:
         chosen = cases(arguments.names, slow=arguments.slow)
     except InputError as error:
-        print(f"canon hard: {error.message}", file=sys.stderr)
+        complain(f"canon hard: {error.message}")
         return BAD_INPUT
     if arguments.list:
         for case in chosen:
@@ -55,7 +55,7 @@ def execute(arguments: argparse.Namespace) -> int:
             found.append(run(case))
             watch(len(found) / len(chosen))
     if arguments.json:
-        print(json.dumps(hard_record(found), ensure_ascii=False, allow_nan=False))
+        print(notation(hard_record(found)))
     elif arguments.csv:
         csv.writer(sys.stdout).writerows(hard_csv(found))
     else:

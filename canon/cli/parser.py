@@ -8,6 +8,8 @@ import re
 import sys
 from typing import Any, NoReturn
 
+from canon.cli.spoken import shown
+
 BAD_INPUT = 3
 NO_RESOURCES = 71
 """The exit status where the system gives no more memory, files or processes (EX_OSERR of sysexits)."""
@@ -29,7 +31,7 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """Print the usage, the error and the nearest thing that exists, and exit with status 3."""
-        lines = [self.format_usage().rstrip(), f"{self.prog}: error: {message}"]
+        lines = [self.format_usage().rstrip(), shown(f"{self.prog}: error: {message}")]
         advice = self._advice(message)
         lines.append(f"{advice} See `{self.prog} --help`." if advice else f"See `{self.prog} --help`.")
         self.exit(BAD_INPUT, "\n".join(lines) + "\n")

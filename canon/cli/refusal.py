@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from typing import Any
 
 from canon.cli.parser import BAD_INPUT
+from canon.cli.spoken import complain, notation
 
 
 def refused(command: str, file: str | None, error: Any, *, as_json: bool) -> int:
     """Print an `InputError` with its place, and return the exit status of bad input."""
     if as_json:
         record = {"format": 1, "errors": [{"file": file, "where": error.where, "message": error.message}]}
-        print(json.dumps(record, ensure_ascii=False, indent=1))
+        print(notation(record, indent=1))
     else:
         place = ", ".join(part for part in (file, error.where) if part)
-        from canon.report.words import visible
-
-        print(visible(f"canon {command}: {place}: {error.message}"), file=sys.stderr)
+        complain(f"canon {command}: {place}: {error.message}")
     return BAD_INPUT

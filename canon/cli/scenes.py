@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Iterator
 from typing import Final
 
 from canon.cli.parser import BAD_INPUT
+from canon.cli.spoken import complain
 
 HELP: Final = "list the systems and effects that scenes can name, or print a system's scene file"
 DESCRIPTION: Final = (
@@ -31,7 +31,7 @@ def execute(arguments: argparse.Namespace) -> int:
     try:
         print(_one(arguments.name), end="")
     except InputError as error:
-        print(f"canon scenes: {error.message}", file=sys.stderr)
+        complain(f"canon scenes: {error.message}")
         return BAD_INPUT
     return 0
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import os
 import signal
@@ -14,8 +13,10 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
+from canon.cli.files import same_file
 from canon.cli.parser import NOT_WRITTEN, positive, seconds
 from canon.cli.refusal import refused
+from canon.cli.spoken import complain, notation, shown
 
 if TYPE_CHECKING:
     from canon.scenes.scene import Scene
@@ -102,9 +103,9 @@ def execute(arguments: argparse.Namespace) -> int:
     finally:  # the figure last, which takes longest: where it is interrupted, the rest is there
         faults += _draw(result, arguments)
     if arguments.plot is not None and not arguments.json:
-        print(f"  figure      {arguments.plot}")
+        print(f"  figure      {shown(arguments.plot)}")
     for fault in faults:
-        print(f"canon simulate: {fault}", file=sys.stderr)
+        complain(f"canon simulate: {fault}")
     return NOT_WRITTEN if faults else 0 if result.ok else 1
 
 
@@ -118,7 +119,7 @@ def _run(scene: Scene, arguments: argparse.Namespace) -> Result:
             write_arrays(arrays, arguments.out)
 
     def warn(message: str) -> None:
-        print(f"canon simulate: {arguments.scene}: {message}", file=sys.stderr)
+        complain(f"canon simulate: {arguments.scene}: {message}")
 
     with _watched(arguments.json) as watch, _terminated_as_interrupted():
         if arguments.resume is None:
@@ -178,18 +179,20 @@ def _with_options(scene: Scene, arguments: argparse.Namespace) -> Scene:
 
 def _check_folders(arguments: argparse.Namespace) -> None:
     """Refuse files that can't be written before anything is computed."""
-    check_folder("--plot", arguments.plot)
-    check_folder("--out", arguments.out)
+    check_folder("--plot", arguments.plot, arguments.scene, arguments.out, arguments.resume)
+    check_folder("--out", arguments.out, arguments.scene)
 
 
-def check_folder(option: str, path: str | None) -> None:
-    """**Raises:** `InputError` where a file can't be written."""
+def check_folder(option: str, path: str | None, *others: str | None) -> None:
+    """**Raises:** `InputError` where a file can't be written, or is one of the `others`, which would be lost."""
     from canon.errors import InputError
 
     if path is None:
         return
     if "\0" in path:
         raise InputError("no file's name has the character NUL in it", option)
+    if same_file(path, others):
+        raise InputError(f"{path!r} would be written over what is read from it, or written to it as well", option)
     folder = os.path.dirname(path) or os.curdir
     if not os.path.isdir(folder):
         raise InputError(f"there is no folder {folder!r} to write to", option)
@@ -265,9 +268,9 @@ def _print(result: Result, arguments: argparse.Namespace) -> None:
 
         record = scene_record(result)
         try:
-            print(json.dumps(record, ensure_ascii=False, allow_nan=False))
+            print(notation(record))
         except ValueError:  # JSON has no word for what isn't finite, as it may be of a run that was changed on disk
-            print(json.dumps(finite(record), ensure_ascii=False, allow_nan=False))
+            print(notation(finite(record)))
         return
     from canon.report.scene_text import explanation_lines, run_lines
 
@@ -276,4 +279,4 @@ def _print(result: Result, arguments: argparse.Namespace) -> None:
         lines = [*explanation_lines(result), "", *lines]
     print("\n".join(lines))
     if arguments.out is not None:
-        print(f"  states      {arguments.out}")
+        print(f"  states      {shown(arguments.out)}")

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, Final
 from canon.cli.accuracy import no_accuracy
 from canon.cli.files import ClaimFile, claim_files
 from canon.cli.parser import BAD_INPUT, NO_RESOURCES, NOT_WRITTEN, count, positive, seconds, whole
+from canon.cli.spoken import complain
 from canon.cli.verify_output import no_proof_file, not_a_folder, print_report, write_proofs
 from canon.interruption import raise_again
 
@@ -86,13 +87,13 @@ def execute(arguments: argparse.Namespace) -> int:
     """Check what is asked for, print the report, and return the exit status."""
     if arguments.files and (arguments.coverage or arguments.catalogue):
         option = "--coverage" if arguments.coverage else "--catalogue"
-        print(f"canon verify: error: {option} speaks of the built-in catalogue: leave out the files", file=sys.stderr)
+        complain(f"canon verify: error: {option} speaks of the built-in catalogue: leave out the files")
         return BAD_INPUT
     if arguments.cluster is not None and (arguments.certificate is not None or arguments.proof is not None):
         print("canon verify: error: --cluster brings verdicts alone: no certificates and no proofs", file=sys.stderr)
         return BAD_INPUT
     if arguments.accuracy is not None and (reason := no_accuracy(arguments)):
-        print(f"canon verify: --accuracy: {reason}", file=sys.stderr)
+        complain(f"canon verify: --accuracy: {reason}")
         return BAD_INPUT
     start = time.monotonic()
     from canon.claims.journal import answered, journal
@@ -102,10 +103,10 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.errors import InputError
 
     if arguments.certificate is not None and (reason := not_a_folder(arguments.certificate)):
-        print(f"canon verify: --certificate: {reason}", file=sys.stderr)
+        complain(f"canon verify: --certificate: {reason}")
         return BAD_INPUT
-    if arguments.proof is not None and (reason := no_proof_file(arguments.proof)):
-        print(f"canon verify: --proof: {reason}", file=sys.stderr)
+    if arguments.proof is not None and (reason := no_proof_file(arguments.proof, [*arguments.files, arguments.resume])):
+        complain(f"canon verify: --proof: {reason}")
         return BAD_INPUT
     settings = _settings(arguments)
     try:
@@ -136,7 +137,7 @@ def execute(arguments: argparse.Namespace) -> int:
         interrupted = True
     if diary is not None and diary.fault:
         reason = f"{diary.fault}: the answers since then are not in it"
-        print(f"canon verify: --resume {arguments.resume}: {reason}", file=sys.stderr)
+        complain(f"canon verify: --resume {arguments.resume}: {reason}")
     if kept is not None:
         _remember(kept, entries, results, recalled | {error["file"] for error in errors})
     from canon.report.record import exit_status, run_record
@@ -156,11 +157,11 @@ def execute(arguments: argparse.Namespace) -> int:
     unwritten = [claim["detail"]["certificate_error"] for claim in claims if "certificate_error" in claim["detail"]]
     if unwritten:
         what = "proofs" if arguments.certificate is None else "certificates"
-        print(f"canon verify: {len(unwritten)} {what} are missing: {unwritten[0]}", file=sys.stderr)
+        complain(f"canon verify: {len(unwritten)} {what} are missing: {unwritten[0]}")
     if unproved:
-        print(f"canon verify: --proof: {unproved}", file=sys.stderr)
+        complain(f"canon verify: --proof: {unproved}")
     if unasked:
-        print(f"canon verify: {left} of {len(entries)} claims not asked: {unasked}", file=sys.stderr)
+        complain(f"canon verify: {left} of {len(entries)} claims not asked: {unasked}")
         return NO_RESOURCES
     status = INTERRUPTED if interrupted else exit_status(claims, errors)
     unkept = diary is not None and diary.fault
@@ -174,7 +175,7 @@ def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Rec
 
 
 def _refuse(error: InputError) -> int:
-    print(f"canon verify: {error}", file=sys.stderr)
+    complain(f"canon verify: {error}")
     return BAD_INPUT
 
 

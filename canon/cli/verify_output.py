@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Iterable
 from typing import Any, Final
+
+from canon.cli.files import same_file
+from canon.cli.spoken import notation
 
 Record = dict[str, Any]
 NUL: Final = "no file's name has the character NUL in it"
 
 
-def no_proof_file(name: str) -> str:
-    """Return why proofs can't go into a file of this name, or nothing."""
+def no_proof_file(name: str, others: Iterable[str | None] = ()) -> str:
+    """Return why proofs can't go into a file of this name, as it is one of the others, or nothing."""
     from canon.report.proof_file import NOTATIONS, notation_of
 
     if notation_of(name) is None:
         return f"{name!r} has none of the endings {', '.join(NOTATIONS)}"
     if "\0" in name:
         return NUL
+    if same_file(name, others):
+        return f"{name!r} would be written over what is read from it, or written to it as well"
     folder = os.path.dirname(name) or "."
     if os.path.isdir(name) or not os.path.isdir(folder):
         return f"{name!r} is a folder" if os.path.isdir(name) else f"there is no folder {folder!r}"
@@ -57,7 +63,10 @@ def not_a_folder(name: str) -> str:
 def print_report(record: Record, *, json: bool, terminal: bool, seconds: float, interrupted: int) -> None:
     """Print the report of the run in the form that the reader of it can use."""
     if json:
-        print(_notation(record, sys.stdout.encoding or "utf-8"))
+        from canon.report.words import MATTERS
+
+        claims = [{key: value for key, value in claim.items() if key != MATTERS} for claim in record["claims"]]
+        print(notation({**record, "claims": claims}, indent=1))
     elif terminal:
         from canon.report.console import print_record
         from canon.report.console import terminal as here
@@ -67,19 +76,3 @@ def print_report(record: Record, *, json: bool, terminal: bool, seconds: float, 
         from canon.report.plain import print_rest
 
         print_rest(record, sys.stdout, seconds=seconds, interrupted=interrupted)
-
-
-def _notation(record: Record, encoding: str) -> str:
-    """Return the record as JSON; letters that the encoding doesn't have are escaped, never replaced."""
-    import json
-
-    from canon.report.words import MATTERS
-
-    claims = [{key: value for key, value in claim.items() if key != MATTERS} for claim in record["claims"]]
-    record = {**record, "claims": claims}
-    text = json.dumps(record, ensure_ascii=False, indent=1, allow_nan=False)
-    try:
-        text.encode(encoding)
-    except UnicodeEncodeError:
-        return json.dumps(record, ensure_ascii=True, indent=1, allow_nan=False)
-    return text

@@ -12,7 +12,7 @@ from canon.checker.functions import Unknown, Unreadable
 from canon.checker.lie import Algebra, is_named
 from canon.checker.linear import rank, solved
 from canon.checker.motion import unused
-from canon.checker.obligations import bracketed
+from canon.checker.poisson import bracketed
 from canon.checker.statement import Statement
 
 Pair = tuple[int, int]

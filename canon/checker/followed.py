@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Mapping
+from itertools import chain
 from typing import Any
 
 from canon.checker import core
@@ -113,5 +114,6 @@ def is_identity(values: Values, a: int) -> bool:
 
 def at_random(s: Statement) -> Values:
     """Values at random numbers of their own: what is 0 there is 0, but for a chance of degree / 2^126."""
-    rng = random.SystemRandom()
-    return Values(s, core.random_prime(rng), rng, real=True)
+    rng, words = random.SystemRandom(), chain.from_iterable(s.words.values())
+    real = "complex" not in words and ("s", "1j") not in s.f.ops
+    return Values(s, core.random_prime(rng), rng, real=real)

@@ -23,6 +23,8 @@ MONOTONE = {
     "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf", "elliptic_pi": "ellippi",
 }  # fmt: skip
 """Functions that are monotonic in each of their arguments, where these don't change their sign, and mpmath's names."""
+STEEPEST, FLAT = 10**6, ("power", "log", "abs", "sign", "atan", "atan2", "asinh")
+"""The largest argument of a function that isn't one of the flat ones."""
 BOUNDED = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn"}
 """Jacobi's functions, for a parameter between 0 and 1."""
 
@@ -110,9 +112,15 @@ class Intervals:
             return self._entire(str(op[1]), x[0].real, x[0].imag)
         return iv.mpc(self._function(str(op[1]), [self.real(part) for part in x]), 0)
 
+    def _check_size(self, *x: Any) -> None:
+        """Refuse arguments of functions whose values would have digits without an end. Raises Open."""
+        if any(not (part.a > -STEEPEST and part.b < STEEPEST) for part in x):
+            raise Open
+
     def _entire(self, name: str, x: Any, y: Any) -> Any:
         """exp, sine and cosine of x + iy."""
         iv = self.iv
+        self._check_size(x, y)
         if name == "exp":
             return iv.mpc(iv.exp(x) * iv.cos(y), iv.exp(x) * iv.sin(y))
         up, down = iv.exp(y), iv.exp(-y)
@@ -125,8 +133,12 @@ class Intervals:
         iv = self.iv
         if name in ("power", "log") and not x[0].a > 0:
             raise Open
+        if name not in FLAT:
+            self._check_size(*x)
         if name == "power":
-            return iv.exp(x[1] * iv.log(x[0]))
+            exponent = x[1] * iv.log(x[0])
+            self._check_size(exponent)
+            return iv.exp(exponent)
         if name in ("exp", "log", "sin", "cos") or (name == "gamma" and x[0].a > 0):
             return getattr(iv, name)(x[0])
         if name in ("tan", "cot", "sec", "csc"):

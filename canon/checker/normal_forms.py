@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from itertools import combinations_with_replacement
-from math import factorial
+from math import comb, factorial
 from typing import Any
 
 from canon.checker.case import Case, whole
@@ -19,12 +19,13 @@ from canon.checker.followed import FAILURES, at_random
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.obligations import taylor
 from canon.checker.positive import is_nowhere_zero
+from canon.checker.regular import is_regular
 from canon.checker.roots import multiple
 from canon.checker.statement import Statement
 from canon.checker.values import Values
 
-HIGHEST, MOST = 12, 400
-"""The highest order, and the most monomials that κ may have."""
+HIGHEST, MOST, LARGEST = 12, 400, 3_000_000
+"""The highest order, the most monomials that κ may have, and the most products of terms."""
 Powers = tuple[int, ...]
 Parts = dict[Powers, int]
 """A polynomial in the variables: exponents = coefficient, modulo the prime."""
@@ -44,6 +45,9 @@ def normal_form(s: Statement) -> Case:
     written = [a for a, _ in s.conditions]
     if any(f.ops[b] == ("s", s.time) for b in f.reach(s.H, *table.values(), *written)):
         raise Unknown("a normal form that depends on time")
+    at = {x: f.number(0) for x in (*s.q, *s.p)}
+    if not is_regular(s, [s.H], at, own=False):
+        raise Unknown("a Hamiltonian that isn't seen to be analytic at the origin")
     series = taylor(s, scaled, "#scale", range(order + 1))
     work = Algebra(s, order)
     try:
@@ -88,7 +92,7 @@ class Algebra:
         self.s, self.order, self.n = s, order, len(s.q)
         self.values: Values = at_random(s)
         self.prime = self.values.t.prime
-        self.variables, self.unsure = [*s.q, *s.p], False
+        self.variables, self.unsure, self.spent = [*s.q, *s.p], False, 0
 
     def polynomial(self, target: int) -> Parts:
         """A formula that is a polynomial in the variables. Raises Unknown for any other."""
@@ -120,8 +124,14 @@ class Algebra:
             raise Unknown("a coefficient with a root in it")
         return {(0,) * 2 * self.n: value[()]} if value else {}
 
+    def _spend(self, steps: int) -> None:
+        self.spent += steps
+        if self.spent > LARGEST:
+            raise Unknown("a normal form that is too large to be followed")
+
     def sum(self, a: Parts, b: Parts, factor: int = 1) -> Parts:
         """a + factor b."""
+        self._spend(len(a) + len(b))
         out = dict(a)
         for m, c in b.items():
             out[m] = (out.get(m, 0) + factor * c) % self.prime
@@ -129,6 +139,7 @@ class Algebra:
 
     def product(self, a: Parts, b: Parts) -> Parts:
         """a b, up to twice the order."""
+        self._spend(len(a) * len(b))
         out: Parts = {}
         for m, c in a.items():
             for k, d in b.items():
@@ -139,6 +150,7 @@ class Algebra:
 
     def bracket(self, a: Parts, b: Parts) -> Parts:
         """{a, b}, up to the order."""
+        self._spend(len(a) * len(b) * self.n)
         out: Parts = {}
         for m, c in a.items():
             for k, d in b.items():
@@ -192,14 +204,15 @@ class Algebra:
         return None if rest else self.sum({}, kappa, -1)
 
     def _monomials(self, degree: int) -> Iterator[Powers]:
-        found = [
-            tuple(chosen.count(i) for i in range(2 * self.n))
+        size = 2 * self.n
+        count = sum(comb(size + d - 1, d) for d in range(3, degree + 1))
+        if count > MOST:
+            raise Unknown(f"{count} unknown coefficients")
+        yield from (
+            tuple(chosen.count(i) for i in range(size))
             for d in range(3, degree + 1)
-            for chosen in combinations_with_replacement(range(2 * self.n), d)
-        ]
-        if len(found) > MOST:
-            raise Unknown(f"{len(found)} unknown coefficients")
-        yield from found
+            for chosen in combinations_with_replacement(range(size), d)
+        )
 
 
 KINDS: dict[str, Any] = {"normal_form": normal_form}

@@ -8,8 +8,12 @@ from math import factorial
 
 from canon.checker.case import Case, whole
 from canon.checker.everywhere import is_exact, is_somewhere
+from canon.checker.followed import FAILURES, at_random
 from canon.checker.functions import Unknown, Unreadable
+from canon.checker.poisson import brackets
 from canon.checker.positive import is_nowhere_zero
+from canon.checker.regular import is_regular
+from canon.checker.roots import multiple
 from canon.checker.shapes import is_rational, is_smooth_there
 from canon.checker.statement import Statement
 
@@ -27,6 +31,7 @@ def canonical(s: Statement) -> Case:
         name, order = s.claim["order"]
         powers = range(whole(order) + 1)
         images = {s.parameter(name): f.number(0)}
+        _analytic(s, s.images.values(), images)
         return Case([c for z in zeros for c in taylor(s, z, name, powers)], images=images, trusted=trusted)
     return Case(zeros, labels=bracket_labels(s, str(s.claim.get("scale", 1))), trusted=trusted)
 
@@ -58,6 +63,12 @@ def taylor(s: Statement, a: int, name: str, orders: Iterable[int]) -> list[int]:
     return found
 
 
+def _analytic(s: Statement, targets: Iterable[int], at: Mapping[str, int]) -> None:
+    """Refuse a series of what isn't seen to be analytic. Raises Unknown."""
+    if not is_regular(s, [s.pull(a) for a in targets], at, own=True):
+        raise Unknown("a series of what isn't seen to be analytic at its place")
+
+
 def canonical_when(s: Statement) -> list[Case]:
     """Canonical at each solution, and not elsewhere."""
     zeros, _ = s.brackets(s.f.number(1))
@@ -87,7 +98,21 @@ def new_hamiltonian(s: Statement) -> Case:
         zeros.append(f.add(f.slope(difference, u), f.sub(moved[0], f.mul(c, moved[1]))))
     labels = [*(bracket_labels(s) if s.direction != "implicit" else [f"b_{k}" for k in range(len(s.lagrange(s.new)))])]
     labels += [*(f"D(c, {u})" for u in (*s.coordinates, s.time)), *(f"residual_{u}" for u in s.coordinates)]
-    return Case(zeros, [[hessian(s) if s.direction == "implicit" else c]], labels=labels)
+    constant = s.direction == "implicit" or is_nowhere_zero(s, c) or _is_one_number(s, c)
+    trusted = "" if constant else "that the scale vanishes nowhere"
+    return Case(zeros, [[hessian(s) if s.direction == "implicit" else c]], labels=labels, trusted=trusted)
+
+
+def _is_one_number(s: Statement, c: int) -> bool:
+    """Whether a scale that doesn't change, and isn't 0 at some point, is 0 nowhere: it is rational, in no parameter, or
+    by the rules for functions a number."""
+    if is_rational(s, c, [*s.coordinates, s.time]):
+        return True
+    values = at_random(s)
+    try:
+        return bool(multiple(values.value(c), values.one, values.t.prime))
+    except FAILURES:
+        return False
 
 
 def dragged(s: Statement, X: list[int], u: str) -> int:
@@ -103,8 +128,13 @@ def volume(s: Statement) -> Case:
     new, old = (s.pfaffian(s.lagrange(X), everything) for X in (s.new, s.old))
     phase = s.known.get("determinant")
     if phase not in ("1", "-1", "1j", "-1j"):
-        return Case([s.f.sub(s.f.call("abs", [], [new]), s.f.call("abs", [], [old]))])
-    return Case([s.f.sub(new, s.f.mul(s.f.read(phase, {}), old))])
+        return Case([s.f.sub(s.f.call("abs", [], [new]), s.f.call("abs", [], [old]))], _not_singular(s))
+    return Case([s.f.sub(new, s.f.mul(s.f.read(phase, {}), old))], _not_singular(s))
+
+
+def _not_singular(s: Statement) -> list[list[int]]:
+    """What mustn't vanish everywhere for a generating function to define a map."""
+    return [[hessian(s)]] if s.direction == "implicit" and s.verdict == "proved" else []
 
 
 def integral_invariant(s: Statement) -> Case:
@@ -114,7 +144,7 @@ def integral_invariant(s: Statement) -> Case:
         raise Unreadable(f"an invariant of order {order} of {len(s.q)} degrees of freedom")
     rows = combinations(range(len(s.coordinates)), 2 * order)
     new, old = (s.lagrange(X) for X in (s.new, s.old))
-    return Case([s.f.sub(s.pfaffian(new, r), s.pfaffian(old, r)) for r in rows])
+    return Case([s.f.sub(s.pfaffian(new, r), s.pfaffian(old, r)) for r in rows], _not_singular(s))
 
 
 def cartan_invariant(s: Statement) -> Case:
@@ -130,11 +160,13 @@ def cartan_invariant(s: Statement) -> Case:
         W = f.read(s.known["potential"], {})
         s.added.append(W)
         trusted = "" if is_smooth_there(s, W) else "that the potential is smooth throughout the domain"
-        return Case([f.sub(slope, f.slope(W, u)) for u, slope in zip(names, slopes, strict=True)], trusted=trusted)
+        zeros = [f.sub(slope, f.slope(W, u)) for u, slope in zip(names, slopes, strict=True)]
+        return Case(zeros, _not_singular(s), trusted=trusted)
     pairs = combinations(range(len(names)), 2)
     zeros = [f.sub(f.slope(slopes[j], names[i]), f.slope(slopes[i], names[j])) for i, j in pairs]
     exact = is_exact(s, [*s.old, *s.new, K, H])
-    return Case(zeros, trusted="" if exact else "that the form, which is closed, is exact")
+    trusted = "" if exact else "that the form, which is closed, is exact"
+    return Case(zeros, _not_singular(s), trusted=trusted)
 
 
 def bracket_invariance(s: Statement) -> Case:
@@ -159,53 +191,6 @@ def generates(s: Statement) -> Case:
     equations = list(s.equations(types, F))
     labels = [f"{name} {'-' if name in s.p or name in s.Q else '+'} D(F, {u})" for name, u, _ in equations]
     return Case([s.pull(s.f.sub(s.f.node("s", name), slope)) for name, _, slope in equations], labels=labels)
-
-
-def bracketed(s: Statement, structure: Mapping[str, str]) -> tuple[Callable[[int, int], int], list[str]]:
-    """The claim's own bracket of two functions, the canonical one or that of a tensor, and the latter's coordinates."""
-    f, claim = s.f, s.claim
-    if "tensor" not in claim and not structure:
-        return lambda a, b: f.bracket(a, b, f.pairs), []
-    pairs = {tuple(n.strip() for n in pair.split(",")): text for pair, text in structure.items()}
-    x = claim.get("coordinates") or list(dict.fromkeys(name for pair in pairs for name in pair))
-    if whole_numbers := {*x} & s.fixed:
-        raise Unreadable(f"{min(whole_numbers)[:40]!r} is an integer: there is no derivative by it")
-    s.declared |= {*x}
-    s.bracketed = list(x)
-    if "tensor" in claim:
-        entries = {(i, j): f.read(claim["tensor"][i][j], s.names) for i, j in combinations(range(len(x)), 2)}
-    else:
-        entries = {(x.index(a), x.index(b)): f.read(text, s.names) for (a, b), text in pairs.items()}
-    s.written += entries.values()
-
-    def bracket(a: int, b: int) -> int:
-        d, mul = f.slope, f.mul
-        return f.add(*(mul(T, f.sub(mul(d(a, x[i]), d(b, x[j])), mul(d(a, x[j]), d(b, x[i]))))
-                       for (i, j), T in entries.items()))  # fmt: skip
-
-    return bracket, x
-
-
-def brackets(s: Statement) -> Case:
-    """bracket, jacobi, conserved, involution, casimir."""
-    f, kind = s.f, s.claim["kind"]
-    b, coordinates = bracketed(s, s.claim.get("structure", {}))
-    if kind == "involution":
-        labels = [f"bracket(f_{i}, f_{j})" for i, j in combinations(range(1, len(s.claim["functions"]) + 1), 2)]
-        return Case([s.pull(b(x, y)) for x, y in combinations(s.keys("functions"), 2)], labels=labels)
-    x = s.key("f")
-    if kind == "conserved":
-        return Case([s.pull(f.add(f.slope(x, s.time), b(x, s.H)))], labels=["D(f, t) + bracket(f, H)"])
-    if kind == "casimir":
-        nodes = [f.node("s", name) for name in coordinates]
-        cycles = (f.add(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y))) for x, y, z in combinations(nodes, 3))
-        return Case([s.pull(a) for a in (*(b(x, y) for y in nodes), *cycles)])
-    y = s.key("g")
-    if kind == "bracket":
-        return Case([s.pull(f.sub(b(x, y), s.key("equals")))], labels=["lhs - rhs"])
-    z = s.key("h")
-    cycle = "bracket(f, bracket(g, h)) + bracket(g, bracket(h, f)) + bracket(h, bracket(f, g))"
-    return Case([s.pull(f.add(b(x, b(y, z)), b(y, b(z, x)), b(z, b(x, y))))], labels=[cycle])
 
 
 def identity(s: Statement) -> Case:
@@ -234,8 +219,14 @@ def lie_series(s: Statement) -> Case:
     order = s.claim.get("order", s.known.get("fails_at_order"))
     order = None if order is None else whole(order)
     if order is None:
+        start = f.substitute(given, {name: f.number(0)})
+        s.written.append(start)  # it has to have a value, too
+        bound = any(f.ops[b] == ("s", name) for a, _ in s.conditions for b in f.reach(a))
+        sure = not bound and is_regular(s, [s.pull(given)], {name: f.number(0)}, own=True)
+        trusted = "" if sure else f"that {name} may be 0, and the series is analytic there"
         flow = f.sub(f.slope(given, name), f.bracket(given, G, f.pairs))
-        return Case([s.pull(f.sub(f.substitute(given, {name: f.number(0)}), x)), s.pull(flow)])
+        return Case([s.pull(f.sub(start, x)), s.pull(flow)], trusted=trusted)
+    _analytic(s, [given], {name: f.number(0)})
     zeros = []
     for k, c in enumerate(taylor(s, given, name, range(order + 1))):
         zeros.append(s.pull(f.sub(c, f.over(x, f.number(factorial(k))))))

@@ -65,10 +65,18 @@ def is_smooth(s: Statement, a: int, x: str, *, anywhere: bool = True) -> bool:
 
 def _is_apart(s: Statement, a: int) -> bool:
     """Whether a formula is seen to be 0 nowhere, factor by factor."""
-    op = s.f.ops[a]
-    if op[0] == "*":
-        return all(_is_apart(s, b) for b in s.f.parts(a))
-    return _is_apart(s, op[1]) if op[0] == "^" else Signs(s).is_nowhere_zero(a)
+    seen, stack = {a}, [a]
+    while stack:
+        a = stack.pop()
+        op = s.f.ops[a]
+        if op[0] not in "*^":
+            if not Signs(s).is_nowhere_zero(a):
+                return False
+            continue
+        new = {*s.f.parts(a)} - seen
+        seen |= new
+        stack.extend(new)
+    return True
 
 
 def has_complex(s: Statement, *targets: int) -> bool:

@@ -50,28 +50,41 @@ def _expansions(s: Statement, inside: int, x: str, to: Any, side: int) -> Iterat
                 yield Expansion(s, x, None, ORDERS[0], pace)
 
 
-def fades(s: Statement, a: int, x: str) -> bool:
+def fades(s: Statement, target: int, x: str) -> bool:
     """Whether a formula tends to 0 at infinity: a sum of exponentials that fall, times what is bounded."""
-    f, op = s.f, s.f.ops[a]
-    if op[0] == "+":
-        return all(fades(s, b, x) for b in f.parts(a))
-    if op[0] == "*":
-        first, other = f.parts(a)
-        return any(fades(s, b, x) and is_bounded(s, c, x) for b, c in ((first, other), (other, first)))
-    return op[:2] == ("f", "exp") and _falls(s, op[3][0], x)
+    return _tendencies(s, target, x)[0]
+
+
+def is_bounded(s: Statement, target: int, x: str) -> bool:
+    """Whether a formula is seen to be bounded for all large values of a name."""
+    return _tendencies(s, target, x)[1]
+
+
+def _tendencies(s: Statement, target: int, x: str) -> tuple[bool, bool]:
+    """Whether a formula is seen to tend to 0, and to be bounded."""
+    f, out = s.f, dict[int, tuple[bool, bool]]()
+    moving = set[int]()
+    for a in f.reach(target):
+        op, parts = f.ops[a], f.parts(a)
+        if op != ("s", x) and not moving & {*parts}:
+            out[a] = False, True
+            continue
+        moving.add(a)
+        known = [out[b] for b in parts]
+        bounded = all(is_so for _, is_so in known)
+        if op[0] == "+":
+            out[a] = all(falls for falls, _ in known), bounded
+        elif op[0] == "*":
+            falls = bounded and any(falls for falls, _ in known)
+            out[a] = falls, bounded
+        elif op[:2] == ("f", "exp"):
+            out[a] = (_falls(s, op[3][0], x),) * 2
+        else:
+            out[a] = False, op[0] == "f" and op[1] in ("sin", "cos")
+    return out[target]
 
 
 def _falls(s: Statement, exponent: int, x: str) -> bool:
     slope = s.f.slope(exponent, x)
     constant = all(s.f.ops[b] != ("s", x) for b in s.f.reach(slope))
     return constant and is_positive(s, s.f.mul(s.f.number(-1), slope), strict=True, real=True)
-
-
-def is_bounded(s: Statement, a: int, x: str) -> bool:
-    """Whether a formula is seen to be bounded for all large values of a name."""
-    f, op = s.f, s.f.ops[a]
-    if all(f.ops[b] != ("s", x) for b in f.reach(a)) or fades(s, a, x):
-        return True
-    if op[0] in "+*":
-        return all(is_bounded(s, b, x) for b in f.parts(a))
-    return op[0] == "f" and op[1] in ("sin", "cos")

@@ -16,8 +16,8 @@ from canon.checker.functions import Unknown
 
 Monomial = tuple[tuple[int, int], ...]
 Element = dict[Monomial, int]
-LARGEST = 3_000_000
-"""Products of terms in one tower, beyond which it is given up."""
+LARGEST, HIGHEST = 3_000_000, 60
+"""Products of terms in one tower, beyond which it is given up; and the highest degree of a root."""
 
 
 class Tower:
@@ -38,6 +38,8 @@ class Tower:
 
     def root(self, radicand: Element, degree: int) -> Element:
         """A new generator g with g^degree = radicand."""
+        if degree > HIGHEST:
+            raise Unknown(f"a root of degree {degree}")
         self._roots.append((degree, radicand))
         return {((len(self._roots) - 1, 1),): 1}
 
@@ -50,7 +52,7 @@ class Tower:
 
     def mul(self, a: Element, b: Element) -> Element:
         """The product, g^n replaced by R in it."""
-        self.spent += len(a) * len(b)
+        self.spent += 1 + len(a) * len(b)
         if self.spent > LARGEST:
             raise Unknown("relations that are too many to be followed")
         out: Element = {}

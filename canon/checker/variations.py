@@ -54,7 +54,9 @@ def stationary(s: Statement) -> Case:
     trusted = trusted or (f"that {touched[0]} stays along the path where it is said to be" if touched else "")
     if touched and s.verdict == "refuted":
         raise Unknown(f"a path along which {touched[0]} may not stay where it is said to be")
-    word = s.claim.get("extremum")
+    word, written = s.claim.get("extremum"), s.conditions
+    if s.verdict == "refuted":  # at a time between the ends
+        s.conditions = Second(s, [], [], [], places).between
     if word is None:
         s.claim.unread -= {"field", "conjugate"} if s.verdict == "refuted" else set[str]()
         return Case(zeros, trusted=trusted)
@@ -65,6 +67,7 @@ def stationary(s: Statement) -> Case:
     def second(first: Sequence[str], other: Sequence[str]) -> Matrix:
         return [[f.substitute(f.slope(f.slope(L, x), y), along) for y in other] for x in first]
 
+    s.conditions, late = written, s.conditions
     found = Second(s, second(v, v), second(s.q, v), second(s.q, s.q), places)
     kinds, shown = found.kinds()
     if s.verdict == "proved":
@@ -73,7 +76,10 @@ def stationary(s: Statement) -> Case:
     if kinds and word not in kinds:
         return Case(shown, found=False)
     if word in SIGNS and None not in places:
-        return Case(zeros, enclosed=found.against(SIGNS[word]), measured=_nothing)
+        if not all(is_identity(at_random(s), a) for a in zeros):
+            s.conditions = late  # Lagrange's equations may fail
+            return Case(zeros)
+        return Case([], enclosed=found.against(SIGNS[word]), measured=_nothing)
     raise Unknown("a second variation")
 
 
@@ -129,7 +135,7 @@ class Second:
 
     def _with_P(self, word: str, P: Matrix, R: Matrix, Q: Matrix) -> tuple[set[str], list[int]]:
         f, t, n, claim = self.f, self.t, len(P), self.s.claim
-        if self.s.verdict == "proved" and not self._is_smooth(*(x for m in (P, R, Q) for row in m for x in row)):
+        if not self._is_smooth(*(x for m in (P, R, Q) for row in m for x in row)):
             return set(), []
         values = at_random(self.s)
         even = all(is_identity(values, f.sub(R[i][j], R[j][i])) for i, j in combinations(range(n), 2))

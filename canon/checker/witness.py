@@ -42,6 +42,11 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
 
     Returns what is to be trusted.
     """
+    if wrong := {n for n in witness if n in ("pi", "1j") or n[0] == "#"}:
+        raise Rejected(f"a point says what {min(wrong)[:40]!r} is")
+    if any(isinstance(x, Mapping) and "complex" not in s.words.get(n, ()) and core.number(x["im"]) for n, x in
+           witness.items()):  # fmt: skip
+        raise Rejected("a name that is real has a complex value at the witness")
     enclosed = list[bool | None]()
     for case in cases:
         for k in FEW if case.enclosed is None else (*FEW, 1, 11, 21):  # what is left open may lie outside of the domain
@@ -159,6 +164,7 @@ def point_of(
             if exact[name][1] == 0 and ((low.b < 0 < high.a) or (high.b < 0 < low.a)):
                 held = own.iv.mpf([own.real(ends[0]).a, own.real(ends[1]).b])
                 of[name] = held if own.is_real else own.iv.mpc(held, 0)
+                own.values(f, [e], {**functions, **of})  # no pole lies between
                 break
         else:
             raise Open

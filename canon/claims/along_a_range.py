@@ -125,8 +125,9 @@ def is_positive(question: Question, node: Node, region: Region, *, strict: bool 
         return bool(ball > 0 or (not strict and ball >= 0))
     if positive_by_signs(tape, node, region, budget.share(0.3), strict=strict):
         return True
-    if _affine_in_wave(question, node, region, strict=strict):
-        return True
+    with contextlib.suppress(InputError):  # a denominator that is 0 where the wave is
+        if _affine_in_wave(question, node, region, strict=strict):
+            return True
     with contextlib.suppress(BudgetExceeded):
         return positive_by_boxes(tape, node, region, budget.share(0.2), strict=strict) is not None
     return False

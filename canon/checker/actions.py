@@ -48,6 +48,8 @@ def action(s: Statement) -> Case:
     if not E.isidentifier() or ("period" in claim and claim.get("branch") != "rotation"):
         raise Unreadable("an energy is a name, and a period is one of a rotation's coordinate")
     fixed = {name: f.read(text, s.names) for name, text in claim.get("fixed", {}).items()}
+    if not all(_as_assumed(s, name, a) for name, a in fixed.items()):
+        raise Unreadable("what is fixed has values that its name's assumptions exclude, or may exclude")
     s.declared |= {E}
     s.without(s.H, [E])
     H = f.substitute(s.H, {n: v for n, v in fixed.items() if n != E})
@@ -118,6 +120,23 @@ def action(s: Statement) -> Case:
     if stated and not rate and not rotates and is_action(s, form, level, equals):
         case.found = True
     return case
+
+
+def _as_assumed(s: Statement, name: str, a: int) -> bool:
+    """Whether the value at which a name is fixed is seen to be as the name is assumed to be."""
+    value, minus = s.f.value(a), s.f.mul(s.f.number(-1), a)
+    for word in {*s.words.get(name, ())} - {"real"}:
+        if word == "integer":
+            holds = value is not None and value.denominator == 1
+        elif word == "nonzero":
+            holds = is_nowhere_zero(s, a)
+        elif word in ("positive", "nonnegative", "negative"):
+            holds = is_positive(s, minus if word == "negative" else a, strict=word != "nonnegative", real=True)
+        else:
+            holds = False
+        if not holds:
+            return False
+    return True
 
 
 def action_angle(s: Statement) -> Case:

@@ -32,15 +32,17 @@ from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.own_names import is_free_of
 from canon.claims.show import is_steep
 from canon.deadline import within
-from canon.domain import Domain
+from canon.domain import Condition, Domain
 from canon.errors import EmptyDomain, InputError
 from canon.expression import Formula
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, one_degree
 from canon.mechanics.closed_actions import librations
 from canon.mechanics.elliptic_actions import elliptic
+from canon.mechanics.formulas import assumed_of
 from canon.mechanics.solved_momentum import solved_momentum
 from canon.mechanics.standard_actions import cosine, rotation
 from canon.mechanics.substitutions import integrands
+from canon.sign import declared
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -202,10 +204,11 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     if asked.surface:
         raise InputError(f"{_what(question)} is one on the whole phase space, not on a surface")
     conditions = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
-    for formula in (H, equals, *also, *fixed.values(), *(given for given in (period, well) if given is not None)):
+    for formula in (H, equals, *also, *(given for given in (period, well) if given is not None)):
         conditions += formula.conditions
+    held = [c for name, formula in fixed.items() for c in (*formula.conditions, *_as_assumed(name, formula))]
     stated = (*assumed(q, sign=False), *assumed(p, sign=True))  # the sign of q is an end of its range
-    here = tuple(dict.fromkeys((*(c.substitute(rules) for c in conditions), *stated)))
+    here = tuple(dict.fromkeys((*(c.substitute(rules) for c in conditions), *held, *stated)))
     if question.key("branch") == "rotation":  # has p > 0 by convention
         here = tuple(c for c in here if c.kind not in ("positive", "nonzero") or c.terms[0] != p)
     others_too = tuple(formula.expr.xreplace(rules) for formula in also)
@@ -217,6 +220,21 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     length, inside = (None if given is None else given.expr.xreplace(rules) for given in (period, well))
     value = equals.expr.xreplace(rules)
     return Setting(q, p, moved, energy, value, here, motion, level, solved, others_too, length, inside)
+
+
+def _as_assumed(name: sp.Symbol, formula: Formula) -> Iterator[Condition]:
+    """What is assumed of a name must hold of the value at which it is fixed: formulas are simplified by it.
+
+    **Raises:** `InputError` where it doesn't, or where an integer or a real number is fixed at what isn't seen to be one.
+    """
+    value, said = sp.expand(formula.expr), declared(name)
+    for word in ("integer", "real"):
+        if said.get(word) and not getattr(value, f"is_{word}"):
+            raise InputError(f"{name} is assumed to be {word}, and {formula} is not seen to be", "key 'fixed'")
+    for condition in assumed_of(name, formula.expr):
+        if condition.terms[0].is_nonpositive if condition.kind == "positive" else condition.terms[0].is_zero:
+            raise InputError(f"{name} can't be fixed at {formula}: its assumptions exclude it", "key 'fixed'")
+        yield condition
 
 
 def _what(question: Question) -> str:

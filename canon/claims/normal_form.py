@@ -121,6 +121,8 @@ def _at_the_origin(question: Question, conditions: Sequence[Condition]) -> Regio
     for x in space.old:
         if x.is_zero is False:
             raise InputError(f"{x} is assumed not to be 0, but a normal form is one about the origin")
+        if x.is_extended_nonnegative or x.is_extended_nonpositive:
+            raise InputError(f"{x} is assumed to have one sign, but a normal form is one about the origin, inside")
     for condition in conditions:
         there = [term.xreplace(origin) for term in condition.terms]
         first = there[0]

@@ -99,11 +99,11 @@ def substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formu
     images: dict[sp.Expr, sp.Expr] = {symbol: image.expr for symbol, image in mapping.items()}
     own = Domain(conditions=formula.conditions).substitute(images).conditions
     inherited = tuple(c for s in mapping if s in needed or s in used for c in mapping[s].conditions)
-    assumed = tuple(c for s in mapping if s in needed or s in used for c in _assumed_of(s, mapping[s].expr))
+    assumed = tuple(c for s in mapping if s in needed or s in used for c in assumed_of(s, mapping[s].expr))
     return Formula(replaced(formula.expr, images), distinct(inherited + own + assumed), formula.text)
 
 
-def _assumed_of(symbol: sp.Symbol, image: sp.Expr) -> tuple[Condition, ...]:
+def assumed_of(symbol: sp.Symbol, image: sp.Expr) -> tuple[Condition, ...]:
     """The sign that a symbol is assumed to have, as a condition on what stands in its place."""
     if image == symbol or (image == 0 and symbol.is_zero is not False):
         return ()

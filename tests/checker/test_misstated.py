@@ -59,6 +59,9 @@ UNREAL = {
         atoms={"((x+1)**(1/2))": [{"g1": "1"}, ONE], ROOTED: [{"x": "1", "": "1"}, ONE]}, phase_space=BARE),
 }  # fmt: skip
 MEANT = {
+    "an action where a positive name is fixed at −1": of({"kind": "action", "coordinate": "x", "energy": "E",
+        "equals": "2*pi*E", "fixed": {"k": "-1"}}, 0, symbols={"k": "positive"},
+        hamiltonian={"H": "p**2/2 + (sqrt(k**2) - k + 1)*x**2/2"}),
     "a scale of 0": of({"kind": "canonical", "scale": "0"}, transformation=CONSTANT),
     "a scale that varies": of({"kind": "canonical", "scale": "x"}, transformation={"Q": ["x**2/2"], "P": ["p"]}),
     "a map to a point": of({"kind": "new_hamiltonian", "K": "X"}, 6, transformation=CONSTANT, hamiltonian={"H": "p"}),

@@ -190,3 +190,24 @@ def test_a_period_stays_while_the_energy_changes(ask):
     claim = action_claim("2/(3*sqrt(2*E))", kind="frequency", branch='"rotation"', period='"E"')
     with pytest.raises(InputError, match="doesn't change with it"):
         ask(claim, space=LINE, symbols='E = "positive"', hamiltonian='H = "p**2/2"')
+
+
+@pytest.mark.parametrize(
+    ("word", "H", "fixed"),
+    [
+        ('k = "positive"', "p**2/2 + (abs(k) - k + 1)*q**2/2", '{k = "-1"}'),
+        ('k = "positive"', "p**2/2 + (abs(k) - k + 1)*q**2/2", '{k = "0"}'),
+        ('k = "integer"', "p**2/2 + cos(2*pi*k)*q**2/2", '{k = "1/2"}'),
+        ('k = "real"', "p**2/2 + (k**2 + 1)*q**2/2", '{k = "1j"}'),
+        ('E = "positive"', "-(p**2 + q**2)/2", '{E = "-1"}'),
+    ],
+)
+@pytest.mark.parametrize("method", ["symbolic", "numeric"])
+def test_a_name_is_fixed_at_what_is_assumed_of_it(ask, word, H, fixed, method):
+    """|k| is k for positive k, and cos 2πk is 1 for whole numbers: in the formulas no other value can be put."""
+    same = {"space": LINE, "symbols": word, "hamiltonian": f'H = "{H}"', "options": {"method": method}}
+    with pytest.raises(InputError):
+        ask(action_claim("2*pi", fixed=fixed), **same)
+    average = 'kind = "average"\ncoordinate = "q"\nenergy = "E"\nf = "1"\nequals = "2"'
+    with pytest.raises(InputError):
+        ask(f"{average}\nfixed = {fixed}", **same)

@@ -220,3 +220,11 @@ def test_samples_refute_a_wrong_average_where_the_theorem_holds(ask):
     wrong = _virial("p**2/m", "p**2/m + m*w**2*q**2")
     (verdict,) = ask(wrong, symbols=SYMBOLS, hamiltonian=OSCILLATOR, options=NUMERIC)
     assert verdict.status == "refuted"
+
+
+def test_a_bound_with_a_pole_where_a_wave_is_0_is_an_answer(ask):
+    """tan(t/2) has a pole where cos(t/2) is 0, which was once put in."""
+    G = "2*atan(tan(t/2)/sqrt(3))/sqrt(3) - t/sqrt(3)"
+    claim = _virial("1/(2 + cos(t))", "1/sqrt(3)", G, "10")
+    (verdict,) = ask(claim, hamiltonian='H = "p**2/2 + q**2/2"')
+    assert verdict.status in ("proved", "undecided")

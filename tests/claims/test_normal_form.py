@@ -8,6 +8,7 @@ import sympy as sp
 from canon.claims.reached import compared
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
+from canon.errors import InputError
 from canon.mechanics.birkhoff import birkhoff_gustavson, equilibrium, exponential, normalised
 from canon.mechanics.homological import kernel, monomials
 from canon.mechanics.phase_space import PhaseSpace
@@ -191,3 +192,10 @@ def test_an_arbitrary_function_in_numbers(ask):
     claim = 'kind = "normal_form"\norder = 4\nN = {}'
     file = {"symbols": 'V = "function"', "hamiltonian": 'H = "p**2/2 + q**2/2 + V(q)*q**3"'}
     assert ask(claim, options={"method": "numeric"}, **file)[0].status == "undecided"
+
+
+@pytest.mark.parametrize("name", ["q", "p"])
+def test_the_origin_is_no_edge(ask, name):
+    claim = 'kind = "normal_form"\norder = 3\nN = {}'
+    with pytest.raises(InputError, match="one sign"):
+        ask(claim, symbols=f'{name} = "nonnegative"', hamiltonian='H = "p**2/2 + q**2/2"')

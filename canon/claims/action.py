@@ -225,7 +225,7 @@ def setting_of(question: Question, *also: Formula) -> Setting:
 def _as_assumed(name: sp.Symbol, formula: Formula) -> Iterator[Condition]:
     """What is assumed of a name must hold of the value at which it is fixed: formulas are simplified by it.
 
-    **Raises:** `InputError` where it doesn't, or where an integer or a real number is fixed at what isn't seen to be one.
+    **Raises:** `InputError` where it doesn't, or isn't seen to be an integer, or real, as the name is.
     """
     value, said = sp.expand(formula.expr), declared(name)
     for word in ("integer", "real"):

@@ -114,7 +114,8 @@ class Verdict:
     def _told(self, shown: Callable[[object], str]) -> Iterator[str]:
         """What the verdict says below its first line, formulas in the language of claim files."""
         if self.witness is not None:
-            yield "at " + ", ".join(_coordinate(key, value, shown) for key, value in self.shown_witness.items())
+            at = ", ".join(_coordinate(key, value, shown) for key, value in self.shown_witness.items())
+            yield f"at {at}" if at or self.matters is None else "wherever the formulas are defined"
         for key, value in self.detail.items():
             yield f"{key.replace('_', ' ')}: {shown(value)}"
         if self.numeric is not None and (self.status in ("supported", "undecided") or self.numeric.points > GLANCES):

@@ -30,7 +30,7 @@ def _names(tape: Tape, nodes: list[Node] | tuple[Node, ...]) -> frozenset[str]:
 def mattering(outcome: Outcome) -> tuple[str, ...] | None:
     """The names of a refutation's witness that matter, in its order.
 
-    None where all of them do, or none, or where what failed is no single quantity.
+    None where all of them do, or where what failed is no single quantity; none where this is one number everywhere.
     """
     failed, witness = outcome.failed, outcome.witness
     if outcome.status != "refuted" or not witness or failed is None:
@@ -38,4 +38,4 @@ def mattering(outcome: Outcome) -> tuple[str, ...] | None:
     if failed.answer.witness is None or failed.answer.witness.as_table() != witness:
         return None
     found = tuple(name for name in witness if name in failed.tied)
-    return None if len(found) in (0, len(witness)) else found
+    return None if len(found) == len(witness) else found

@@ -55,6 +55,8 @@ def _failure(claim: Record) -> str:
     if witness := shown_witness(claim):
         places = ", ".join(f"{visible(key)} = {_coordinate(datum)}" for key, datum in witness.items())
         parts.append(f"at {places}")
+    elif claim["witness"]:
+        parts.append("wherever the formulas are defined")
     else:
         parts.append("by an exact argument, wherever the formulas are defined")
     return " ".join(parts)

@@ -18,7 +18,7 @@ from canon.domain import Condition
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics import PhaseSpace, Transformation
-from canon.mechanics.statements import identity, independent
+from canon.mechanics.statements import bracket, identity, independent
 
 SPACE = PhaseSpace("q", "p", new=("Q", "P"), positive="m")
 q, p, m = SPACE.symbols("q p m")
@@ -208,3 +208,7 @@ def test_what_a_refutation_depends_on() -> None:
     tied = verify(identity(space.where("px + x > 0", "px < y + 20"), x, 2 * x))
     assert tied.matters == ("px", "x", "y")  # the domain ties px to x, and y to px; py is free
     assert verify(identity(space, x * y * px * py, 1)).matters is None
+    everywhere = verify(bracket(space, x, px, 2))
+    assert (everywhere.matters, len(everywhere.witness or {})) == ((), 4)
+    assert "px =" not in str(everywhere)
+    assert "wherever the formulas are defined" in str(everywhere)

@@ -83,7 +83,7 @@ def test_a_refutation_names_the_bracket_its_value_the_place_and_a_repair(
     assert status == 1
     text = "\n".join(lines)
     assert "map.toml #1 (canonical) is refuted" in text
-    assert re.search(r"\{Q, P\} fails by 1 at .*q = ", text)
+    assert "{Q, P} fails by 1 wherever the formulas are defined" in text  # at whatever point: none is shown
     assert "brackets: {Q, P} = 2" in text
     assert "repair: " in text
     assert lines[-1] == "1 claim in 1 file: 1 refuted in T"

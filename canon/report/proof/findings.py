@@ -29,10 +29,9 @@ def refutation(tables: Data, certificate: Data, record: Data) -> Blocks:
     shown = shown_witness(record)
     numbers = {n: v for n, v in shown.items() if not _is_formula(v)}
     functions = {n: v for n, v in shown.items() if _is_formula(v)}
-    found: Blocks = [
-        paragraph("At the point", lead="Witness."),
-        display(*(f"{n} = {_number(v)}" for n, v in numbers.items())),
-    ]
+    found: Blocks = [paragraph("At the point" if shown else "Wherever the formulas are defined", lead="Witness.")]
+    if numbers:
+        found.append(display(*(f"{n} = {_number(v)}" for n, v in numbers.items())))
     if functions:
         chosen = [f"`{n}` that of `{tidied(str(v))}`" for n, v in functions.items()]
         found.append(paragraph(f"with, for arbitrary functions, {', '.join(chosen)}"))

@@ -16,7 +16,12 @@ sys.path.insert(0, str(HERE.parent))
 os.environ["PYTHONPATH"] = os.pathsep.join(filter(None, [str(HERE.parent), os.environ.get("PYTHONPATH")]))
 os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")  # else every notebook's kernel warns of frozen modules
 
+from jupyter_client.manager import KernelManager  # noqa: E402
+
 import canon  # noqa: E402
+
+if hasattr(KernelManager, "transport_encryption"):  # with keys of its own a kernel has nothing to warn of
+    KernelManager.transport_encryption.default_value = "auto"
 
 project = "canon"
 author = "the canon authors"

@@ -14,7 +14,7 @@ from canon.claims.kinds import Kind, kind_named
 from canon.claims.matters import mattering
 from canon.claims.no_numbers import sampled_only
 from canon.claims.outcome import Outcome
-from canon.claims.own_names import are_allowed, are_continuous
+from canon.claims.own_names import are_continuous
 from canon.claims.question import Question
 from canon.claims.turns import in_turn
 from canon.claims.worker import Settings
@@ -76,7 +76,6 @@ def verify(
 def _here(claim: Claim, decide: Kind, budget: float, seed: int, method: Method, accuracy: float | None) -> Verdict:
     start = time.monotonic()
     are_continuous(claim)
-    are_allowed(claim)
     whole = Budget(claim.budget if claim.budget is not None else budget)
     question = Question(claim, whole, seed, "numeric" if method == "numeric" else "symbolic", accuracy)
     if method != "all":

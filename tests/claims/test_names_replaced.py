@@ -102,28 +102,3 @@ def test_what_a_power_of_it_says_of_a_number(status, power, expected):
     claim = 'kind = "independent"\nfunctions = ["b*q", "p"]'
     words = 'b = "real"\nn = ["integer", "nonnegative"]'
     assert status(claim, space=LINE, symbols=words, domain=f'where = ["{power} > 0"]') == expected
-
-
-OSCILLATOR = 'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "2*pi*E"\n'
-
-
-@pytest.mark.parametrize(
-    ("H", "fixed", "symbols"),
-    [
-        ("p**2/2 - a*q**2/2", "-1", 'a = "positive"'),
-        ("p**2/2 + cos(2*pi*n)*q**2/2", "1/3", 'n = "integer"'),
-        ("p**2/2 + sqrt(a**2)*q**2/2", "c", 'a = "positive"\nc = "real"'),
-    ],
-)
-def test_a_constant_is_fixed_to_what_it_may_be(ask, H, fixed, symbols):
-    name = symbols[0]
-    claim = f'{OSCILLATOR}fixed = {{{name} = "{fixed}"}}'
-    with pytest.raises((InputError, AssertionError), match="not seen to be"):
-        ask(claim, space=LINE, symbols=f'E = "positive"\n{symbols}', hamiltonian=f'H = "{H}"')
-
-
-def test_a_constant_is_fixed_to_a_root(status):
-    """√(c² + 1) is positive, wherever it is defined."""
-    claim = f'{OSCILLATOR}fixed = {{a = "sqrt(c**2 + 1)**2/(c**2 + 1)"}}'
-    sections = {"symbols": 'E = "positive"\na = "positive"\nc = "real"', "hamiltonian": 'H = "p**2/2 + a*q**2/2"'}
-    assert status(claim, space=LINE, **sections) == "proved"

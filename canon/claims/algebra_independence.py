@@ -71,7 +71,7 @@ def independent_outcome(
         return exact("proved", BY_UNITS)
     if everywhere and _by_places(question, basis, inside):
         return exact("proved", BY_POINTS)
-    if _in_each_case(question, region, basis, variables, parameters, algebra):
+    if _in_each_case(question, region, basis, variables, parameters, algebra, further):
         return exact("proved", f"{BY_UNITS}, for each sign of a parameter")
     somewhere = at_unit or _at(question, region, basis, first_values(question, region, basis, parameters, near=True))
     known = "at one choice of the parameters" if somewhere else "at no point that was tried"
@@ -85,6 +85,7 @@ def _in_each_case(
     variables: Sequence[Node],
     parameters: Sequence[Node],
     algebra: LieAlgebra,
+    further: Sequence[Node],
 ) -> bool:
     """For a parameter of unknown sign: independence where it is positive, negative and 0."""
     tape = question.tape
@@ -104,7 +105,8 @@ def _in_each_case(
         if moved is None:
             return False
         functions = [substitute(tape, f, {free[0]: value}) for f in basis]
-        if independent_outcome(question, moved, functions, variables, algebra, (value,)).status != "proved":
+        known_too = (*further, *tape.support(value))
+        if independent_outcome(question, moved, functions, variables, algebra, known_too).status != "proved":
             return False
     return True
 

@@ -102,3 +102,18 @@ def test_what_a_power_of_it_says_of_a_number(status, power, expected):
     claim = 'kind = "independent"\nfunctions = ["b*q", "p"]'
     words = 'b = "real"\nn = ["integer", "nonnegative"]'
     assert status(claim, space=LINE, symbols=words, domain=f'where = ["{power} > 0"]') == expected
+
+
+@pytest.mark.parametrize(
+    ("basis", "structure", "expected"),
+    [
+        ('A = "q", B = "a*b*q"', "", "undecided"),
+        ('A = "a*q", B = "b*q"', "", "undecided"),
+        ('A = "q", B = "a*b*q**2"', "", "proved"),
+        ('A = "q", B = "a*b*p", C = "1"', '"A,B" = "a*b*C"', "proved"),
+    ],
+)
+def test_a_basis_with_two_constants_of_either_sign(status, basis, structure, expected):
+    """Where each sign of one is looked at, the other one is still held fixed."""
+    claim = f'kind = "algebra"\nbasis = {{{basis}}}\nstructure = {{{structure}}}'
+    assert status(claim, space=LINE, symbols='a = "nonzero"\nb = "nonzero"') == expected

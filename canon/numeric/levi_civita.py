@@ -43,8 +43,8 @@ Vector = Sequence[float] | np.ndarray
 class Regularised:
     """`K`(u, b; w, −t) of H(q, p[, t]), and the `problem` of its motion, on slots (u…, b) and (w…, −t).
 
-    The time of a state is `t0` − its last momentum. `rest` is V(q, t), `mass` and `strength` are m and k; on a line x
-    keeps the `sign`.
+    The time of a state is `t0` − its last momentum. `rest` is V(q, t), a formula of `place`, `mass` and `strength`
+    are m and k; on a line x keeps the `sign`.
     """
 
     rest: sp.Expr
@@ -56,7 +56,7 @@ class Regularised:
     strength: float
     t0: float
     sign: float
-    _place: tuple[sp.Symbol, ...]
+    place: tuple[sp.Symbol, ...]
 
     def state(self, q: Vector, p: Vector) -> State:
         """(u, b) and (w, 0) of the positions and momenta (d,) at t0, with the energy of just these numbers.
@@ -83,9 +83,7 @@ class Regularised:
         if self.rest == 0:
             V = Decimal(0)
         else:
-            exact: dict[Any, Any] = dict(
-                zip(self._place, map(sp.Rational, map(float, [*q, *p, self.t0])), strict=False)
-            )
+            exact: dict[Any, Any] = dict(zip(self.place, map(sp.Rational, map(float, [*q, *p, self.t0])), strict=False))
             value = self.rest.evalf(DIGITS, subs=exact)
             if not (value.is_real and value.is_finite):
                 raise InputError(f"the Hamiltonian has no value at the beginning: its potential is {value}")
@@ -116,14 +114,17 @@ class Regularised:
 
 def matrix(u: Any) -> Any:
     """L(u) (d, n) with x = L u and p = L w/2|u|², of arrays (n, …): n = 1, 2, 4 for d = 1, 2, 3."""
+    return np.array(entries(u))
+
+
+def entries(u: Any) -> list[list[Any]]:
+    """The rows of L(u), of whatever numbers u has."""
     if len(u) == 1:
-        rows = [[u[0]]]
-    elif len(u) == 2:
-        rows = [[u[0], -u[1]], [u[1], u[0]]]
-    else:
-        a, b, c, d = u
-        rows = [[a, -b, -c, d], [b, a, -d, -c], [c, d, a, b]]
-    return np.array(rows)
+        return [[u[0]]]
+    if len(u) == 2:
+        return [[u[0], -u[1]], [u[1], u[0]]]
+    a, b, c, d = u
+    return [[a, -b, -c, d], [b, a, -d, -c], [c, d, a, b]]
 
 
 def preimage(x: np.ndarray) -> np.ndarray:

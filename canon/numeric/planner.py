@@ -126,7 +126,7 @@ def _planned(
     good = run.completed
     if other is not None and (run.ended or search.ends()):
         good = max(agreement(run, other), 1)
-        error = distance(run, other, good)
+        error = distance(run, other, good) if good > 1 else None  # of the initial state alone there is none
     return Planned(
         run,
         good,

@@ -7,7 +7,7 @@ A run's programs are made anew from its problem; what is kept is what they work 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
@@ -61,6 +61,21 @@ class Packed:
 
     figures: Mapping[str, Any]
     arrays: Mapping[str, np.ndarray]
+
+
+def leaves(run: Run) -> list[np.ndarray]:
+    """What a run goes on from, and after that its stored states, as arrays."""
+    import jax
+
+    return [np.asarray(leaf) for leaf in jax.tree.leaves((run.carry, run.stored))]
+
+
+def with_leaves(run: Run, found: Sequence[np.ndarray]) -> Run:
+    """The run with these arrays in place of its own."""
+    import jax
+
+    carry, stored = jax.tree.unflatten(jax.tree.structure((run.carry, run.stored)), found)
+    return replace(run, carry=carry, stored=stored)
 
 
 def pack(progress: Progress) -> Packed:

@@ -40,18 +40,31 @@ CLOSE: Final = 2.0**-51
 @dataclass(frozen=True)
 class RegularisedOrbit:
     """Positions `q` and momenta `p` (k, d) at the first k of the `times`: fewer than all where the orbit ended, or was
-    `interrupted`. `steps` were made, of `length` in the fictitious time, by this `engine`; the last of the states is
-    `reach` from the first in that time.
+    `interrupted`. `run` made the steps, of equal length in the fictitious time; the last of the states is `reach` from
+    the first in that time.
     """
 
     times: np.ndarray
     q: np.ndarray
     p: np.ndarray
-    steps: int
-    length: float
+    run: Run
     reach: float
-    engine: Engine
     interrupted: bool = False
+
+    @property
+    def steps(self) -> int:
+        """The steps that were made."""
+        return self.run.steps
+
+    @property
+    def length(self) -> float:
+        """Of a step, in the fictitious time."""
+        return self.run.step
+
+    @property
+    def engine(self) -> Engine:
+        """What computed them."""
+        return self.run.engine
 
 
 def regularised_orbit(
@@ -65,12 +78,15 @@ def regularised_orbit(
     compensated: bool | None = None,
     engine: Engine = "auto",
     most_steps: int = 1_000_000_000,
-    stop: Callable[[], bool] = lambda: False,
+    begun: Run | None = None,
+    stop: Callable[[Run], bool] = lambda run: False,
 ) -> RegularisedOrbit:
     """The orbit from (q, p) at the first of the times, which is the problem's `t0`.
 
     **Arguments:** increasing `times`; `step` in the fictitious time (`Regularised.pace` gives a measure for it), or a
-    little less; `compensated` and `engine` as in `canon.numeric.integrate.integrate`; `stop` is asked now and then.
+    little less; `compensated` and `engine` as in `canon.numeric.integrate.integrate`; `begun`, the `run` of an orbit
+    that was interrupted, all else being the same: what comes out has every bit of one that was not; `stop` is given the
+    run now and then, and asked.
 
     **Raises:** `InputError` where the times do not increase or begin at another, the step is not positive, or the
     method does not take the problem.
@@ -81,44 +97,53 @@ def regularised_orbit(
     if not 0 < step < math.inf:
         raise InputError("the step of an orbit in fictitious time is positive")
     passed = moments - moments[0]
-    state = kepler.state(q, p)
-    foreseen = _foreseen(kepler, state, passed[-1])
-    between = max(KEPT, math.ceil(foreseen / step / MOST_KEPT))
-    rows = max(math.ceil(foreseen / step / between), 1) + 1
-    run = start(
-        kepler.problem, method, state, duration=step * between * rows, steps=between * rows, samples=rows + 1,
-        compensated=compensated,
-    )  # fmt: skip
-    run = replace(run, engine=engine)
+    run = begun or unbegun(kepler, method, q, p, passed[-1], step, compensated=compensated, engine=engine)
     interrupted = False
-    while not interrupted and run.steps < most_steps:
-        run = advance(kepler.problem, method, run, chunks=max(PIECE // run.per_chunk, 1))
-        reached = -float(run.stored[1][run.completed - 1, -1])
-        if run.ended or reached >= passed[-1]:
-            break
-        interrupted = stop()
+    while not run.ended and run.steps < most_steps and not interrupted and reached(run) < passed[-1]:
         if run.done == run.chunks:
-            run = _longer(run, passed[-1], reached)
+            run = longer(run, passed[-1], reached(run))
+        run = advance(kepler.problem, method, run, chunks=max(PIECE // run.per_chunk, 1))
+        interrupted = not run.ended and reached(run) < passed[-1] and stop(run)
     kept = tuple(run.states)
     clock = -kept[1][:, -1]
     good = int(np.searchsorted(passed, clock[-1], side="right"))
     found, reach = _at(kepler, method, run, kept, passed[:good])
     q_found, p_found = kepler.shown(found)
     q_found[0], p_found[0] = q, p  # not rounded there and back
-    return RegularisedOrbit(moments, q_found, p_found, run.steps, run.step, reach, run.engine, interrupted)
+    return RegularisedOrbit(moments, q_found, p_found, run, reach, interrupted)
 
 
-def _foreseen(kepler: Regularised, state: Any, duration: float) -> float:
+def unbegun(
+    kepler: Regularised, method: Method, q: Vector, p: Vector, duration: float, step: float, *,
+    compensated: bool | None = None, engine: Engine = "auto",
+) -> Run:  # fmt: skip
+    """The run of `regularised_orbit` before its first step, with room for as many states as are foreseen."""
+    state = kepler.state(q, p)
+    length = foreseen(kepler, float(state[0][-1]), duration)
+    between = max(KEPT, math.ceil(length / step / MOST_KEPT))
+    rows = max(math.ceil(length / step / between), 1) + 1
+    run = start(
+        kepler.problem, method, state, duration=step * between * rows, steps=between * rows, samples=rows + 1,
+        compensated=compensated,
+    )  # fmt: skip
+    return replace(run, engine=engine)
+
+
+def reached(run: Run) -> float:
+    """The time that has passed since the beginning of a run, at the last of its states."""
+    return -float(run.stored[1][run.completed - 1, -1])
+
+
+def foreseen(kepler: Regularised, b: float, duration: float) -> float:
     """The fictitious time of the whole: the mean of r is k/2b where the motion is bound and V small, else a guess."""
-    b = float(state[0][-1])
     guess = 8 * kepler.pace(b, duration)
     return max(2 * b * duration / kepler.strength, guess) if b > 0 else guess
 
 
-def _longer(run: Run, wanted: float, reached: float) -> Run:
+def longer(run: Run, wanted: float, passed: float) -> Run:
     """The run with room for as many more states as its mean pace says, or for as many as there are."""
     made = run.samples - 1
-    more = made if reached <= 0 else min(made, math.ceil(made * (wanted - reached) / reached * 1.01) + 1)
+    more = made if passed <= 0 else min(made, math.ceil(made * (wanted - passed) / passed * 1.01) + 1)
     rows = tuple(np.concatenate([x, np.full((more, *np.shape(x)[1:]), np.nan)]) for x in run.stored)
     return replace(run, samples=run.samples + more, duration=run.duration * (made + more) / made, stored=rows)
 
@@ -134,15 +159,16 @@ def _at(kepler: Regularised, method: Method, run: Run, kept: Any, passed: np.nda
         # a method that begins others is so accurate that it can take two of their steps at once
         steps, starter = run.per_sample * run.per_chunk, getattr(method, "starter", None)
         program = (
-            _halley(kepler.problem, method, steps) if starter is None else _halley(kepler.problem, starter, steps // 2)
+            halley(kepler.problem, method, steps) if starter is None else halley(kepler.problem, starter, steps // 2)
         )
-        found, length = program(begin, passed, length, span, 1 / (2 * kepler.mass))
+        bracket = np.zeros_like(passed), np.full(passed.shape, span)
+        found, length = program(begin, passed, length, *bracket, 1 / (2 * kepler.mass))
     return tuple(np.asarray(x) for x in found), float(row[-1] * span + np.asarray(length)[-1])
 
 
 @lru_cache(maxsize=32)
-def _halley(problem: Splitting, method: Any, steps: int) -> Any:
-    """From states (k, n), times (k,), guesses of the fictitious times to them and a bound, to states and these."""
+def halley(problem: Splitting, method: Any, steps: int) -> Any:
+    """From states (k, n), times (k,), and of the fictitious times to them guesses and brackets, to states and these."""
     import jax
     import jax.numpy as jnp
     from jax import lax
@@ -150,7 +176,9 @@ def _halley(problem: Splitting, method: Any, steps: int) -> Any:
     moved = jax.vmap(lambda state, length: flow_map(problem, method, steps=steps, h=length / steps)(state))
 
     @compiled_soon
-    def program(begin: Any, wanted: Any, guess: Any, most: Any, rate: Any) -> Any:
+    def program(begin: Any, wanted: Any, guess: Any, low: Any, high: Any, rate: Any) -> Any:
+        most = high - low
+
         def narrow(loop: Any) -> Any:
             count, _, length, low, high, _, _ = loop
             state = moved(begin, length)
@@ -159,10 +187,9 @@ def _halley(problem: Splitting, method: Any, steps: int) -> Any:
             low, high = jnp.where(ahead <= 0, length, low), jnp.where(ahead >= 0, length, high)
             better = length - ahead / (pace - ahead * slope / (2 * pace))
             better = jnp.where((better > low) & (better < high), better, (low + high) / 2)
-            far = (jnp.abs(ahead) > CLOSE * wanted) & (jnp.abs(better - length) > CLOSE * most)
+            far = (jnp.abs(ahead) > CLOSE * jnp.abs(wanted)) & (jnp.abs(better - length) > CLOSE * most)
             return count + 1, length, jnp.where(far, better, length), low, high, state, jnp.any(far)
 
-        low, high = jnp.zeros_like(wanted), jnp.full(wanted.shape, most)
         loop = (0, guess, guess, low, high, begin, jnp.asarray(True))
         _, length, _, _, _, state, _ = lax.while_loop(lambda loop: (loop[0] < ITERATIONS) & loop[6], narrow, loop)
         return state, length

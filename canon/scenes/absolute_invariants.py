@@ -16,7 +16,7 @@ import numpy as np
 from canon.claims.invariance_report import Invariance
 from canon.errors import InputError
 from canon.numeric.images import compare_surfaces
-from canon.numeric.transport import transported
+from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.predicted import conformal_rate
 from canon.scenes.simulate import Result
 
@@ -35,9 +35,12 @@ def run_map(result: Result) -> Callable[[Array], Array]:
     **Raises:** `InputError` where the state is not (q, p), or is held by constraints.
     """
     model, run, first = result.scene.model, result.planned.run, result.q.shape[1]
+    flow = Flow(model, result.problem.value, result.choice.method, run, result.planned.good, result.planned.error)
     if model.constraints or model.brackets or model.beside or result.q.shape != result.p.shape or len(run.states) != 2:
         raise InputError("surfaces are carried along in canonical variables of one system, without constraints")
-    steps = (result.planned.good - 1) * run.per_sample * run.per_chunk
+    if not flow.followed:
+        raise InputError(f"the steps of {result.choice.method.name} are not ours to carry surfaces along with")
+    neighbours = flow.neighbours
 
     def after(points: Array) -> Array:
         flat = np.asarray(points, dtype=float).reshape(-1, 2 * first)
@@ -46,10 +49,7 @@ def run_map(result: Result) -> Callable[[Array], Array]:
         for begin in range(0, len(flat), block):
             piece = flat[begin : begin + block]
             filled = np.concatenate([piece, np.broadcast_to(piece[:1], (block - len(piece), 2 * first))])
-            carried = transported(
-                result.problem.value, result.choice.method, filled, steps=steps, duration=steps * run.step, t0=run.t0
-            )
-            found[begin : begin + block] = carried[: len(piece)]
+            found[begin : begin + block] = neighbours.along(filled, 2)[-1][: len(piece)]
         return found.reshape(np.shape(points))
 
     return after

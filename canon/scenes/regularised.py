@@ -2,16 +2,15 @@
 
 Of a body that a fixed centre attracts by −k/r, with other forces or without. The steps have one length in a fictitious
 time, of which a thousandth part of an orbit near the centre takes as many as any other; the states are those at the
-scene's times (`canon.numeric.regularised_orbit`). What follows neighbours of the orbit by steps of equal time (the
-tangent map, loops, the way back) is not to be had from them.
+scene's times (`canon.numeric.regularised_orbit`), and so are those of neighbours that monitors carry along.
 """
 
 from __future__ import annotations
 
 import math
 import time
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, Final
 
@@ -20,6 +19,7 @@ import sympy as sp
 
 from canon.errors import InputError
 from canon.interruption import underway
+from canon.numeric.engines import settled
 from canon.numeric.hamilton_equations import hamilton_equations
 from canon.numeric.integrate import Run
 from canon.numeric.integrators.catalogue import method
@@ -28,11 +28,16 @@ from canon.numeric.integrators.traits import Traits
 from canon.numeric.levi_civita import Regularised, regularised
 from canon.numeric.planner import Planned
 from canon.numeric.progress import Trial
-from canon.numeric.regularised_orbit import RegularisedOrbit, regularised_orbit
+from canon.numeric.regularised_neighbours import RegularisedNeighbours
+from canon.numeric.regularised_orbit import RegularisedOrbit, reached, regularised_orbit, unbegun
 from canon.numeric.run_difference import agreement, distance
+from canon.numeric.step_search import KEEP_EVERY, Watch
+from canon.scenes.identity import identity_of
 from canon.scenes.methods import Choice
 from canon.scenes.problem import Problem
-from canon.scenes.scene import Scene
+from canon.scenes.regularised_progress import FINISHED, Halfway, kept, restored, resumable
+from canon.scenes.saved import Arrays, engine_for
+from canon.scenes.scene import Scene, Settings
 from canon.scenes.values import text_of
 
 NAME: Final = "regularised"
@@ -43,18 +48,29 @@ FEWEST: Final = 100
 ROUNDING: Final = 1e-7
 """Of two differences below it, a later one that is larger is rounding's."""
 MOST_RUNS: Final = 14
+SOURCE: Final = "Levi-Civita (1920), Acta Math. 42, 99; Kustaanheimo and Stiefel (1965), J. reine angew. Math. 218, 204"
+_SPACES: Final = {1: "Levi-Civita's", 2: "Levi-Civita's", 3: "Kustaanheimo and Stiefel's"}
 
 
 @dataclass(frozen=True)
 class InSquares:
-    """The method that makes the steps, as one for the scene's own coordinates, where it has no step of given length."""
+    """The method that makes the steps, as one for the scene's own coordinates, where it has no step of given length.
+
+    They are of motion about a `centre`, and `step` in the fictitious time.
+    """
 
     inner: Method
-    source: str
+    kepler: Regularised
+    centre: tuple[float, ...]
+    step: float = math.nan
 
     @property
     def name(self) -> str:
         return f"{NAME} {self.inner.name}"
+
+    @property
+    def source(self) -> str:
+        return f"{SOURCE}; {self.inner.source}"
 
     @property
     def traits(self) -> Traits:
@@ -65,11 +81,23 @@ class InSquares:
         """**Raises:** `InputError`: its steps are equal in another time."""
         raise InputError("steps in a fictitious time are none of equal time, which could be looked at or repeated")
 
+    def neighbours(self, t0: float, duration: float) -> RegularisedNeighbours:
+        """What these steps do to neighbours of the orbit from t0 on."""
+        return RegularisedNeighbours(self.kepler, self.inner, self.centre, self.step, t0, duration)
 
-def run_regularised(scene: Scene) -> tuple[Problem, Choice, Planned]:
+
+def run_regularised(
+    scene: Scene,
+    *,
+    watch: Watch | None = None,
+    keep: Callable[[Arrays], None] | None = None,
+    resume: Arrays | None = None,
+) -> tuple[Problem, Choice, Planned, Arrays]:
     """The scene's run to its accuracy, by runs with twice as many steps each; the error is the last two's difference.
+    With it comes what it can be gone on with; `watch`, `keep` and `resume` are as in `canon.scenes.simulate`.
 
-    **Raises:** `InputError` where the scene isn't one body with such a centre, or a step or a budget is asked for.
+    **Raises:** `InputError` where the scene isn't one body with such a centre, a step or a budget is asked for, or what
+    is to be resumed is damaged, or of another scene.
     """
     model, settings = scene.model, scene.settings
     if settings.accuracy is None:
@@ -80,48 +108,102 @@ def run_regularised(scene: Scene) -> tuple[Problem, Choice, Planned]:
     kepler, centre = _kepler(scene)
     begin = np.array(scene.q) - centre
     chosen = method("stormer12" if kepler.problem.nystrom else "sofroniou_spaletta10")
+    named = InSquares(chosen, kepler, tuple(centre.tolist()))
+    identity = identity_of(scene, named.name)
     times = settings.start + settings.duration * (np.arange(settings.samples) / max(settings.samples - 1, 1))
-    step = COARSEST * kepler.pace(float(kepler.state(begin, scene.p)[0][-1]), settings.duration)
-    runs, trials, pressed, interrupted = list[Run](), list[Trial](), underway(), False
-    looked = 0.0
-    while not interrupted and len(runs) < MOST_RUNS and (not trials or trials[-1].difference > settings.accuracy):
+    engine = settled(settings.engine if resume is None else engine_for(resume, settings.engine))
+
+    def unmoved(step: float) -> Run:
+        span = float(times[-1] - times[0])
+        return unbegun(kepler, chosen, begin, scene.p, span, step, engine=engine)
+
+    if resume is None:
+        pace = kepler.pace(float(kepler.state(begin, scene.p)[0][-1]), settings.duration)
+        halfway = Halfway(engine, COARSEST * pace)
+    else:
+        halfway = restored(resume, identity, _rows(times, len(centre)), unmoved)
+    first = replace(_rows(times, len(centre)), stored=tuple(np.array([x]) for x in (scene.q, scene.p)))
+    pressed, due = underway(), time.monotonic() + KEEP_EVERY
+
+    def stop(run: Run) -> bool:
+        nonlocal due
+        try:
+            if watch is not None:
+                watch(min(reached(run) / settings.duration, 1.0))
+        except KeyboardInterrupt:
+            return True
+        if keep is not None and time.monotonic() > due:
+            shown = halfway.runs[-1] if halfway.runs else first
+            keep(kept(replace(halfway, current=run), shown, identity))
+            due = time.monotonic() + KEEP_EVERY
+        return pressed()
+
+    partial, looked = None, 0.0
+    while partial is None and not halfway.over:
         before = time.process_time()
         orbit = regularised_orbit(
-            kepler, chosen, begin, scene.p, times.tolist(), step=step, engine=settings.engine, stop=pressed
-        )
-        if not orbit.interrupted and FEWEST * orbit.length > orbit.reach:
-            step = orbit.reach / FEWEST  # so short a way is one to the last state alone, whatever the step
-            continue
-        interrupted, step = orbit.interrupted, step / 2
+            kepler, chosen, begin, scene.p, times.tolist(), step=halfway.step, engine=engine, begun=halfway.current,
+            stop=stop,
+        )  # fmt: skip
         run, spent = _run(orbit, times, centre, scene.q), time.process_time() - before
-        whole = bool(runs) and run.completed == runs[-1].completed == settings.samples
-        difference = distance(run, runs[-1]) if whole else math.inf
-        if len(runs) > 1 and trials[-1].difference < min(difference, ROUNDING):
-            break  # both differences are rounding's, and the run before was as good
         looked = looked or before + spent - begun
-        runs.append(run)
-        trials.append(Trial(orbit.steps, difference, spent))
-    error = trials[-1].difference
-    run, before_it = runs[-1], runs[max(len(runs) - 2, 0)]
-    reached = not interrupted and error <= settings.accuracy
-    planned = Planned(
+        if orbit.interrupted:
+            partial, halfway = run, replace(halfway, current=orbit.run)
+        elif FEWEST * orbit.length > orbit.reach:
+            # so short a way is one to the last state alone, whatever the step
+            halfway = replace(halfway, step=orbit.reach / FEWEST, current=None)
+        else:
+            halfway = _after(halfway, run, Trial(orbit.steps, math.inf, spent), settings)
+    planned = _planned(halfway, partial, settings, looked)
+    if keep is not None and partial is not None:
+        keep(kept(halfway, planned.run, identity))
+    step = halfway.step if planned.run is partial else 2 * halfway.step
+    why = f"asked for: {_SPACES[model.n]} coordinates, in which a collision with the centre is no singularity"
+    choice = Choice(replace(named, step=step), why)
+    return _problem(scene, kepler), choice, planned, resumable(halfway, identity)
+
+
+def _after(halfway: Halfway, run: Run, trial: Trial, settings: Settings) -> Halfway:
+    """One run farther: with what it says of the error, and whether another one is to be made."""
+    runs, trials = halfway.runs, halfway.trials
+    whole = bool(runs) and run.completed == runs[-1].completed == settings.samples
+    difference = distance(run, runs[-1]) if whole else math.inf
+    if len(runs) > 1 and trials[-1].difference < min(difference, ROUNDING):
+        return replace(halfway, current=None, over=True)  # both are rounding's, and the run before was as good
+    trials = (*trials, replace(trial, difference=difference))
+    over = difference <= (settings.accuracy or 0.0) or len(trials) == MOST_RUNS
+    return Halfway(halfway.engine, halfway.step / 2, (*runs[1 - FINISHED :], run), trials, None, over)
+
+
+def _planned(halfway: Halfway, partial: Run | None, settings: Settings, looked: float) -> Planned:
+    """What is to be told: of the last run, unless the one that was interrupted has come further."""
+    runs, trials, further = halfway.runs, halfway.trials, partial
+    if partial is not None and runs and partial.completed <= runs[-1].completed:
+        further = None
+    if further is not None:
+        return Planned(further, further.completed, None, trials, False, interrupted=True, compile_seconds=looked)
+    run, error = runs[-1], trials[-1].difference
+    good = run.completed if run.completed == settings.samples else max(agreement(run, runs[0]), 1)
+    fine = partial is None and error <= (settings.accuracy or 0.0)
+    return Planned(
         run,
-        run.completed if run.completed == settings.samples else max(agreement(run, before_it), 1),
+        good,
         error if math.isfinite(error) else None,
-        tuple(trials),
-        reached,
-        "" if reached or interrupted else "rounding keeps it from going further",
-        interrupted=interrupted,
+        trials,
+        fine,
+        "" if fine or partial is not None else "rounding keeps it from going further",
+        interrupted=partial is not None,
         compile_seconds=looked,
     )
-    space = "Kustaanheimo and Stiefel's" if model.n == 3 else "Levi-Civita's"
-    why = f"asked for: {space} coordinates, in which a collision with the centre is no singularity"
-    problem = Problem(
+
+
+def _problem(scene: Scene, kepler: Regularised) -> Problem:
+    model = scene.model
+    return Problem(
         hamilton_equations(model.H, model.q, model.p, model.t),
-        f"K = r (H − E) = T(w) + V(u), in {space} coordinates",
+        f"K = r (H − E) = T(w) + V(u), in {_SPACES[model.n]} coordinates",
         (("K", text_of(kepler.K)),),
     )
-    return problem, Choice(_named(chosen), why), planned
 
 
 def is_regularised(scene: Scene) -> bool:
@@ -132,11 +214,6 @@ def is_regularised(scene: Scene) -> bool:
     except InputError:
         return False
     return True
-
-
-def _named(chosen: Method) -> InSquares:
-    source = "Levi-Civita (1920), Acta Math. 42, 99; Kustaanheimo and Stiefel (1965), J. reine angew. Math. 218, 204"
-    return InSquares(chosen, f"{source}; {chosen.source}")
 
 
 def _kepler(scene: Scene) -> tuple[Regularised, np.ndarray]:
@@ -185,12 +262,18 @@ def _centres(H: Any, q: Sequence[sp.Symbol]) -> list[np.ndarray]:
 
 
 def _run(orbit: RegularisedOrbit, times: np.ndarray, centre: np.ndarray, begin: Sequence[float]) -> Run:
-    samples, good = len(times), len(orbit.q)
-    rows = [np.full((samples, orbit.q.shape[1]), np.nan) for _ in range(2)]
+    """The orbit as a run of the scene, whose steps are as long as those were on average."""
+    blank, good = _rows(times, len(centre)), len(orbit.q)
+    rows = tuple(x.copy() for x in blank.stored)
     rows[0][:good], rows[1][:good] = orbit.q + centre, orbit.p
     rows[0][0] = begin
-    span = float(times[-1] - times[0])
-    mean, stored, ended = span / max(orbit.steps, 1), (rows[0], rows[1]), good < samples
-    return Run(
-        float(times[0]), span, mean, samples, 1, 1, good - 1, False, None, stored, ended, orbit.steps, orbit.engine
-    )
+    ended = good < len(times)
+    mean = blank.duration / max(orbit.steps, 1)
+    return replace(blank, step=mean, done=good - 1, stored=rows, ended=ended, taken=orbit.steps, engine=orbit.engine)
+
+
+def _rows(times: np.ndarray, n: int) -> Run:
+    """A run at these times, of which nothing is computed."""
+    span, samples = float(times[-1] - times[0]), len(times)
+    rows = (np.full((samples, n), np.nan), np.full((samples, n), np.nan))
+    return Run(float(times[0]), span, span / max(samples - 1, 1), samples, 1, 1, 0, False, None, rows, True, 1)

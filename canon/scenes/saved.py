@@ -36,21 +36,21 @@ def resumable(progress: Progress, identity: dict[str, Any]) -> dict[str, np.ndar
 
 def restored(arrays: Arrays, identity: dict[str, Any], begin: Begin) -> Progress:
     """The progress that was saved. **Raises:** `InputError` where it is damaged, or of another scene."""
-    header = _header(arrays)
+    header = header_of(arrays)
     check_same(header.get("identity"), identity)
     return unpack(Packed(header, arrays), begin)
 
 
 def integrator_of(arrays: Arrays) -> str | None:
     """The name of the integrator that a run was begun with, where it says so."""
-    identity = _header(arrays).get("identity")
+    identity = header_of(arrays).get("identity")
     name = identity.get("integrator") if isinstance(identity, dict) else None
     return name if isinstance(name, str) else None
 
 
 def engine_for(arrays: Arrays, wanted: Engine) -> Engine:
     """The engine that a run was begun with. **Raises:** `InputError` where another is wanted, or it's not installed."""
-    begun = engine_of(_header(arrays))
+    begun = engine_of(header_of(arrays))
     if wanted not in ("auto", begun):
         raise InputError(f"it was begun with the engine {begun}, and this is the engine {wanted}: leave --engine out")
     return begun
@@ -58,7 +58,7 @@ def engine_for(arrays: Arrays, wanted: Engine) -> Engine:
 
 def differing_versions(arrays: Arrays) -> str:
     """The versions that a run was begun with, where they are others than today's; nothing where they are the same."""
-    header = _header(arrays)
+    header = header_of(arrays)
     then, now = header.get("versions"), versions(engine_of(header))
     if not isinstance(then, dict) or then == now:
         return ""
@@ -78,7 +78,8 @@ def _version(name: str) -> str:
         return "unknown"
 
 
-def _header(arrays: Arrays) -> dict[str, Any]:
+def header_of(arrays: Arrays) -> dict[str, Any]:
+    """The line of JSON of a run. **Raises:** `InputError` where there is none, or of another format."""
     if KEY not in arrays:
         raise InputError("it holds states, but nothing to go on with: was it written by `canon simulate --out`?")
     try:

@@ -19,7 +19,6 @@ from canon.numeric.integrators.constrained import Held
 from canon.numeric.observe import observe
 from canon.numeric.operations import operations_per_step
 from canon.numeric.planner import Planned, run_for_accuracy, run_with_step
-from canon.numeric.progress import Progress
 from canon.numeric.step_search import BUDGET_USED, Task
 from canon.scenes.external import NAME as EXTERNAL
 from canon.scenes.external import run_externally
@@ -36,9 +35,11 @@ from canon.scenes.scattering import Scattered, scattered
 from canon.scenes.scene import Scene, Settings
 from canon.scenes.string_events import Event, events_of
 
-AS_A_WHOLE: Final = {EXTERNAL: run_externally, REGULARISED: run_regularised}
-"""What makes a run by steps that aren't of equal time, and can't be gone on with."""
+AS_A_WHOLE: Final = (EXTERNAL, REGULARISED)
+"""What makes a run by steps that aren't of equal time."""
 
+THROUGH: Final = f'; if it is a collision with the attracting centre, integrator = "{REGULARISED}" goes through it'
+CLOSE: Final = f'; if close approaches to the attracting centre are to blame, integrator = "{REGULARISED}" may reach it'
 HURRY: Final = 0.3
 """Seconds that monitors get after somebody has stopped the run."""
 
@@ -93,11 +94,15 @@ def simulate(
     if near := get_close_matches(settings.integrator or "", AS_A_WHOLE, 1, 0.8):
         if settings.integrator != near[0]:
             raise InputError(f"no integrator is called {settings.integrator!r}; there is {near[0]}", "integrator")
-        if resume is not None:
+        if near[0] == REGULARISED:
+            problem, choice, planned, going_on = run_regularised(scene, watch=watch, keep=keep, resume=resume)
+        elif resume is not None:
             raise InputError(f"a run of {near[0]} is not gone on with: it is made anew, and as a whole")
-        problem, choice, planned = AS_A_WHOLE[near[0]](scene)
+        else:
+            (problem, choice, planned), going_on = run_externally(scene), {}
     else:
         problem, choice, planned = _run(scene, entered, watch=watch, keep=keep, resume=resume, warn=warn)
+        going_on = resumable(planned.progress, identity_of(scene, choice.method.name))
     run = planned.run
     state = (np.array(scene.q), np.array(scene.p))
     operations = None
@@ -114,7 +119,6 @@ def simulate(
     messages, ok = _judged(scene, planned, monitors)
     if resume is not None and (other := differing_versions(resume)):
         messages = (*messages, f"begun with {other}: the last bits may differ from those of one run")
-    going_on = {} if planned.progress == Progress() else resumable(planned.progress, identity_of(scene, method.name))
     return Result(
         scene, problem, choice, planned, times, q, p, monitors, operations, (planned.compile_seconds, running),
         messages, ok, going_on, scattered(scene, p), events_of(flow),
@@ -227,13 +231,14 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
         by_hand = "" if scene.settings.step is None else f", or a step of {run.step:.3g} is too long"
         messages.append(
             f"ended at t = {last:.6g}: before t = {after:.6g} the orbit runs into a singularity (a blow-up or a "
-            f"collision), or is too sensitive to be followed{by_hand}{_through(scene)}"
+            f"collision), or is too sensitive to be followed{by_hand}{_otherwise(scene, THROUGH)}"
         )
         ok = False
     elif scene.settings.accuracy is not None and not planned.reached:
         reached = "unknown" if planned.error is None else f"{planned.error:.1e}"
         reason = f": {planned.reason}" if planned.reason else ""
-        messages.append(f"the accuracy {scene.settings.accuracy:.1e} was not reached, but {reached}{reason}")
+        beside = _otherwise(scene, CLOSE)
+        messages.append(f"the accuracy {scene.settings.accuracy:.1e} was not reached, but {reached}{reason}{beside}")
         ok = False
     elif scene.settings.budget is not None and len(planned.trials) == 1:
         messages.append("the budget left time for a single run: nothing is known of its error")
@@ -249,11 +254,11 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
     return tuple(messages), ok
 
 
-def _through(scene: Scene) -> str:
-    """What may help where an orbit ended, if it is one about an attracting centre."""
+def _otherwise(scene: Scene, words: str) -> str:
+    """What may help, if the orbit is one about an attracting centre."""
     if scene.settings.integrator in AS_A_WHOLE or not is_regularised(scene):
         return ""
-    return f'; if it is a collision with the attracting centre, integrator = "{REGULARISED}" goes through it'
+    return words
 
 
 def _reached(planned: Planned) -> str:

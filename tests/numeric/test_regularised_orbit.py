@@ -224,7 +224,7 @@ def test_runs_find_their_length_and_can_be_stopped() -> None:
     far = regularised_orbit(plane(), STORMER, q, p, [0.0, 1.0, 9.0, 50.0, 2000.0], step=0.05)
     assert both(far)[-1] == pytest.approx(exact(q, p, 2000.0), rel=1e-9)
     q, p = ellipse(0.3)
-    stopped = regularised_orbit(plane(), STORMER, q, p, [0.0, 0.5, 1.0, 1.5, 1e5], step=1e-3, stop=lambda: True)
+    stopped = regularised_orbit(plane(), STORMER, q, p, [0.0, 0.5, 1.0, 1.5, 1e5], step=1e-3, stop=lambda run: True)
     assert stopped.interrupted
     assert len(stopped.q) == 4
     limited = regularised_orbit(plane(), STORMER, q, p, [0.0, 0.5, 1.0, 1.5, 1e7], step=0.1, most_steps=100)

@@ -1,5 +1,9 @@
 """Scenes with close approaches, run in coordinates in which a collision is no singularity."""
 
+import json
+import re
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -25,7 +29,7 @@ duration = 9.0
 samples = 5
 accuracy = 1e-9
 integrator = "regularised"
-monitor = ["energy", "angular_momentum", "volume"]
+monitor = ["energy", "angular_momentum", "volume", "symplecticity", "loop", "cartan", "reversibility"]
 """
 
 
@@ -33,6 +37,12 @@ def of(text: str) -> Result:
     return simulate(read_scene_text(text))
 
 
+def without(text: str = COMET, accuracy: str = "1e-9") -> str:
+    """The same without monitors."""
+    return re.sub("monitor = .*", "", text).replace("1e-9", accuracy)
+
+
+@pytest.mark.slow
 def test_it_agrees_with_steps_in_time_itself() -> None:
     found, other = of(COMET), of(COMET.replace('integrator = "regularised"', 'integrator = "sofroniou_spaletta10"'))
     assert found.ok
@@ -40,10 +50,13 @@ def test_it_agrees_with_steps_in_time_itself() -> None:
     assert 0 < found.planned.error <= 1e-9
     assert found.q == pytest.approx(other.q, abs=1e-6)
     assert found.p == pytest.approx(other.p, abs=1e-5)
-    energy, turning, volume = found.monitors
+    energy, turning, volume, symplecticity, loop, cartan, reversibility = found.monitors
     assert energy.max_drift < energy.bound < 1e-8
     assert turning.expected == "broken by potential"
-    assert "not ours to follow" in volume.extra["note"]
+    for reading, most in ((volume, 1e-9), (symplecticity, 1e-8), (loop, 1e-12), (cartan, 1e-12), (reversibility, 1e-9)):
+        assert reading.expected == "conserved"
+        assert not reading.alarm
+        assert 0 <= reading.max_drift <= min(reading.bound, most)
     assert found.operations is None
 
 
@@ -65,7 +78,7 @@ def test_a_centre_elsewhere() -> None:
     """Moved by (0.3, −7): the same orbit, moved."""
     moved = COMET.replace("[0.05, 0.0]", "[0.35, -7.0]").replace("a = 2.0", "a = 2.0\ncentre = [0.3, -7.0]")
     moved = moved.replace("y/50", "(y + 7)/50")
-    here, there = of(COMET), of(moved)
+    here, there = of(without()), of(without(moved))
     assert there.ok
     assert there.q[0].tolist() == [0.35, -7.0]
     assert there.p[0].tolist() == [0.0, 12.0]
@@ -83,7 +96,9 @@ def test_the_centre_is_found() -> None:
 
 @pytest.mark.slow
 def test_of_two_centres_the_nearest_is_gone_round() -> None:
-    two = COMET.replace("[[effect]]", '[[effect]]\nkind = "inverse_distance"\na = 0.3\ncentre = [3, 1]\n[[effect]]', 1)
+    two = without().replace(
+        "[[effect]]", '[[effect]]\nkind = "inverse_distance"\na = 0.3\ncentre = [3, 1]\n[[effect]]', 1
+    )
     found = of(two.replace("duration = 9.0", "duration = 2.0"))
     other = of(two.replace("duration = 9.0", "duration = 2.0").replace("regularised", "sofroniou_spaletta10"))
     assert found.ok
@@ -105,10 +120,70 @@ def test_what_it_does_not_run(old: str, new: str, message: str) -> None:
         of(COMET.replace(old, new))
 
 
+def test_what_is_interrupted_is_gone_on_with(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In the first run, and in a later one: with every bit of a run that was left alone."""
+    monkeypatch.setattr("canon.numeric.regularised_orbit.PIECE", 16)
+    scene = read_scene_text(without())
+    whole = simulate(scene)
+    looks = list[float]()
+
+    def pressing(at: int) -> Any:
+        def watch(done: float) -> None:
+            looks.append(done)
+            if len(looks) == at:
+                raise KeyboardInterrupt
+
+        return watch
+
+    saved = list[Any]()
+    part = simulate(scene, watch=pressing(2), keep=saved.append)
+    assert part.planned.interrupted
+    assert set(saved[-1]) >= {"times", "q", "p", "resume"}
+    for at in (9, 40):
+        part = simulate(scene, watch=pressing(at), resume=part.resumable)
+        assert part.planned.interrupted
+        assert not part.ok
+    found = simulate(scene, resume=part.resumable)
+    assert found.ok
+    assert np.array_equal(found.q, whole.q)
+    assert np.array_equal(found.p, whole.p)
+    assert found.planned.error == whole.planned.error
+    assert [t.steps for t in found.planned.trials] == [t.steps for t in whole.planned.trials]
+    again = simulate(scene, resume=found.resumable)
+    assert np.array_equal(again.q, whole.q)
+    with pytest.raises(InputError, match="accuracy"):
+        simulate(read_scene_text(without(accuracy="1e-8")), resume=part.resumable)
+    with pytest.raises(InputError, match="another scene"):
+        simulate(read_scene_text(without().replace("y/50", "y/51")), resume=part.resumable)
+    header = json.loads(str(part.resumable["resume"]))
+    figures = header["regularised"]
+    wrong = [
+        {"step": "nan"},
+        {"step": "0x1p-3000"},
+        {"runs": []},
+        {"runs": [{**each, "steps": 0} for each in figures["runs"]]},
+        {"runs": [{**each, "ended": 1} for each in figures["runs"]]},
+        {"runs": [{**each, "engine": "steam"} for each in figures["runs"]]},
+        {"current": {"done": 10**9, "ended": False}},
+        {"current": {"done": 1, "ended": "no"}},
+        {"current": 7},
+        {"trials": []},
+        {"trials": [[0, "inf", 1.0], *figures["trials"][1:]]},
+        {"over": True},
+    ]
+    for change in wrong:
+        damaged = {**header, "regularised": {**figures, **change}}
+        with pytest.raises(InputError, match="damaged"):
+            simulate(scene, resume={**part.resumable, "resume": np.array(json.dumps(damaged))})
+    for name in part.resumable.keys() - {"resume"}:
+        with pytest.raises(InputError, match="damaged"):
+            simulate(scene, resume={**part.resumable, name: np.zeros((3, 3))})
+
+
 def test_interrupted_it_keeps_what_there_is(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("canon.scenes.regularised.underway", lambda: lambda: True)
     monkeypatch.setattr("canon.numeric.regularised_orbit.PIECE", 16)
-    found = of(COMET)
+    found = of(without())
     assert not found.ok
     assert 1 <= len(found.q) < 5
     assert "interrupted at t" in found.messages[0]

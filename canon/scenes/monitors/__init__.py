@@ -99,7 +99,7 @@ def _reading_or_none(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p:
 
 
 def _reading(name: str, flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> Reading:
-    if name in _UNDONE and flow.run.taken is not None:
+    if name in _UNDONE and not flow.followed:
         broken = not_hamiltonian(flow.model)
         note = f"the steps of {flow.method.name} are not ours to follow neighbours with: leave the integrator out"
         return Reading(name, f"broken by {broken}" if broken else "conserved", None, None, None, extra={"note": note})

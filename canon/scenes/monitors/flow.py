@@ -10,7 +10,7 @@ import numpy as np
 
 from canon.numeric.integrate import Run
 from canon.numeric.integrators.strings import Events, events_in
-from canon.numeric.transport import flow_jacobian
+from canon.numeric.neighbours import BySteps, Neighbours
 from canon.scenes.model import Model
 
 
@@ -34,7 +34,26 @@ class Flow:
     @property
     def steps(self) -> int:
         """The steps from the beginning to the last stored state."""
+        if self.run.taken is not None:
+            return self.run.taken
         return (self.good - 1) * self.run.per_sample * self.run.per_chunk
+
+    def divides(self, parts: int) -> bool:
+        """Whether states are to be had at as many parts of the time between two stored ones."""
+        return self.run.taken is not None or self.run.per_sample * self.run.per_chunk % parts == 0
+
+    @property
+    def followed(self) -> bool:
+        """Whether neighbours of the orbit can be carried along by the steps that made it."""
+        return self.run.taken is None or hasattr(self.method, "neighbours")
+
+    @cached_property
+    def neighbours(self) -> Neighbours:
+        """What the steps that made the orbit do to others beside it."""
+        run, own = self.run, getattr(self.method, "neighbours", None)
+        if own is not None:
+            return own(run.t0, float(run.times[self.good - 1]) - run.t0)
+        return BySteps(self.problem, self.method, max(self.steps, 1), run.step, run.t0, self.model.n)
 
     @property
     def events(self) -> Events | None:
@@ -68,8 +87,7 @@ class Flow:
     def jacobian(self) -> np.ndarray:
         """The derivative (N, N) of the flow from the first stored state to the last: two monitors look at it."""
         q, p = (np.asarray(slot)[0] for slot in self.run.stored)
-        steps = max(self.steps, 1)
-        return flow_jacobian(self.problem, self.method, q, p, steps=steps, h=self.run.step, t0=self.run.t0)
+        return self.neighbours.jacobian(q, p)
 
 
 class Part(NamedTuple):

@@ -16,7 +16,6 @@ from canon.numeric.constraint_tangents import put_on
 from canon.numeric.integrators.splitting import SplittingMethod
 from canon.numeric.loops import LoopIntegral, loop_integral
 from canon.numeric.observe import observe
-from canon.numeric.transport import shifted, transported, transported_along
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.geometry import canonical, onto_attitudes
 from canon.scenes.monitors.predicted import conformal_rate, not_hamiltonian
@@ -77,14 +76,10 @@ def _attempts(flow: Flow) -> Iterator[tuple[float, int]]:
 
 
 def _carried_along(flow: Flow, before: np.ndarray, times: np.ndarray) -> Carried:
-    steps, run = max(flow.steps, 1), flow.run
     between = max(len(times) - 1, 1)
-    finer = max(k for k in range(1, LOOKS // between + 2) if run.per_sample * run.per_chunk % k == 0)
+    finer = max(k for k in range(1, LOOKS // between + 2) if flow.divides(k))
     samples = between * finer + 1 if between * finer * before.size <= STORED else 2
-    along = transported_along(
-        flow.problem, flow.method, before, steps=steps, duration=steps * run.step, t0=run.t0, samples=samples,
-        first=flow.model.n,
-    )  # fmt: skip
+    along = flow.neighbours.along(before, samples)
     rows = np.unique(np.linspace(0, samples - 1, min(LOOKS, samples)).round().astype(int))
     moments = np.linspace(times[0], times[-1], samples)
     seen: list[tuple[float, LoopIntegral, float]] = []
@@ -151,11 +146,11 @@ def read_cartan(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarray) -> 
         before = _small_loop(flow, q, p, nodes, radius)
         steps = min(max(int(SHIFT * flow.steps), 1), SHIFT_STEPS)
         late = steps * run.step * np.sin(2 * np.pi * np.arange(nodes) / nodes + PHASE)
-        carried = _carried(flow, before)
+        carried = flow.neighbours.along(before, 2)[-1]
         if not np.isfinite(carried).all():
             continue
         n, moments = model.n, times[-1] + late
-        after = shifted(flow.problem, flow.method, carried, late, steps=steps, t0=float(times[-1]), first=n)
+        after = flow.neighbours.shifted(carried, late, steps)
         energy = observe([model.H], (model.q, model.p, model.t), moments, after[:, :n], after[:, n:])[0]
         after = canonical(model, after)
         extended = np.column_stack([after[:, :n], late, after[:, n:], -energy])
@@ -184,20 +179,6 @@ def small_loop(q: np.ndarray, p: np.ndarray, nodes: int, radius: float) -> np.nd
     sizes = [radius * np.where(s > 0.05 * s.max(), s, s.max() if s.max() > 0 else 1.0) for s in sizes]
     angles = [2 * np.pi * np.arange(nodes)[:, None] / nodes + np.arange(x.shape[1]) for x in (q, p)]
     return np.hstack([q[0] + sizes[0] * np.cos(angles[0]), p[0] + sizes[1] * np.sin(angles[1])])
-
-
-def _carried(flow: Flow, points: np.ndarray) -> np.ndarray:
-    run = flow.run
-    steps = max(flow.steps, 1)
-    return transported(
-        flow.problem,
-        flow.method,
-        points,
-        steps=steps,
-        duration=steps * run.step,
-        t0=run.t0,
-        first=flow.model.n,
-    )
 
 
 def _integral(points: np.ndarray, flow: Flow, stretched: float = 1.0) -> LoopIntegral | None:

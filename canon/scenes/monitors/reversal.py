@@ -6,7 +6,6 @@ from typing import Final
 
 import numpy as np
 
-from canon.numeric.transport import transported
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.reading import Reading, judged
 
@@ -18,10 +17,7 @@ def read_reversibility(flow: Flow, times: np.ndarray, q: np.ndarray, p: np.ndarr
     """The largest distance of a coordinate, or momentum, from where it began, in units of the largest one."""
     steps = max(flow.steps, 1)
     last = np.concatenate([q[-1], p[-1]])[None]
-    end = flow.run.t0 + steps * flow.run.step
-    n = q.shape[1]
-    span = -steps * flow.run.step
-    back = transported(flow.problem, flow.method, last, steps=steps, duration=span, t0=end, first=n)[0]
+    back, n = flow.neighbours.back(last)[0], q.shape[1]
     drifts = []
     for found, x in ((back[:n], q), (back[n:], p)):
         size = max(float(np.abs(x).max(initial=0.0)), 1e-300)

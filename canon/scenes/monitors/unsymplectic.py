@@ -34,7 +34,8 @@ def condemned(reading: Reading, flow: Flow, part: float, rounding: float) -> Rea
     if flow.method.traits.symplectic is True or reading.bound is None:
         return reading
     if reading.alarm or not part > DAMNING + rounding:
-        note = f"{flow.method.name} is not symplectic: the bound is what its steps' estimated error allows"
+        known = "not symplectic" if flow.method.traits.symplectic is False else "not known to be symplectic"
+        note = f"{flow.method.name} is {known}: the bound is what its steps' estimated error allows"
         return replace(reading, extra={"note": note, **reading.extra})
     alarm = (
         f"drifted by {part:.2g} of itself ({reading.expected}): the steps of {flow.method.name} are too long, and not "

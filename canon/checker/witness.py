@@ -1,7 +1,8 @@
 """Refutations by a point: at the witness, which lies in the domain, the claim fails.
 
-In intervals, where the point is rational and there are rules for the functions in them: the claim's formulas and the
-domain's have values, the conditions hold, and a residual isn't 0. Else in 50 digits and the same in 100, which is said.
+In fractions where all is rational, or in intervals, where the point is rational and there are rules for the functions:
+the claim's formulas and the domain's have values, the conditions hold, and a residual isn't 0. Else in 50 digits and
+the same in 100, which is said.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import Any
 
 from canon.checker import core
 from canon.checker.case import Case
+from canon.checker.fractions_alone import fails_exactly
 from canon.checker.functions import Rejected, Unknown
 from canon.checker.intervals import Intervals, Open, is_allowed
 from canon.checker.points import (
@@ -49,6 +51,8 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
         raise Rejected("a name that is real has a complex value at the witness")
     enclosed = list[bool | None]()
     for case in cases:
+        if fails_exactly(s, case, witness):
+            return [case.against] if case.against else []
         for k in FEW if case.enclosed is None else (*FEW, 1, 11, 21):  # what is left open may lie outside of the domain
             enclosed.append(_enclosed(s, case, witness, k, real=real))
             if enclosed[-1]:

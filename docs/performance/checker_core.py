@@ -9,6 +9,9 @@ function isn't 0 everywhere, and each residual is shown by an identity:
 - rational: it has no functions, so that there are no kernels;
 - kernels: each function in it is a kernel, with a relation of its own, or none.
 
+A refutation by a witness counts as "in fractions" where the residual is rational and the point is, too: then a program
+that puts fractions into formulas sees it, and no intervals are needed.
+
 Of the others each is counted once, under the first of the things that it needs besides.
 """
 
@@ -21,6 +24,7 @@ from typing import Any
 from canon.checker import core
 from canon.checker.case import Case
 from canon.checker.check import check
+from canon.checker.fractions_alone import fails_exactly
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.kinds import obligations
 from canon.checker.shapes import is_rational
@@ -30,7 +34,9 @@ from canon.checker.statement import Statement
 def needs(data: Any) -> str:
     """What a confirmed certificate rests on besides the core, in a word; "rational" or "kernels" for nothing."""
     if data["verdict"] == "refuted" and data["witness"] is not None:
-        return "a witness in intervals"
+        s = Statement(data["tables"], data["known"], data["verdict"])
+        exact = any(fails_exactly(s, case, data["witness"]) for case in obligations(s))
+        return "a witness in fractions" if exact else "a witness in intervals"
     s = Statement(data["tables"], data["known"], data["verdict"])
     found = [_of_case(s, case, shown) for case, shown in zip(obligations(s), data["cases"], strict=True)]
     return max(found, key=lambda word: (word != "rational", word != "kernels"))

@@ -229,7 +229,8 @@ def _as_assumed(name: sp.Symbol, formula: Formula) -> Iterator[Condition]:
     """
     value, said = sp.expand(formula.expr), declared(name)
     for word in ("integer", "real"):
-        if said.get(word) and not getattr(value, f"is_{word}"):
+        real = word == "real" and not value.has(sp.I) and all(symbol.is_real for symbol in value.free_symbols)
+        if said.get(word) and not (real or getattr(value, f"is_{word}")):  # it is real wherever it has a value
             raise InputError(f"{name} is assumed to be {word}, and {formula} is not seen to be", "key 'fixed'")
     for condition in assumed_of(name, formula.expr):
         if condition.terms[0].is_nonpositive if condition.kind == "positive" else condition.terms[0].is_zero:

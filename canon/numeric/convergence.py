@@ -15,6 +15,8 @@ from canon.numeric.progress import Trial
 AIM: Final = 0.25
 """The part of the accuracy that is aimed at: estimates are no bounds."""
 LEAST: Final = 2.0**-52
+ROUNDED: Final = 4
+"""Runs of a method that makes no error but rounding, after which more of them tell no more."""
 
 
 def in_order(trials: Sequence[Trial], order: int) -> bool:
@@ -29,9 +31,14 @@ def in_order(trials: Sequence[Trial], order: int) -> bool:
 def estimated_error(trials: Sequence[Trial], order: int, *, exact: bool = False) -> float:
     """The error of the last run: its difference d to the one with r times fewer steps, over r^order − 1 where the order
     shows and the method makes errors other than rounding (`exact`: it does not); infinite where there is no other run.
+
+    Runs of an exact method that still differ after a few are apart by rounding. It may drown more of the motion the
+    shorter the steps are, so that they agree on a wrong state in the end: the largest difference is taken then.
     """
     if len(trials) < 2:
         return math.inf
+    if exact and len(trials) >= ROUNDED:
+        return max(LEAST, *(trial.difference for trial in trials[1:]))
     before, last = trials[-2:]
     if exact or not math.isfinite(last.difference) or not in_order(trials, order):
         return max(last.difference, LEAST)

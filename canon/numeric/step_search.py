@@ -14,7 +14,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from canon.interruption import interruptible
-from canon.numeric.convergence import estimated_error, reaches
+from canon.numeric.convergence import ROUNDED, estimated_error, reaches
 from canon.numeric.cpu_time import cpu_time
 from canon.numeric.engines import Engine, Settled, settled
 from canon.numeric.integrate import Run, advance, start
@@ -33,6 +33,8 @@ PATIENCE: Final = 300.0
 """Seconds after which no run is begun that is expected to take longer than this, where no budget is given."""
 STUBBORN: Final = 8
 """Runs with more and more steps that agree no longer than those before, after which the orbit is said to end there."""
+TRIED: Final = 200_000
+"""Steps that the last of them has at least: few samples begin with few steps, and a close approach asks for many."""
 FROM_THE_BEGINNING: Final = 14
 """As many where they part before the second sample: then nothing shows yet that any step was short enough."""
 SHORT: Final = (2, 500_000)
@@ -228,7 +230,9 @@ class Search:
         return estimated_error(self.trials, self.order, exact=self.exact)
 
     def stuck(self) -> bool:
-        """Whether the differences have come down to rounding."""
+        """Whether the differences have come down to rounding; an exact method's are never anything else."""
+        if self.exact and len(self.trials) >= ROUNDED and not any(run.ended for run in self.runs):
+            return True
         if len(self.trials) < 4 or any(run.ended for run in self.runs):
             return False
         before, last = self.trials[-2].difference, self.trials[-1].difference
@@ -239,6 +243,8 @@ class Search:
         if not self.agreed or not 0 < self.agreed[-1] < self.task.samples:
             return False
         count = STUBBORN if self.agreed[-1] > 1 else FROM_THE_BEGINNING
+        if self.trials[-1].steps < TRIED:
+            return False
         if self.trials[-1].steps >= SHORT[1]:
             count = SHORT[0]
         before = self.agreed[:-count]

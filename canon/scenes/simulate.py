@@ -228,10 +228,13 @@ def _judged(scene: Scene, planned: Planned, monitors: tuple[Reading, ...]) -> tu
         ok = False
     elif planned.good < run.samples:
         last, after = run.times[planned.good - 1], run.times[planned.good]
-        by_hand = "" if scene.settings.step is None else f", or a step of {run.step:.3g} is too long"
+        if scene.settings.step is None:
+            more = f", or needs more than the {run.total} steps that were tried"
+        else:
+            more = f", or a step of {run.step:.3g} is too long"
         messages.append(
             f"ended at t = {last:.6g}: before t = {after:.6g} the orbit runs into a singularity (a blow-up or a "
-            f"collision), or is too sensitive to be followed{by_hand}{_otherwise(scene, THROUGH)}"
+            f"collision), or is too sensitive to be followed{more}{_otherwise(scene, THROUGH)}"
         )
         ok = False
     elif scene.settings.accuracy is not None and not planned.reached:

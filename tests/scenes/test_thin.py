@@ -118,3 +118,43 @@ def test_a_pendulum_is_known_in_closed_form(momentum: float) -> None:
     assert not split.problem.exact
     assert np.abs(2 * result.q + 1 - np.pi - split.q).max() < 1e-6
     assert np.abs(result.p / 3 - split.p).max() < 1e-6
+
+
+def test_rounding_that_drowns_an_exact_motion_is_no_agreement() -> None:
+    """From the double next to π the pendulum falls as sin(π) cosh t, which π + q has no digits for: with more steps
+    of the closed form less and less of it is left, and runs agree on a pendulum that stands still.
+    """
+    result = simulate(read_scene_text(scene("p**2/2 - cos(q)", np.pi, 0.0, 15.0, "samples = 9\naccuracy = 1e-3")))
+    assert result.problem.exact
+    assert not result.ok
+    assert any("rounding keeps it" in message for message in result.messages)
+    largest = np.sin(np.pi) * np.sinh(15.0)
+    assert result.planned.error is not None
+    assert np.abs(result.p).max() < 0.9 * largest < result.planned.error * largest
+
+
+def test_a_close_approach_between_few_samples_is_gone_through() -> None:
+    """With few samples the search begins with few steps, and pericentre at 1/200 of the apocentre asks for many."""
+    text = """
+[[body]]
+mass = 1.0
+position = [1.99, 0.0]
+velocity = [0.0, 0.07]
+[[effect]]
+kind = "inverse_distance"
+a = 1.0
+[[effect]]
+kind = "inverse_square"
+c = 0.0005
+[run]
+duration = 6.0
+samples = 4
+accuracy = 1e-4
+"""
+    result = simulate(read_scene_text(text))
+    assert result.ok, result.messages
+    assert len(result.times) == 4
+    x, v = result.q[-1], result.p[-1]
+    H = [v @ v / 2 - 1 / np.hypot(*x) + 0.0005 / (x @ x) for x, v in zip(result.q, result.p, strict=True)]
+    assert np.ptp(H) < 1e-4
+    assert x[0] * v[1] - x[1] * v[0] == pytest.approx(1.99 * 0.07, rel=1e-9)

@@ -100,11 +100,11 @@ def action(s: Statement) -> Case:
     if s.verdict == "proved" and form.quadratic and "well" not in claim:
         g, signs = form.integrand(level, rate=rate, rotates=rotates)
         known = constant(s, g, [a for a, _ in signs], period) if rotates else None
-        zeros = None if rotates else closed(s, g, equals, rate=rate)
+        zeros, there = (None if rotates else closed(s, g, equals, rate=rate)) or (None, [])
         if known is not None:
             zeros = [f.sub(f.mul(equals, known), ONE) if rate else f.sub(known, equals)]
         if zeros is not None:
-            return Case(zeros)
+            return Case(zeros, somewhere=there)
     square = squared(s, form, H, level)
     if square is not None and not rate:
         turn, well = period if rotates else None, given[-1] if "well" in claim else None

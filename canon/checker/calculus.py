@@ -24,13 +24,16 @@ STEPS = (40, 60, 80)
 """Of a limit, so far towards it: at distances 2^-k, or at 2^k."""
 
 
-def _end(s: Statement, text: Any, x: str) -> int | str:
+def _end(s: Statement, word: str, x: str) -> int | str:
     """An end of an interval, or a limit: a formula without the name that moves, or "infinity" with its sign."""
+    text = s.claim[word]
     if text in ("infinity", "-infinity"):
         return str(text)
     found = s.f.read(text, s.names)
     if moves(s, found, x):
         raise Unreadable(f"{x} moves: {str(text)[:40]!r} is nothing that it moves to")
+    if word != "equals" and has_complex(s, found):
+        raise Unreadable(f"{str(text)[:40]!r} is complex: a range is one of real numbers")
     return found
 
 
@@ -141,7 +144,7 @@ def integral(s: Statement) -> Case:
     f, claim, x = s.f, s.claim, str(s.claim["variable"])
     s.declared |= {x}
     inside, equals = f.read(claim["f"], s.names), s.key("equals")
-    ends = [_end(s, claim[word], x) for word in ("from", "to")]
+    ends = [_end(s, word, x) for word in ("from", "to")]
     if moves(s, equals, x):
         raise Unreadable(f"{x} is the variable of integration: the integral doesn't depend on it")
     s.written += [end for end in ends if isinstance(end, int)]
@@ -215,7 +218,7 @@ def limit(s: Statement) -> Case:
     """f tends to `equals`: by its expansion, or measured at points that come nearer and nearer."""
     f, claim, x = s.f, s.claim, str(s.claim["variable"])
     s.declared |= {x}
-    inside, to, equals = f.read(claim["f"], s.names), _end(s, claim["to"], x), _end(s, claim["equals"], x)
+    inside, to, equals = f.read(claim["f"], s.names), _end(s, "to", x), _end(s, "equals", x)
     s.written += [end for end in (to, equals) if isinstance(end, int)]
     sides = {"+": [1], "-": [-1]}.get(str(claim.get("side")), [1, -1] if isinstance(to, int) else [1])
     shown = by_expansion(s, [towards(s, inside, x, to, side) for side in sides], equals)

@@ -21,7 +21,8 @@ class Case:
     Where one of the groups `outside` is independent, the claim fails.
     Names that stand in `mentions` get values too. `against` is what a refutation by a point takes on
     trust; it says nothing of the claim where one of `granted` isn't identically 0. `enclosed` gives intervals of what
-    is measured: one without 0 in it refutes the claim.
+    is measured: one without 0 in it refutes the claim. All that is `somewhere` is positive at a point of the domain:
+    what the claim takes for granted is so at least there.
     """
 
     zeros: list[int]
@@ -39,6 +40,7 @@ class Case:
     against: str = ""
     granted: list[int] = field(default_factory=list)
     enclosed: Callable[[Any, Mapping[str, Any]], Iterable[Any]] | None = None
+    somewhere: list[int] = field(default_factory=list)
 
     @property
     def fails_alone(self) -> bool:

@@ -22,22 +22,26 @@ SHAPES = {"plain": (0, 1, 2), "line": (-2, -1, 0), "square": (-2, 0, 2)}
 """The powers of q in D: a quadratic; one in u = q over q²; one in u = q² over q²."""
 
 
-def closed(s: Statement, g: Integrand, equals: int, *, rate: bool) -> list[int] | None:
-    """What must be 0 for a libration's action, or with `rate` its frequency, to be what is claimed; None where D has
-    none of these forms, or the domain says more of the coordinate than that it is positive, or anything of momenta."""
+def closed(s: Statement, g: Integrand, equals: int, *, rate: bool) -> tuple[list[int], list[int]] | None:
+    """What must be 0 for a libration's action, or with `rate` its frequency, to be what is claimed, and what is
+    positive where there is one.
+
+    None where D has none of these forms, or the domain says more of the coordinate than that it is positive, or
+    anything of momenta.
+    """
     f, x, pi = s.f, g.x, s.f.node("s", "pi")
     words = {*s.words.get(x, ())} - {"real"}
     if _is_bound(s, x) or s.surface or not words <= {"positive"} or (not rate and f.slope(g.u, x) != ZERO):
         return None
     for shape, scale, form, (c0, c1, c2) in _forms(s, g.D, x):
-        if shape in ("line", "square") and words != {"positive"}:
+        if (shape in ("line", "square")) != (words == {"positive"}):
             continue
         if not is_identity(at_random(s), f.sub(g.D, form)):  # it may differ in higher powers
             continue
         low, high = (f.power(f.mul(f.number(-1), c), f.read("1/2", {})) for c in (c0, c2))
         cube = f.mul(high, high, high)
-        if shape == "plain" and words:
-            continue
+        room = f.sub(f.mul(c1, c1), f.mul(f.number(4), c0, c2))
+        signs = [room, f.mul(f.number(-1), c2), *([c1, f.mul(f.number(-1), c0)] if shape != "plain" else [])]
         if rate:
             period = {
                 "plain": f.over(f.number(2), high), "line": f.over(c1, cube), "square": f.over(ONE, high),
@@ -45,12 +49,11 @@ def closed(s: Statement, g: Integrand, equals: int, *, rate: bool) -> list[int] 
             }[shape]  # fmt: skip
             last = f.sub(f.mul(equals, pi, period), ONE)
         else:
-            room = f.sub(f.mul(c1, c1), f.mul(f.number(4), c0, c2))
             area = f.over(room, f.mul(f.number(8), cube))
             other = f.sub(f.over(c1, f.mul(f.number(2), high)), low)
             action = {"plain": area, "line": other, "square": f.over(other, f.number(2)), "exp": f.over(other, scale)}
             last = f.sub(f.mul(pi, action[shape], g.u), equals)
-        return [f.sub(g.D, form), last]
+        return [f.sub(g.D, form), last], signs
     return None
 
 

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from canon.checker.case import Case
+from canon.checker.everywhere import is_somewhere
 from canon.checker.functions import Unknown
 from canon.checker.motion import Motion, formulas
 from canon.checker.positive import is_nowhere_zero
@@ -33,8 +34,8 @@ def constraint(s: Statement) -> list[Case]:
     found = [Case(linear)] if s.verdict == "proved" else []
     found += [_of_forms(s, m, forms, word) for word in ON_FORMS if word in asked]
     if "holonomic" in asked or "integrals" in asked:
-        minors, moving = _minors(s, forms), (*m.q, m.t)
-        sure = all(is_rational(s, a, moving) for a in minors) or any(is_nowhere_zero(s, a) for a in minors)
+        minors = _minors(s, forms)
+        sure = _is_sure(s, minors, (*m.q, m.t))
         found.append(Case([], [minors], trusted="" if sure else "that the forms are independent nearly everywhere"))
     if "determined" in asked:
         found.append(_determined(s, m, forms))
@@ -48,6 +49,13 @@ def constraint(s: Statement) -> list[Case]:
     return found
 
 
+def _is_sure(s: Statement, minors: Sequence[int], names: Sequence[str]) -> bool:
+    """Whether minors of which one isn't 0 at a point are so nearly everywhere, whatever the parameters are."""
+    if all(is_rational(s, a, names) for a in minors):
+        return True
+    return any(is_nowhere_zero(s, a) or is_somewhere(s, a) for a in minors)
+
+
 def _of_forms(s: Statement, m: Motion, forms: Sequence[Form], word: str) -> Case:
     f, names = s.f, [*m.q, m.t]
     if word == "integrals":
@@ -55,7 +63,8 @@ def _of_forms(s: Statement, m: Motion, forms: Sequence[Form], word: str) -> Case
         own = [[f.slope(a, x) for x in names] for a in s.keys("integrals")]
         if len(own) != len(forms):
             raise Unknown("more or fewer integrals than forms")
-        return Case([a for rows in stacked for a in _minors(s, rows)], [_minors(s, own)])
+        trusted = "" if _is_sure(s, _minors(s, own), names) else "that the integrals are independent nearly everywhere"
+        return Case([a for rows in stacked for a in _minors(s, rows)], [_minors(s, own)], trusted=trusted)
     if word == "holonomic":
         found = [a for form in forms for a in _wedge(s, form, forms, names)]
     else:

@@ -33,8 +33,9 @@ def is_inhabited(s: Statement, case: Case, places: Iterable[Mapping[str, Any]], 
                 for name, image in case.images.items():
                     point[name] = own.values(s.f, [image], point)[image]
                 images = [s.pull(image) for image in s.images.values()]
-                found = own.values(s.f, [*domain_of(s), *images, *(a for a, _ in s.conditions)], point)
-                if lies_inside(s, own, point, found):
+                found = own.values(s.f, [*domain_of(s), *images, *(a for a, _ in s.conditions), *case.somewhere], point)
+                there = all(own.real(found[a]).a > 0 for a in case.somewhere)
+                if there and lies_inside(s, own, point, found):
                     return True
             except Open:
                 continue

@@ -80,6 +80,7 @@ def hamilton_jacobi(s: Statement) -> Case:
     if not len({*constants}) == len(constants) == len(s.q) or {*constants} & {*s.q, *s.p, s.time, *f.functions}:
         raise Unreadable("as many constants as coordinates are needed, none of which moves")
     s.without(s.H, constants)
+    s.without(S, s.p)
     momenta = {p: f.slope(S, q) for p, q in zip(s.p, s.q, strict=True)}
     other = f.slope(S, s.time) if word == "S" else f.mul(f.number(-1), energy)
     complete = s.determinant([[f.slope(p, a) for a in constants] for p in momenta.values()])
@@ -130,9 +131,13 @@ def solves(s: Statement) -> Case:
     f, solution = s.f, {}
     for call, text in s.claim["solution"].items():
         op = f.ops[f.read(call, {})]
-        if op[0] != "f" or op[1] not in f.functions or any(f.ops[a][0] != "s" for a in op[3]):
+        if op[0] != "f" or op[1] not in f.functions or any(f.ops[a][0] != "s" for a in op[3]) or any(op[2]):
             raise Unreadable(f"{call[:40]!r} is no function of names")
+        if len({*op[3]}) < len(op[3]) or op[1] in solution:
+            raise Unreadable(f"{call[:40]!r}: a name, or the function, stands twice")
         solution[op[1]] = [f.ops[a][1] for a in op[3]], f.read(text, s.names)
+    if any(f.ops[a][0] == "f" and f.ops[a][1] in solution for _, body in solution.values() for a in f.reach(body)):
+        raise Unreadable("a solution that contains what is to be solved for")
     equations = [f.read(text, s.names) for text in s.claim["equations"]]
     return Case([f.put_in(s.pull(a), solution) for a in equations])
 

@@ -70,9 +70,11 @@ def field_equations(s: Statement) -> Case:
     zeros = []
     for text, equation in zip(s.claim["fields"], equations, strict=True):
         op = f.ops[f.read(text, {})]
-        if op[0] != "f" or any(f.ops[x][0] != "s" for x in op[3]):
+        if op[0] != "f" or op[1] not in f.functions or any(f.ops[x][0] != "s" for x in op[3]) or any(op[2]):
             raise Unreadable(f"{text[:40]!r} is no function of names")
         jets = [x for x in f.reach(L) if f.ops[x][0] == "f" and f.ops[x][1] == op[1]]
+        if len({*op[3]}) < len(op[3]) or any(f.ops[x][3] != op[3] for x in jets):
+            raise Unreadable(f"{text[:40]!r} is a function of different names, and of these everywhere")
         marks = {x: f"#jet{x}" for x in jets}
         free, back = _marked(s, L, marks), {mark: x for x, mark in marks.items()}
         total = [f.mul(f.number(-1), equation)]

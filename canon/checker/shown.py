@@ -57,6 +57,7 @@ class Shown:
             return [*trusted, *self.is_somewhere(case)]
         kernels = {str(k["name"]): f.read(k["stands for"], {}) for k in data["kernels"]}
         targets = [*case.zeros, *s.surface, *chain(*case.nonzeros), *case.independent, *(a for a, _ in case.positive)]
+        targets += case.somewhere
         images = [s.pull(a) for a in case.images.values()]
         leaves = names_in(s, [*targets, *domain_of(s), *images, *case.mentions])
         if clash := kernels.keys() & (leaves | s.declared | {*s.words, *s.coordinates, s.time, *s.names, "pi", "1j"}):
@@ -122,7 +123,8 @@ class Shown:
         if not places:
             raise Unknown("the checker found no point of the domain")
         sure = is_inhabited(self.s, case, (of for of, _ in places), real=self.real)
-        return [] if sure else ["that the domain isn't empty, as values in 50 digits say"]
+        what = "there is such a motion" if case.somewhere else "the domain isn't empty, as values in 50 digits say"
+        return [] if sure else [f"that {what}"]
 
     def _is_not_zero(self, a: int, of: Mapping[str, Any], followed: Followed) -> bool:
         """Whether a formula isn't identically 0: one of roots alone modulo a prime, others in intervals."""

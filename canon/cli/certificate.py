@@ -75,15 +75,15 @@ def _export(arguments: argparse.Namespace) -> int:
 
 
 def _check(arguments: argparse.Namespace) -> int:
-    from canon.checker.check import check
     from canon.checker.files import load
     from canon.checker.functions import Unreadable
+    from canon.checker.limits import checked
     from canon.report.words import visible
 
     answers: list[tuple[str, str, list[str]]] = []
     for name in _files(arguments.files):
         try:
-            answer = check(load(name))
+            answer = checked(load(name))
             answers.append((name, answer.status, list(answer.reasons)))
         except Unreadable as reason:
             answers.append((name, "unreadable", [str(reason)]))

@@ -123,3 +123,49 @@ def test_a_certificate_says_no_pair_twice() -> None:
     data["known"]["structure"] = {**data["known"]["structure"], "B,A": "-C"}
     with pytest.raises(Unreadable):
         check(resealed(data))
+
+
+POSITIVE = {**SPACE, "symbols": {"a": "positive", "b": "positive", "q": "positive", "E": "negative"}}
+ATTRACTED = {**POSITIVE, "hamiltonian": {"H": "p**2/2 - a/q + b**2/(2*q**2)"}}
+REPELLED = {**POSITIVE, "hamiltonian": {"H": "p**2/2 + a/q + b**2/(2*q**2)"}}
+WELL = {"symbols": {"a": "positive", "b": "positive", "E": "positive"}, "domain": {"where": ["E < b"]},
+        "hamiltonian": {"H": "p**2/2 + b*(1 - exp(-a*q))**2"}}  # fmt: skip
+WALLED = {**WELL, "symbols": {**WELL["symbols"], "q": "positive"}}
+DEPTH = "2*pi*(sqrt(2*b) - sqrt(2*(b - E)))/a"
+
+
+def orbit(kind: str, tables: dict[str, Any], equals: str) -> tuple[dict[str, Any], dict[str, Any]]:
+    return {"kind": kind, "coordinate": "q", "energy": "E", "equals": equals}, {**SPACE, **tables}
+
+
+MEANT: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "an integral to i": of("integral", f="1", variable="x", to="1j", equals="1j", antiderivative="x", **{"from": "0"}),
+    "an integral that is 0 on a half": of("constraint", forms=["v"], velocities=["v"], integrals=["abs(q) + q"]),
+    "an integral of velocities": of("constraint", forms=["v"], velocities=["v"], integrals=["q*v"]),
+    "a force of momenta": of("euler_lagrange", L="v**2/2", velocities=["v"], accelerations=["w"], forces=["p"],
+        equations=["w - p"]),
+    "a complete integral of momenta": of("hamilton_jacobi", {**SPACE, "hamiltonian": {"H": "p**2/2"}}, W="a*q + p",
+        constants=["a"], energy="a**2/2"),
+    "a field elsewhere": of("field_equations", {**SPACE, "symbols": {"u": "function", "x": "real"}}, L="u(x)*u(2*x)",
+        fields=["u(x)"], equations=["u(x) + u(2*x)"]),
+    "a solution of a name twice": of("solves", {**SPACE, "symbols": {"u": "function", "x": "real"}},
+        solution={"u(x, x)": "x**2"}, equations=["u(x, x) - x**2"]),
+    "a solution by itself": of("solves", {**SPACE, "symbols": {"u": "function", "x": "real"}},
+        solution={"u(x)": "u(x) + 1"}, equations=["D(u(x), x) - D(u(x) + 7, x)"]),
+    "the frequency of no motion": orbit("frequency", REPELLED, "-(-2*E)**(3/2)/(2*pi*a)"),
+    "the action of an orbit through a wall": orbit("action", WALLED, DEPTH),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", sorted(MEANT))
+def test_no_proof_of_what_is_nothing(name: str) -> None:
+    claim, tables = MEANT[name]
+    assert status(claim, "proved", SHOWN[0], tables) != "confirmed"
+
+
+def test_motions_that_there_are() -> None:
+    for kind, tables, equals in (
+        ("frequency", ATTRACTED, "(-2*E)**(3/2)/(2*pi*a)"), ("action", WELL, DEPTH)
+    ):  # fmt: skip
+        claim, everything = orbit(kind, tables, equals)
+        assert status(claim, "proved", SHOWN[0], everything) == "confirmed", kind

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
+from canon.checker.at_zero import evaluated
 from canon.checker.case import Case
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.lie import Algebra, is_named
@@ -38,24 +40,8 @@ def algebra(s: Statement) -> Case:
     found, trusted = identified(s, table, len(e))
     if found is False and "structure" in s.claim:  # the claim contradicts itself
         return Case([], found=False)
-    return Case(zeros, independent=pulled, found=found, trusted=trusted, outside=outside, labels=labels)
-
-
-AT_ZERO = {"exp": 1, "cos": 1, "cosh": 1, "sin": 0, "sinh": 0, "tan": 0, "tanh": 0, "asin": 0, "asinh": 0, "atan": 0}
-
-
-def _evaluated(s: Statement, target: int) -> int:
-    """The formula with functions of 0, logarithms of 1 and powers of 1 as numbers."""
-    f, new = s.f, dict[int, int]()
-    for a in f.reach(target):
-        op, parts = f.ops[a], [new[b] for b in f.parts(a)]
-        new[a] = f.rebuilt(a, parts)
-        if op[0] == "f" and f.value(parts[0]) is not None:
-            if f.value(parts[0]) == 0 and op[1] in AT_ZERO:
-                new[a] = f.number(AT_ZERO[op[1]])
-            elif f.value(parts[0]) == 1 and op[1] in ("log", "power"):
-                new[a] = f.number(int(op[1] == "power"))
-    return new[target]
+    case = Case(zeros, independent=pulled, found=found, trusted=trusted, outside=outside, labels=labels)
+    return replace(case, algebra=numeric(s, table, len(e)))
 
 
 def _label(names: Sequence[str], pair: Pair, row: Mapping[int, int], s: Statement) -> str:
@@ -91,17 +77,22 @@ def _has(s: Statement, a: int, marks: Mapping[str, int]) -> bool:
     return bool({*s.f.reach(a)} & {*marks.values()})
 
 
-def identified(s: Statement, table: Table, size: int) -> tuple[bool | None, str]:
-    """Whether the algebra is the one that is named, as exact arithmetic knows it; and what is left to trust."""
+def numeric(s: Statement, table: Table, size: int) -> Algebra | None:
+    """The algebra of structure constants that are numbers; None for others."""
     numbers = {p: {k: s.f.value(c) for k, c in row.items()} for p, row in table.items()}
     exact = {p: {k: c for k, c in row.items() if c is not None} for p, row in numbers.items()}
     complete = all(len(exact[p]) == len(row) for p, row in numbers.items())
-    name = s.claim.get("equals")
+    return Algebra(size, exact) if complete else None
+
+
+def identified(s: Statement, table: Table, size: int) -> tuple[bool | None, str]:
+    """Whether the algebra is the one that is named, as exact arithmetic knows it; and what is left to trust."""
+    algebra, name = numeric(s, table, size), s.claim.get("equals")
     if name is None:
         return None, ""
-    if not complete:
+    if algebra is None:
         return None, f"that the algebra is {name} for all values of the parameters"
-    answer = is_named(Algebra(size, exact), str(name))
+    answer = is_named(algebra, str(name))
     return answer, "" if answer is not None else f"that an algebra with these structure constants is {name}"
 
 
@@ -214,7 +205,7 @@ def group(s: Statement) -> Case:
         for j, k in combinations(range(len(a)), 2)
     }
     claimed = stated(s, a) if "structure" in claim else None
-    table = {p: {i: _evaluated(s, x) for i, x in row.items()} for p, row in table.items()}
+    table = {p: {i: evaluated(s, x) for i, x in row.items()} for p, row in table.items()}
     numbers = {p: {i: f.value(x) for i, x in row.items()} for p, row in table.items()}
     found: bool | None = None
     if claimed is not None:

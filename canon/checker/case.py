@@ -22,7 +22,8 @@ class Case:
     Names that stand in `mentions` get values too. `against` is what a refutation by a point takes on
     trust; it says nothing of the claim where one of `granted` isn't identically 0. `enclosed` gives intervals of what
     is measured: one without 0 in it refutes the claim. All that is `somewhere` is positive at a point of the domain:
-    what the claim takes for granted is so at least there.
+    what the claim takes for granted is so at least there. `algebra` has the brackets of what is independent, where
+    they are numbers.
     """
 
     zeros: list[int]
@@ -41,6 +42,7 @@ class Case:
     granted: list[int] = field(default_factory=list)
     enclosed: Callable[[Any, Mapping[str, Any]], Iterable[Any]] | None = None
     somewhere: list[int] = field(default_factory=list)
+    algebra: Any = None
 
     @property
     def fails_alone(self) -> bool:

@@ -117,7 +117,8 @@ class _Check:
                 raise Rejected("by exact arithmetic the claim fails")
             return self.shown.of(case, data)
         if case.found is False:  # by what the certificate shows to be 0
-            return self.shown.of(Case(case.zeros, images=case.images, independent=case.independent), data)
+            grounds = Case(case.zeros, images=case.images, independent=case.independent, algebra=case.algebra)
+            return self.shown.of(grounds, data)
         if not case.nonzeros:
             raise Unknown("a refutation without a point, by an argument that there is no rule for")
         return self.shown.of(Case(case.nonzeros[0], [], case.images), data)  # what must not vanish everywhere does

@@ -19,6 +19,7 @@ from canon.checker import core
 from canon.checker.case import Case
 from canon.checker.followed import Followed, is_identity
 from canon.checker.functions import Rejected, Unknown
+from canon.checker.independent import are_independent
 from canon.checker.inhabited import is_inhabited
 from canon.checker.intervals import Intervals, Open
 from canon.checker.points import CLOSE, DIGITS, Numbers, Outside, domain_of, independence, names_in, points, value_of
@@ -108,10 +109,8 @@ class Shown:
                 trusted.append("that what must not vanish everywhere doesn't, as values in 50 digits say")
         if case.independent and all(independence(s, case, case.independent, self.numbers, of) == 0 for of, _ in places):
             raise Rejected("what must be linearly independent is not, at the points that were tried")
-        f_names = {f.ops[a][1] for a in f.reach(*case.independent) if f.ops[a][0] == "s"}
-        held = f_names - {*s.coordinates, *s.bracketed, s.time, "pi", "1j"}
-        if held:  # it is claimed for all their values, and a·x is 0 where a is
-            trusted.append(f"that the basis is independent for all values of {', '.join(sorted(held))[:80]}")
+        if case.independent and not are_independent(s, case.independent, (of for of, _ in places), case.algebra):
+            trusted.append("that the basis is independent for all values of the parameters, as values at points say")
         return [*trusted, *self._positive(case, places), *self._measured(case, places)]
 
     def is_somewhere(self, case: Case) -> list[str]:

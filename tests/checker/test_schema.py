@@ -138,7 +138,12 @@ def orbit(kind: str, tables: dict[str, Any], equals: str) -> tuple[dict[str, Any
     return {"kind": kind, "coordinate": "q", "energy": "E", "equals": equals}, {**SPACE, **tables}
 
 
+LINE: dict[str, Any] = {**SPACE, "symbols": {"a": "real"}}
 MEANT: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "a basis that is none for a = 0": of("algebra", LINE, basis={"A": "q", "B": "a*p", "C": "a"},
+        structure={"A,B": "C"}),
+    "an algebra that is 0 for a = 0": of("algebra", {**THREE, "symbols": {"g": "real"}}, structure=TURNS,
+        basis={name: f"g*({text})/g" for name, text in SPHERE.items()} | {"A": "g**2*(y*c - z*b)"}),
     "an integral to i": of("integral", f="1", variable="x", to="1j", equals="1j", antiderivative="x", **{"from": "0"}),
     "an integral that is 0 on a half": of("constraint", forms=["v"], velocities=["v"], integrals=["abs(q) + q"]),
     "an integral of velocities": of("constraint", forms=["v"], velocities=["v"], integrals=["q*v"]),
@@ -161,6 +166,19 @@ MEANT: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
 def test_no_proof_of_what_is_nothing(name: str) -> None:
     claim, tables = MEANT[name]
     assert status(claim, "proved", SHOWN[0], tables) != "confirmed"
+
+
+def test_bases_whatever_the_parameters_are() -> None:
+    """By pivots, by an ideal that isn't there, by one function of a simple algebra, in intervals."""
+    positive = {**LINE, "symbols": {"a": "positive"}}
+    for tables, basis, structure in (
+        (positive, {"A": "q", "B": "a*p", "C": "a"}, {"A,B": "C"}),
+        (LINE, {"A": "p**2/2 + a/q**2", "B": "q*p/2", "C": "q**2/2"}, {"A,B": "-A", "B,C": "-C", "A,C": "-2*B"}),
+        (THREE, SPHERE, TURNS),
+        ({**SPACE}, {"A": "exp(q)", "B": "p"}, {"A,B": "A"}),
+    ):
+        claim = {"kind": "algebra", "basis": basis, "structure": structure}
+        assert status(claim, "proved", SHOWN[0], tables) == "confirmed", basis
 
 
 def test_motions_that_there_are() -> None:

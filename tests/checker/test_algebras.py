@@ -119,7 +119,7 @@ def test_a_basis_may_depend_on_itself_for_one_value_of_a_parameter() -> None:
     data["tables"]["symbols"]["a"] = "nonnegative"
     answer = check(resealed(data))
     assert answer.status == "confirmed in part"
-    assert "independent for all values of a" in str(answer)
+    assert "independent for all values of the parameters" in str(answer)
 
 
 def test_another_name_is_rejected() -> None:

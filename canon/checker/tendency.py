@@ -78,7 +78,8 @@ def _tendencies(s: Statement, target: int, x: str) -> tuple[bool, bool]:
             falls = bounded and any(falls for falls, _ in known)
             out[a] = falls, bounded
         elif op[:2] == ("f", "exp"):
-            out[a] = (_falls(s, op[3][0], x),) * 2
+            falls = _falls(s, op[3][0], x)
+            out[a] = falls, falls
         else:
             out[a] = False, op[0] == "f" and op[1] in ("sin", "cos")
     return out[target]

@@ -44,10 +44,10 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
 
     Returns what is to be trusted.
     """
-    if wrong := {n for n in witness if n in ("pi", "1j") or n[0] == "#"}:
+    said = {op[1] for op in s.f.ops if op[0] == "s"} & witness.keys()
+    if wrong := {n for n in said if n in ("pi", "1j") or n[0] == "#"}:
         raise Rejected(f"a point says what {min(wrong)[:40]!r} is")
-    if any(isinstance(x, Mapping) and "complex" not in s.words.get(n, ()) and core.number(x["im"]) for n, x in
-           witness.items()):  # fmt: skip
+    if any(_exact(witness[n])[1] and "complex" not in s.words.get(n, ()) for n in said):
         raise Rejected("a name that is real has a complex value at the witness")
     enclosed = list[bool | None]()
     for case in cases:

@@ -25,8 +25,9 @@ def _bounds(s: Statement, x: str) -> tuple[Fraction | None, Fraction | None]:
         low.append(Fraction(0))
     for a, kind in s.conditions:
         names = {f.ops[b][1] for b in f.reach(a) if f.ops[b][0] == "s"}
-        slope, rest = f.value(f.slope(a, x)), f.value(f.substitute(a, {x: f.number(0)}))
-        if kind == "positive" and names == {x} and slope and rest is not None:
+        slope = f.value(f.slope(a, x)) if kind == "positive" and names == {x} else None
+        rest = f.value(f.substitute(a, {x: f.number(0)})) if slope else None  # a slope that is a number has no pole
+        if slope and rest is not None:
             (low if slope > 0 else high).append(-rest / slope)
     return max(low, default=None), min(high, default=None)
 
@@ -64,6 +65,7 @@ def is_positive_between(s: Statement, a: int) -> bool:
 
 def _is_positive_on(own: Intervals, f: Formulas, a: int, slope: int, x: str, piece: Any, middle: Any) -> bool:
     try:
+        own.values(f, [a], {x: piece})  # no jump is in it, which a slope wouldn't tell
         value = own.values(f, [a], {x: middle})[a] + own.values(f, [slope], {x: piece})[slope] * (piece - middle)
     except Open:
         return False

@@ -8,7 +8,7 @@ from math import factorial
 
 from canon.checker.case import Case, whole
 from canon.checker.everywhere import is_exact, is_somewhere
-from canon.checker.followed import FAILURES, at_random
+from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.poisson import brackets
 from canon.checker.positive import is_nowhere_zero
@@ -98,9 +98,17 @@ def new_hamiltonian(s: Statement) -> Case:
         zeros.append(f.add(f.slope(difference, u), f.sub(moved[0], f.mul(c, moved[1]))))
     labels = [*(bracket_labels(s) if s.direction != "implicit" else [f"b_{k}" for k in range(len(s.lagrange(s.new)))])]
     labels += [*(f"D(c, {u})" for u in (*s.coordinates, s.time)), *(f"residual_{u}" for u in s.coordinates)]
-    constant = s.direction == "implicit" or is_nowhere_zero(s, c) or _is_one_number(s, c)
+    constant = s.direction == "implicit" or is_nowhere_zero(s, c) or _is_one_number(s, c) or _is_one(s, K)
     trusted = "" if constant else "that the scale vanishes nowhere"
     return Case(zeros, [[hessian(s) if s.direction == "implicit" else c]], labels=labels, trusted=trusted)
+
+
+def _is_one(s: Statement, K: int) -> bool:
+    """Whether a scale is 1 as K is H: ∂(K − c H) is 0 then, and ∂H nowhere."""
+    f, H = s.f, s.pull(s.H)
+    still = all(f.ops[b] != ("s", s.time) for b in f.reach(*s.old, *s.new))
+    steep = any(is_nowhere_zero(s, f.slope(H, u)) for u in s.coordinates)
+    return still and steep and is_identity(at_random(s), f.sub(s.pull(K), H))
 
 
 def _is_one_number(s: Statement, c: int) -> bool:

@@ -36,10 +36,8 @@ from canon.checker.statement import Statement
 def is_so(
     s: Statement, x: str, square: Square, equals: int, period: int | None, *, rate: bool, exists: bool = True
 ) -> bool:
-    """Whether the action is what is claimed, or with `rate` the frequency: of a libration, or over a `period`.
-
-    That there is such an orbit is taken for granted, or not where it isn't known that it `exists`.
-    """
+    """Whether the action is what is claimed, or with `rate` the frequency: of a libration, or over a `period`; that
+    there is such an orbit is taken for granted, or not where it isn't known that it `exists`."""
     found = Rational(s)
     for chart in charts(s, found, x, [square.D, square.slope]):
         try:

@@ -3,7 +3,7 @@
 The claim's own formulas are real on its domain, by the meaning of the domain; a kernel, or a formula that the
 certificate adds, need not be: √(x + 1) as a kernel of a claim about every x would make x + 1 look like a square. So
 each of its roots, logarithms and inverse functions must be one of the claim's, or its argument be seen to lie where
-they are real.
+they are real. Nothing is concluded from a kernel before: with √x for one, |x| would be x, and x a part of any |x| + x.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from canon.checker.roots import Undecided, multiple
 from canon.checker.signs import Signs
 from canon.checker.terms import sign_of
 from canon.checker.tower import Element
+from canon.checker.values import Values
 
 ENTIRE = (
     "sin", "cos", "tan", "cot", "sec", "csc", "exp", "sinh", "cosh", "tanh", "coth", "atan", "asinh", "atan2", "abs",
@@ -29,9 +30,15 @@ FAILURES = (Undecided, Unknown, ZeroDivisionError, RecursionError, ValueError)
 def unreal(followed: Followed, own: Iterable[int], kernels: Mapping[str, int]) -> list[str]:
     """What has to be taken on trust of kernels, and of formulas that a certificate adds to a claim's own."""
     s, known = followed.s, Real(followed, own, kernels)
-    doubtful = {name: a for name, a in kernels.items() if not known.is_real(a)}
-    while found := {name for name, a in doubtful.items() if known.is_factor(name, a, doubtful)}:
-        doubtful = {name: a for name, a in doubtful.items() if name not in found}
+    doubtful, again = {**kernels}, True
+    while again:
+        again = False
+        for name, a in [*doubtful.items()]:
+            if known.names(a) & doubtful.keys() - {name}:
+                continue
+            if known.is_real(a) or known.is_factor(name, a, doubtful):
+                known.grant(name, doubtful.pop(name))
+                again = True
     left = [*doubtful.values(), *(a for a in s.added if not known.is_real(a))]
     return [f"that {s.f.text(a)[:80]} is real throughout the domain" for a in left]
 
@@ -41,7 +48,10 @@ class Real:
 
     def __init__(self, followed: Followed, own: Iterable[int], kernels: Mapping[str, int]) -> None:
         self.s = s = followed.s
-        self.f, self.values, self.atoms = s.f, followed.values, followed.atoms
+        self.f, self.atoms, self._tower = s.f, followed.atoms, followed.values.t
+        self._granted = dict[str, int]()
+        self._values: Values | None = None
+        self._plain: Values | None = None
         self.own = {*s.f.reach(*own, *(a for a, _ in s.conditions))}
         self.words = {**s.words, "pi": ["positive"]}
         plain = [s.f.ops[a] for a, kind in s.conditions if kind == "positive"]
@@ -50,6 +60,42 @@ class Real:
         self._known = [*arguments, *(a for a, kind in s.conditions if kind == "positive")]
         self._elements: list[Element] | None = None
         self.kernels, self._signs = kernels, Signs(s)
+
+    def names(self, meaning: int) -> set[str]:
+        """The names in a formula."""
+        return {self.f.ops[b][1] for b in self.f.reach(meaning) if self.f.ops[b][0] == "s"}
+
+    def grant(self, name: str, meaning: int) -> None:
+        """Take a kernel for real from now on."""
+        self._granted[name] = meaning
+        self._values = self._elements = None
+
+    @property
+    def values(self) -> Values:
+        """Values of formulas, those of kernels that are known to be real among them."""
+        if self._values is None:
+            self._values = Values(self.s, self._tower.prime, self._tower.rng, real=True)
+            for name, a in self._granted.items():
+                try:
+                    self._values.kernel(name, a)
+                except FAILURES:
+                    continue
+            left = self.kernels.keys() - self._granted.keys()
+            self._values.roots.claimed = {
+                a: x for a, x in self.atoms.items() if not any(core.names(p) & left for p in x)
+            }
+        return self._values
+
+    def _without_signs(self) -> Values:
+        """All kernels in a tower in which no root is known to be that of a number that isn't negative."""
+        if self._plain is None:
+            self._plain = Values(self.s, self._tower.prime, self._tower.rng, real=False)
+            for name, a in self.kernels.items():
+                try:
+                    self._plain.kernel(name, a)
+                except FAILURES:
+                    continue
+        return self._plain
 
     def is_real(self, meaning: int) -> bool:
         """Whether a formula is real throughout the domain, but where it has a pole."""
@@ -68,9 +114,10 @@ class Real:
         """Whether a kernel R^(1/n) is all that isn't known to be real in one of the claim's powers, n being even.
 
         With (g^k A/B)^n = S^m, which is nowhere negative where the claim's S^(m/n) is real, R^k = S^m (B/A)^n isn't
-        either, nor R for an odd k.
+        either, nor R for an odd k: A and B being 0 on no component.
         """
-        f, op, roots, t = self.f, self.f.ops[meaning], self.values.roots, self.values.t
+        f, op, plain = self.f, self.f.ops[meaning], self._without_signs()
+        roots, t = plain.roots, plain.t
         n = self.f.value(op[3][1]) if op[:2] == ("f", "power") else None
         if n is None or n.numerator != 1 or n.denominator % 2 or not self.is_real(op[3][0]):
             return False
@@ -82,8 +129,9 @@ class Real:
             if any(len(p) != 1 for p in powers) or (min(powers[0]) - min(powers[1])) % 2 == 0:
                 continue  # an odd power of g it has to be
             try:
-                radicand = t.power(self.values.value(f.ops[a][3][0]), m.numerator)
+                radicand = t.power(plain.value(f.ops[a][3][0]), m.numerator)
                 if t.power(roots.fraction((over, under)), n.denominator) == radicand:
+                    t.inverse(roots.fraction((over, core.ONE)))  # which there is none of where A is 0
                     return not core.names(under) & ({*doubtful} - {name})
             except FAILURES:
                 continue

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from canon.checker.check import Answer, check
+from canon.checker.limits import bounded
 from tests.checker.test_forged_calculus import of, status
 from tests.checker.test_forgeries import sealed
 
@@ -50,6 +51,10 @@ def bracket(tensor: list[list[str]], kind: str = "bracket") -> dict[str, Any]:
     return of({"kind": kind, **keys, "tensor": tensor, "coordinates": ["x", "y"]}, 1 if kind == "bracket" else 2)
 
 
+def equal(lhs: str, rhs: str, **tables: Any) -> dict[str, Any]:
+    return of({"kind": "identity", "lhs": lhs, "rhs": rhs}, 1, **tables)
+
+
 VOLUME, CARTAN = {"kind": "volume"}, {"kind": "cartan_invariant", "K": "0"}
 FALSE = {
     "a kink of first order in a parameter": near("1 + asin(1 - eps**2) - pi/2"),
@@ -67,6 +72,27 @@ FALSE = {
     "a tensor with a diagonal": bracket([["1", "1"], ["-1", "0"]]),
     "what commutes with no coordinates": of({"kind": "casimir", "f": "q"}, 0),
 }
+
+
+ROOTED = {"name": "g", "stands for": "sqrt(q)", "sign": "nonneg"}
+"""A kernel that is real for q > 0 alone."""
+
+
+def test_a_kernel_is_no_reason_for_itself() -> None:
+    """With √q for a kernel |q| would be q, so that √(q (|q| + q)²), which is real everywhere, would be 2 (√q)³."""
+    data = equal("sqrt(q**2) + sqrt(q*(abs(q) + q)**2)", "q + sqrt(q*(abs(q) + q)**2)")
+    atoms = {"((q**2)**(1/2))": [{"g^2": "1"}, {"": "1"}],
+             "((q*((abs(q)+q)**2))**(1/2))": [{"g^3": "2"}, {"": "1"}]}  # fmt: skip
+    shown = {**data["cases"][0], "kernels": [ROOTED], "atoms": atoms}
+    assert status(sealed({**data, "cases": [shown]})) != "confirmed"
+
+
+def test_a_jump_between_the_points_that_are_looked_at() -> None:
+    jump = {"kind": "inequality", "lhs": "0", "relation": "<", "rhs": "1/2 + sign(q - 1/100)*sign(q - 1/50)"}
+    data = of(jump, 0, domain={"where": ["0 < q", "q < 1"]})
+    assert status(data) != "confirmed"
+    smooth = {**jump, "rhs": "3/2 - q - sin(q)/3"}
+    assert status(of(smooth, 0, domain={"where": ["0 < q", "q < 1"]})) == "confirmed"
 
 
 @pytest.mark.parametrize("name", sorted(FALSE))
@@ -94,12 +120,17 @@ def test_what_is_true_is_confirmed(name: str) -> None:
     assert status(TRUE[name]) == "confirmed", name
 
 
+def test_a_minimum_up_to_a_name() -> None:
+    claim = {"kind": "stationary", "L": "v**2/2 - w**2*q**2/2", "velocities": ["v"], "path": ["0"], "from": "0"}
+    symbols = {"w": "positive"}
+    data = of({**claim, "to": "pi/w", "extremum": "minimum", "field": "sin(w*t)"}, 2, symbols=symbols)
+    assert status(data) == "confirmed"
+    data = of({**claim, "to": "2*pi/w", "extremum": "minimum", "field": "sin(w*t)"}, 2, symbols=symbols)
+    assert status(data) != "confirmed"
+
+
 def against(data: dict[str, Any], **witness: Any) -> Answer:
     return check(sealed({**data, "verdict": "refuted", "witness": witness, "cases": []}))
-
-
-def equal(lhs: str, rhs: str, **tables: Any) -> dict[str, Any]:
-    return of({"kind": "identity", "lhs": lhs, "rhs": rhs}, 1, **tables)
 
 
 def least(L: str, path: str, to: str, **keys: str) -> dict[str, Any]:
@@ -169,3 +200,12 @@ def test_what_would_take_for_ever_is_given_up(name: str) -> None:
 def test_values_without_an_end_are_given_up(name: str) -> None:
     data, witness = ENDLESS_AT[name]
     assert against(data, **witness).status != "confirmed"
+
+
+def test_the_checker_ends_in_time() -> None:
+    """By the processor's time; what it was about to do is given up, and the next one is answered."""
+    steps = {"a0": "q"} | {f"a{k + 1}": f"(a{k} + 1j)**9999" for k in range(300)}
+    data = equal("a300", "q", definitions=steps)
+    long = sealed({**data, "verdict": "refuted", "witness": {"q": "1/3"}, "cases": []})
+    assert bounded(long, seconds=0.3) == Answer("not confirmed", ("it takes longer than 0.3 seconds",))
+    assert bounded(TRUE["a series"]).status == "confirmed"

@@ -25,7 +25,7 @@ MONOTONE = {
 """Functions that are monotonic in each of their arguments, where these don't change their sign, and mpmath's names."""
 STEEPEST, FLAT = 10**6, ("power", "log", "abs", "sign", "atan", "atan2", "asinh")
 """The largest argument of a function that isn't one of the flat ones."""
-BOUNDED = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn"}
+BOUNDED = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn", "jacobi_epsilon": "epsilon"}
 """Jacobi's functions, for a parameter between 0 and 1."""
 
 
@@ -202,9 +202,20 @@ class Intervals:
         middles = [(mp.mpf(t.a) + mp.mpf(t.b)) / 2 for t in (u, m)]
         rest = 1 - mp.mpf(m.b)
         slope = (1 + max(abs(mp.mpf(u.a)), abs(mp.mpf(u.b))) / rest**1.5) / mp.sqrt(rest)
-        value = mp.ellipfun(name, middles[0], m=middles[1])
+        if name == "epsilon":  # the integral of dn², which is 1 at most, and by m changes by 1 + |∂ am/∂m| at most
+            value, farthest = self._epsilon(*middles), max(abs(mp.mpf(u.a)), abs(mp.mpf(u.b)))
+            slope = farthest * (1 + farthest / rest**1.5)
+        else:
+            value = mp.ellipfun(name, middles[0], m=middles[1])
         far = 2 * (self._width(u) + slope * self._width(m)) + self._spare(value)
         return self.iv.mpf([value - far, value + far])
+
+    def _epsilon(self, u: Any, m: Any) -> Any:
+        """Jacobi's ε is E(am(u), m), and grows by 2 E(m) over 2 K(m)."""
+        mp = self.mp
+        turns = mp.nint(u / (2 * mp.ellipk(m)))
+        u = u - 2 * turns * mp.ellipk(m)
+        return mp.ellipe(mp.atan2(mp.ellipfun("sn", u, m=m), mp.ellipfun("cn", u, m=m)), m) + 2 * turns * mp.ellipe(m)
 
     def _angle(self, y: Any, x: Any) -> Any:
         """atan2(y, x), off the cut."""

@@ -57,7 +57,6 @@ CLAIMS = {
 IN_PART = {
     ("transformations", "power-and-angle", 0): "almost all values",
     ("brackets", "micz-kepler-parabolic", 0): "reduction on the surface",
-    ("flows", "pendulum-time-energy", 2): "not in intervals",
     ("transformations", "oscillator-type-2", 0): "on a connected cell",
     ("course", "cross-sections", 1): "points where it was measured",
 }

@@ -191,3 +191,20 @@ def test_where_there_is_no_interval(text: str) -> None:
     own = Intervals(30)
     with pytest.raises(Open):
         own.values(s.f, [s.f.read(text, {})], {"x": own.number(core.Fraction(1, 3))})
+
+
+@pytest.mark.parametrize(("u", "m"), [("3/10", "1/2"), ("-2", "9/10"), ("11", "3/10"), ("5", "99/100")])
+def test_an_interval_of_jacobis_epsilon_holds_its_integral(u: str, m: str) -> None:
+    """At the corners of a rectangle of arguments, the integral of dn² by quadrature."""
+    own, mp, far = Intervals(30), Numbers(25).mp, core.Fraction(1, 10**4)
+    corners = [(core.Fraction(u) + j * far, core.Fraction(m) + k * far) for j in (0, 1) for k in (0, 1)]
+    s = Statement({"phase_space": {}, "claim": {}}, {}, "proved")
+    a = s.f.read("jacobi_epsilon(x, y)", {})
+    box = {name: own.iv.mpf([own.number(low).a, own.number(high).b])
+           for name, low, high in zip("xy", corners[0], corners[3], strict=True)}  # fmt: skip
+    held = own.values(s.f, [a], box)[a]
+    for x, y in corners:
+        end, parameter = (mp.mpf(z.numerator) / z.denominator for z in (x, y))
+        value = mp.quad(lambda w, k=parameter: mp.ellipfun("dn", w, m=k) ** 2, mp.linspace(0, end, 9))
+        assert held.a < value < held.b
+    assert held.b - held.a < 1e-1

@@ -196,7 +196,7 @@ def test_where_there_is_no_interval(text: str) -> None:
 @pytest.mark.parametrize(("u", "m"), [("3/10", "1/2"), ("-2", "9/10"), ("11", "3/10"), ("5", "99/100")])
 def test_an_interval_of_jacobis_epsilon_holds_its_integral(u: str, m: str) -> None:
     """At the corners of a rectangle of arguments, the integral of dn² by quadrature."""
-    own, mp, far = Intervals(30), Numbers(25).mp, core.Fraction(1, 10**4)
+    own, mp, far = Intervals(30), Numbers(25).mp, core.Fraction(1, 10**6)
     corners = [(core.Fraction(u) + j * far, core.Fraction(m) + k * far) for j in (0, 1) for k in (0, 1)]
     s = Statement({"phase_space": {}, "claim": {}}, {}, "proved")
     a = s.f.read("jacobi_epsilon(x, y)", {})

@@ -20,6 +20,7 @@ from canon.numeric.engines import Engine, Settled, settled
 from canon.numeric.integrate import Run, advance, start
 from canon.numeric.integrators.problem import State
 from canon.numeric.integrators.stepper import Method
+from canon.numeric.precision import UNIT
 from canon.numeric.progress import Progress, Trial
 from canon.numeric.run_difference import agreement, distance
 
@@ -149,7 +150,7 @@ class Search:
             if self.compensated or self.exact:
                 return Verdict(False, "rounding keeps it from going further")
             self.compensated = True
-        if whole and self.accuracy is None and self.error() <= 1e-15:
+        if whole and self.accuracy is None and estimated_error(self.trials, self.order, exact=self.exact) <= 1e-15:
             return Verdict(True)
         stop = self.too_long(self.wanted())
         return Verdict(False, stop) if stop else None
@@ -167,7 +168,7 @@ class Search:
 
         It is left before its end when somebody presses Ctrl-C, or the budget is used.
         """
-        run = self.current = self.current or self.task.begin(steps, self.compensated)
+        run = self.current = self.current or self.task.begin(steps, self.keeps(steps))
         try:
             self.warmed(run)
         except KeyboardInterrupt:
@@ -186,6 +187,15 @@ class Search:
             off = distance(run, before) if before else np.inf
         self.trials.append(Trial(run.total, off, spent.seconds))
         return run
+
+    def keeps(self, steps: int) -> bool | None:
+        """Whether a run of so many steps keeps what its additions round away; None where its length alone decides.
+
+        It does where a rounding a step, all of them the same way, would come to the accuracy: an estimate of the error
+        by the order of the method knows nothing of rounding.
+        """
+        fine = self.accuracy is not None and not self.exact and steps * UNIT > self.accuracy
+        return True if fine and self.compensated is None else self.compensated
 
     def warmed(self, run: Run) -> None:
         """Compile the program, where that is not done, and call it with what it is given at first and with what it
@@ -226,8 +236,10 @@ class Search:
         return self.deadline - self.reserve(0.0) if self.runs else self.deadline + self.budget
 
     def error(self) -> float:
-        """The estimated error of the last run."""
-        return estimated_error(self.trials, self.order, exact=self.exact)
+        """The estimated error of the last run, with a quarter of a rounding a step where these aren't kept."""
+        found = estimated_error(self.trials, self.order, exact=self.exact)
+        kept = self.exact or not self.runs or self.runs[-1].compensated
+        return found if kept else max(found, UNIT * self.runs[-1].total / 4)
 
     def stuck(self) -> bool:
         """Whether the differences have come down to rounding; an exact method's are never anything else."""

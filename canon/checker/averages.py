@@ -8,6 +8,7 @@ from itertools import combinations_with_replacement
 
 from canon.checker.calculus import by_antiderivative, moves
 from canon.checker.case import Case
+from canon.checker.followed import at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.positive import is_positive
 from canon.checker.shapes import is_smooth
@@ -22,6 +23,17 @@ def _is_linear(s: Statement) -> bool:
     second = [f.slope(f.slope(s.H, x), y) for x, y in combinations_with_replacement(z, 2)]
     names = {f.ops[b][1] for a in second for b in f.reach(a) if f.ops[b][0] == "s"}
     return names.isdisjoint((*z, s.time))
+
+
+def _has_no_walls(s: Statement, formulas: Sequence[int], rate: Callable[[int], int]) -> bool:
+    """Whether no motion leaves the domain: what it demands is conserved, and the formulas are smooth everywhere."""
+    moving = [*s.q, *s.p, s.time]
+    if any({*s.words.get(name, ())} - {"real"} for name in moving):
+        return False
+    walls = [rate(a) for a, _ in s.conditions if any(moves(s, a, name) for name in moving)]
+    if walls and not all(is_identity(at_random(s), a) for a in walls):
+        return False
+    return all(is_smooth(s, a, name) for a in formulas for name in moving)
 
 
 def average(s: Statement) -> Case:
@@ -44,10 +56,14 @@ def average(s: Statement) -> Case:
             against = against or ("" if _is_linear(s) else "that some of its motions go on for ever")
             return Case([f.sub(mean, equals)], granted=zeros, against=against)
         zeros = [rate(mean), rate(bound), f.sub(mean, equals)]
-        return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)])
+        stays = _has_no_walls(s, [value, G, bound, equals], rate)
+        trusted = "" if stays else "that there are motions that stay in the domain"
+        return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)], trusted=trusted)
     if "coordinate" in claim:
         raise Unknown("an average over an orbit")
     u = str(claim["parameter"])
+    if any(f.ops[b] == ("s", u) for b in f.reach(equals)):
+        raise Unreadable("an average over a stretch doesn't depend on what runs through it")
     s.declared |= {u}
     moved = {name: f.read(text, s.names) for name, text in claim["motion"].items()}
     if not moved.keys() <= {*s.q, *s.p, s.time}:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from canon.claims.along_a_range import Range, Unproved, holds, is_positive, range_of
 from canon.claims.average_orbit import over_orbits
-from canon.claims.eternal import goes_on_for_ever
+from canon.claims.eternal import goes_on_for_ever, leaves_by
 from canon.claims.integral import integral_is
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
@@ -98,6 +98,9 @@ def _virial(question: Question) -> Outcome:
             note = "it isn't shown that motions stay in the domain for ever, and the claim is about those that do"
             return outcome.with_status("undecided", note)
     parts = combined([constant, steady, outcome])
+    wall = leaves_by(question, H, region) if parts.status == "proved" else None
+    if wall is not None:
+        return parts.with_status("undecided", f"motions may all leave {wall.text}: the claim is about those that stay")
     steps = (*parts.arguments, {"theorem": RATE, "G": str(formulas[1]), "bound": str(formulas[2])})
     return replace(parts, arguments=steps if parts.status == "proved" else parts.arguments)
 
@@ -110,6 +113,8 @@ def _along(question: Question) -> Outcome:
     moving = {*space.old, space.t}
     ends = [question.key(word) for word in ("from", "to")]
     given = [("to", end) for end in ends if isinstance(end, Formula)]
+    if u in claimed.expr.free_symbols:
+        raise InputError(f"{u} runs through the stretch: its average doesn't depend on it", "key 'equals'")
     for word, formula in (("equals", claimed), *given, *(("motion", m) for m in motion.values())):
         for symbol in sorted(formula.expr.free_symbols & (moving - {u}), key=str):
             raise InputError(f"{symbol} moves: write it as a formula of {u}", f"key {word!r}")

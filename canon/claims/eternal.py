@@ -10,13 +10,17 @@ than time (Abraham and Marsden, Foundations of Mechanics, sections 2.1 and 3.7).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from canon.claims.along_a_range import is_positive
 from canon.claims.chart import required_of
 from canon.claims.outcome import Residual
 from canon.decide.derivative import derivative, poisson_bracket, substitute
-from canon.decide.region import Region
+from canon.decide.intervals import intervals_of
+from canon.decide.nowhere_zero import has_no_zero
+from canon.decide.region import Region, Requirement
+from canon.decide.regular_on_box import is_regular
 from canon.decide.tape import Node
 from canon.sign import declared
 
@@ -36,15 +40,46 @@ def goes_on_for_ever(question: Question, H: Node, region: Region) -> bool:
     moving = {x: tape.symbol_at(x) for x in (*q, *p, t)}
     if any(not declared(symbol).get("real") or declared(symbol).get("integer") for symbol in moving.values()):
         return False
-    walls = [r for r in region.requirements if any(tape.support(n) & {*moving} for n in r.nodes)]
-    walls += [r for x, symbol in moving.items() for r in required_of(tape, symbol, x)]
-    rates = [
-        Residual(r.text, tape.plus(poisson_bracket(tape, r.nodes[0], H, q, p), derivative(tape, r.nodes[0], t)))
-        for r in walls
-    ]
+    rates = [_rate(question, H, r) for r in _walls(question, region)]
     if rates and question.decide(rates, region).status != "proved":
         return False
     return _linear(question, H, (*q, *p), region) or _bounded_below(question, H, q, p, t, region)
+
+
+def leaves_by(question: Question, H: Node, region: Region) -> Requirement | None:
+    """A wall of the region that isn't shown to keep motions in; None where each does.
+
+    Motions don't pass a wall that is a constant of the motion, nor one at which H itself has no value. Where all
+    motions may leave, what is said of those that stay says nothing: with H = p none stays where q < 1.
+    """
+    tape = question.tape
+    own = Region.of(tape, replace(question.subject.domain, conditions=question.hamiltonian().conditions, surface=()))
+    walls = [
+        r
+        for r in _walls(question, region)
+        if r.kind not in ("positive", "nonzero", "slit") or not has_no_zero(tape, r.nodes[0], own, question.budget)
+    ]
+    for r in walls:
+        if r.kind == "regular" and is_regular(tape, r.nodes[0], intervals_of(tape, own), question.budget):
+            continue
+        if r.kind not in ("positive", "nonzero") or question.decide([_rate(question, H, r)], region).status != "proved":
+            return r
+    return None
+
+
+def _walls(question: Question, region: Region) -> list[Requirement]:
+    """What the region demands of what moves, and what is assumed of it."""
+    tape, space = question.tape, question.space
+    moving = {tape.symbol(x): x for x in (*space.old, space.t)}
+    walls = [r for r in region.requirements if any(tape.support(n) & {*moving} for n in r.nodes)]
+    return walls + [r for x, symbol in moving.items() for r in required_of(tape, symbol, x)]
+
+
+def _rate(question: Question, H: Node, r: Requirement) -> Residual:
+    """dg/dt along the motion, for a wall g."""
+    tape, space, (g, *_) = question.tape, question.space, r.nodes
+    q, p = question.nodes(space.q), question.nodes(space.p)
+    return Residual(r.text, tape.plus(poisson_bracket(tape, g, H, q, p), derivative(tape, g, tape.symbol(space.t))))
 
 
 def _linear(question: Question, H: Node, z: Sequence[Node], region: Region) -> bool:

@@ -59,6 +59,8 @@ UNREAL = {
         atoms={"((x+1)**(1/2))": [{"g1": "1"}, ONE], ROOTED: [{"x": "1", "": "1"}, ONE]}, phase_space=BARE),
 }  # fmt: skip
 MEANT = {
+    "an average that depends on its parameter": of({"kind": "average", "f": "x", "equals": "u/2", "parameter": "u",
+        "from": "0", "to": "1", "motion": {"x": "u", "p": "0", "t": "u"}, "antiderivative": "u**2/2"}, 2),
     "an action where a positive name is fixed at −1": of({"kind": "action", "coordinate": "x", "energy": "E",
         "equals": "2*pi*E", "fixed": {"k": "-1"}}, 0, symbols={"k": "positive"},
         hamiltonian={"H": "p**2/2 + (sqrt(k**2) - k + 1)*x**2/2"}),
@@ -158,6 +160,8 @@ TRUE = {
 
 
 THROUGH_POLES = {
+    "motions that all leave": of({"kind": "average", "f": "1", "equals": "0", "virial": "x", "bound": "1"}, 3,
+        hamiltonian={"H": "p"}, domain={"where": ["-1 < x", "x < 1"]}),
     "a path": of({"kind": "stationary", "L": "v**2/2 + x**4/2", "velocities": ["v"], "path": ["1/t"], "from": "-1",
         "to": "1"}),
     "a motion": of({"kind": "average", "f": "1", "equals": "1", "parameter": "u", "from": "-1", "to": "1",

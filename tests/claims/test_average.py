@@ -228,3 +228,31 @@ def test_a_bound_with_a_pole_where_a_wave_is_0_is_an_answer(ask):
     claim = _virial("1/(2 + cos(t))", "1/sqrt(3)", G, "10")
     (verdict,) = ask(claim, hamiltonian='H = "p**2/2 + q**2/2"')
     assert verdict.status in ("proved", "undecided")
+
+
+CENTRIFUGAL = {"symbols": 'q = "positive"\nl = "positive"', "hamiltonian": 'H = "p**2/2 + l**2/(2*q**2) + q**2/2"'}
+
+
+@pytest.mark.parametrize(
+    ("sections", "f", "equals", "G", "bound", "expected"),
+    [
+        ({"hamiltonian": 'H = "p"', "domain": 'where = ["-1 < q", "q < 1"]'}, "1", "0", "q", "1", "undecided"),
+        ({"hamiltonian": 'H = "p"', "symbols": 'q = "positive"', "domain": 'where = ["q < 1"]'}, "1", "0", "q", "1",
+         "undecided"),
+        ({"hamiltonian": 'H = "p**2/2 + q**2/2"', "domain": 'where = ["p > 0"]'}, "p", "0", "q", "sqrt(p**2 + q**2)",
+         "undecided"),
+        ({"hamiltonian": 'H = "p**2/2 + q**2/2"', "domain": 'where = ["p**2 + q**2 > 1"]'}, "p", "0", "q",
+         "sqrt(p**2 + q**2)", "proved"),
+        (CENTRIFUGAL, "p**2 + l**2/q**2", "p**2/2 + l**2/(2*q**2) + q**2/2", "q*p/2",
+         "(p**2/2 + l**2/(2*q**2) + q**2/2)/2", "proved"),  # the centre, where H has a pole, is not reached
+    ],
+)  # fmt: skip
+def test_an_average_of_no_motion_at_all(status, sections, f, equals, G, bound, expected):
+    assert status(_virial(f, equals, G, bound), **sections) == expected
+
+
+@pytest.mark.parametrize("u", ["u", "t"])
+def test_an_average_does_not_depend_on_its_parameter(ask, u):
+    claim = f'kind = "average"\nf = "1"\nequals = "{u}"\nparameter = "{u}"\nfrom = "0"\nto = "1"\n'
+    with pytest.raises(InputError, match="runs through"):
+        ask(claim + f'motion = {{t = "{u}"}}' if u == "u" else claim + 'motion = {q = "t"}')

@@ -66,7 +66,9 @@ def _regular_near(s: Statement, functions: Sequence[int], of: Mapping[str, Any],
     own, rng, rows = Intervals(100), random.Random(3), list[Any]()
     written = [*domain_of(s), *(s.pull(image) for image in s.images.values()), *(a for a, _ in s.conditions)]
     for _ in range(6 * len(functions)):
-        near = {n: x if isinstance(x, str) else Fraction(str(own.mp.nstr(x, 20))) for n, x in of.items()}
+        near: dict[str, Any] = {}
+        for n, x in of.items():
+            near[n] = x if isinstance(x, str) else Fraction(str(own.mp.nstr(x, 20)))
         for name in sorted(moving & near.keys()):
             near[name] = near[name] * (1 + Fraction(rng.randint(-99, 99), 600)) + Fraction(rng.randint(-99, 99), 900)
         point = {n: x if isinstance(x, str) else own.number(x) for n, x in near.items()}
@@ -179,12 +181,12 @@ def _is_inside(s: Statement, point: Mapping[str, int]) -> bool:
     f = s.f
     for a in domain_of(s):
         for b in f.reach(f.substitute(a, point)):
-            op = f.ops[b]
+            op: tuple[Any, ...] = f.ops[b]
             if op[0] == "f" and op[1] in ("power", "log") and not is_positive(s, op[3][0], strict=True, real=True):
                 return False
             if op[0] == "f" and op[1] not in ("power", "log", "sin", "cos", "exp"):
                 return False
-            if op[0] == "^" and op[2] < 0 and not is_nowhere_zero(s, op[1]):
+            if op[0] == "^" and op[2] < 0 and not is_nowhere_zero(s, f.parts(b)[0]):
                 return False
     for name, a in point.items():
         for word in {*s.words.get(name, ())} - {"real"}:

@@ -22,7 +22,11 @@ from canon.checker.functions import Unknown, Unreadable
 from canon.checker.motion import Motion, formulas
 from canon.checker.positive import is_nowhere_zero
 from canon.checker.shapes import SMOOTH, is_rational
+from canon.checker.stated import MAPPED, SQUARE
 from canon.checker.statement import Statement
+
+FEW = 3
+"""Of so many degrees of freedom a determinant is written down."""
 
 
 def obligations(s: Statement) -> list[Case]:
@@ -31,7 +35,19 @@ def obligations(s: Statement) -> list[Case]:
     if kind not in KINDS:
         raise Unknown(f"claims of kind {kind[:40]!r} are not known to the checker")
     found = KINDS[kind](s)
-    return found if isinstance(found, list) else [found]
+    found = found if isinstance(found, list) else [found]
+    if s.verdict == "proved" and kind not in (*MAPPED, *SQUARE):
+        found[0].nonzeros += _regular(s)
+    return found
+
+
+def _regular(s: Statement) -> list[list[int]]:
+    """What mustn't vanish everywhere for old variables that are given by others to be variables at all."""
+    if s.direction == "implicit":
+        return [[mechanics.hessian(s)]]
+    if s.direction == "backward" and len(s.q) <= FEW:
+        return [[s.pfaffian(s.lagrange(s.old), range(len(s.coordinates)))]]
+    return []
 
 
 def euler_lagrange(s: Statement) -> Case:

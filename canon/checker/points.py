@@ -194,8 +194,10 @@ def inside(s: Statement, case: Case, numbers: Numbers, of: dict[str, Any]) -> bo
         for name, image in case.images.items():
             of[name] = numbers.values(f, [image], of)[image]
         written = [*domain_of(s), *(s.pull(image) for image in s.images.values())]
-        found = numbers.values(f, [*written, *(a for a, _ in s.conditions)], of)
+        found = numbers.values(f, [*written, *(a for a, _ in s.conditions), *case.somewhere], of)
     except Outside:
+        return False
+    if not all(numbers.mp.re(found[a]) > 0 for a in case.somewhere):
         return False
     signs = ((numbers.mp.re(found[a]), kind) for a, kind in s.conditions)
     everything = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}

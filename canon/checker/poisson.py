@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations, combinations_with_replacement
 
 from canon.checker.case import Case
 from canon.checker.followed import at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
+from canon.checker.stated import texts
 from canon.checker.statement import Statement
 
 
@@ -27,7 +28,9 @@ def bracketed(s: Statement, structure: Mapping[str, str]) -> tuple[Callable[[int
         entries = {(i, j): f.read(claim["tensor"][i][j], s.names) for i, j in combinations(range(len(x)), 2)}
     else:
         entries = {(x.index(a), x.index(b)): f.read(text, s.names) for (a, b), text in pairs.items()}
+        _check_linear(s, entries.values(), x)
     s.written += entries.values()
+    _check_variables(s, x)
 
     def bracket(a: int, b: int) -> int:
         d, mul = f.slope, f.mul
@@ -35,6 +38,25 @@ def bracketed(s: Statement, structure: Mapping[str, str]) -> tuple[Callable[[int
                        for (i, j), T in entries.items()))  # fmt: skip
 
     return bracket, x
+
+
+def _check_linear(s: Statement, constants: Iterable[int], x: Sequence[str]) -> None:
+    """Refuse structure constants that are no combinations of the basis. Raises Unreadable."""
+    f, zero = s.f, {name: s.f.number(0) for name in x}
+    for a in constants:
+        slopes = [f.slope(a, name) for name in x]
+        if f.value(f.substitute(a, zero)) != 0 or any(f.ops[b] in [("s", n) for n in x] for b in f.reach(*slopes)):
+            raise Unreadable(f"{f.text(a)[:40]!r} is no combination of the basis")
+
+
+def _check_variables(s: Statement, x: Sequence[str]) -> None:
+    """Refuse formulas of other variables than those that the bracket is one of. Raises Unreadable."""
+    closed, kind = {*s.q, *s.p, *s.Q, *s.P} - {*x}, dict.get(s.claim, "kind")
+    keys = ("f", "g", "h", "functions", "tensor", "basis", *(["structure", "equals"] if kind == "bracket" else []))
+    for text in texts([dict.get(s.claim, key) for key in keys]):
+        s.without(s.f.read(text, s.names), closed)
+    if kind == "conserved":
+        s.without(s.H, closed)
 
 
 def _check_antisymmetric(s: Statement, tensor: Sequence[Sequence[str]]) -> None:

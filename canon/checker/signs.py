@@ -37,6 +37,8 @@ from canon.checker.terms import sign_of
 
 DEPTH, LONGEST = 5, 400_000
 """Steps one inside the other, and products of terms for one formula."""
+REAL = ("sin", "cos", "exp", "sinh", "cosh", "tanh", "atan", "asinh", "abs")
+"""Functions that are real for all real arguments, in a file with complex numbers, too."""
 Pair = tuple[Polynomial, Polynomial]
 ONE = core.ONE
 
@@ -118,6 +120,8 @@ class Signs:
 
     def _function(self, a: int, x: Sequence[Pair]) -> Pair:
         f, op, mark = self.f, self.f.ops[a], f"#{a}"
+        if f.is_complex and op[1] not in (*REAL, *f.functions):
+            raise Undetermined  # a root may be imaginary there
         if op[1] == "power" and (r := f.value(op[3][1])) is not None and abs(r.numerator) < 20:
             over, under = x[0]
             mark, n, below = f"#root {op[3][0]} {r.denominator}", r.denominator, ONE

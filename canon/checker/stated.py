@@ -46,7 +46,7 @@ SQUARE = (
 """Kinds of claims about a map, the latter about one with as many new pairs as old ones."""
 
 
-def own_names(claim: Mapping[str, Any]) -> set[str]:
+def own_names(claim: dict[str, Any]) -> set[str]:
     """The names that a claim has for something of its own."""
     held = [dict.get(claim, key, []) for key in NAMING]  # which doesn't say that the keys were read
     return {str(name) for value in held for name in (value if isinstance(value, list) else [value])}
@@ -109,7 +109,7 @@ def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
         raise Unreadable("a generating function needs an explicit map beside it")
     if kind in SQUARE and len(s.Q) != len(s.q):
         raise Unreadable("as many new variables as old ones are needed")
-    own = {str(n) for key in NAMING for n in _texts(claim.get(key))}
+    own = {str(n) for key in NAMING for n in texts(claim.get(key))}
     for key, value in claim.items():
         side = SIDES.get(key, "old")
         if key in HOLD_NO_FORMULA or (kind in BOTH and side == "old"):
@@ -119,10 +119,10 @@ def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
         rest = _of_the_rest(s, claim.get("type")) if side == "mixed" else set[str]()
         refused = {"old": new, "new": old, "mixed": rest, "parameters": old | new | {s.time}}[side]
         places.append((value, old | new, refused - own))
-    if kind in BOTH and any(new & _in_brackets(s, text) for text in _texts(dict(claim))):
+    if kind in BOTH and any(new & _in_brackets(s, text) for text in texts(dict(claim))):
         raise Unreadable("a bracket in the old variables beside new ones")
     for value, variables, refused in places:
-        for text in _texts(value):
+        for text in texts(value):
             if wrong := _names(s, text) & refused:
                 raise Unreadable(f"{min(wrong)[:40]!r} is out of place in {text[:60]!r}")
             if refused == old and variables and "bracket" in _called(s, text):
@@ -138,12 +138,13 @@ def _of_the_rest(s: Statement, types: Any) -> set[str]:
     return found
 
 
-def _texts(value: Any) -> Iterator[str]:
+def texts(value: Any) -> Iterator[str]:
+    """The texts in lists and tables."""
     if isinstance(value, str):
         yield value
     items = value.values() if isinstance(value, Mapping) else value if isinstance(value, list) else ()
     for item in items:
-        yield from _texts(item)
+        yield from texts(item)
 
 
 def _nodes(s: Statement, text: str) -> list[Any]:

@@ -139,11 +139,19 @@ def orbit(kind: str, tables: dict[str, Any], equals: str) -> tuple[dict[str, Any
 
 
 LINE: dict[str, Any] = {**SPACE, "symbols": {"a": "real"}}
+BACKWARD = {**MAPPED, "hamiltonian": {"H": "p**3/3"}, "transformation": {"q": ["0"], "p": ["0"]}}
+FLAT = {**MAPPED, "generating_function": {"type": 1, "F": "0"}}
+COMPLEX = {**MAPPED, "symbols": {"a": "real"}, "transformation": {"Q": ["(a + 1)*q + 1j - 1j"], "P": ["p"]}}
 MEANT: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "a basis that is none for a = 0": of("algebra", LINE, basis={"A": "q", "B": "a*p", "C": "a"},
         structure={"A,B": "C"}),
     "an algebra that is 0 for a = 0": of("algebra", {**THREE, "symbols": {"g": "real"}}, structure=TURNS,
         basis={name: f"g*({text})/g" for name, text in SPHERE.items()} | {"A": "g**2*(y*c - z*b)"}),
+    "a conserved quantity at one point": of("conserved", BACKWARD, f="q"),
+    "a bracket where a map is none": of("bracket", FLAT, f="q", g="p**2", equals="0"),
+    "a root that may be imaginary": of("canonical", COMPLEX, scale="sqrt(a)*sqrt(a) + 1"),
+    "a bracket of what it isn't one of": of("casimir", f="q", tensor=[["0", "1"], ["-1", "0"]], coordinates=["A", "B"]),
+    "constants that aren't": of("bracket", f="A", g="B", equals="A**2", structure={"A,B": "A**2"}),
     "an integral to i": of("integral", f="1", variable="x", to="1j", equals="1j", antiderivative="x", **{"from": "0"}),
     "an integral that is 0 on a half": of("constraint", forms=["v"], velocities=["v"], integrals=["abs(q) + q"]),
     "an integral of velocities": of("constraint", forms=["v"], velocities=["v"], integrals=["q*v"]),

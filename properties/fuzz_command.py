@@ -14,6 +14,7 @@ import io
 import json
 import os
 import random
+import shutil
 import sys
 import tempfile
 import time
@@ -195,6 +196,7 @@ def main() -> int:
         folder_again = place / "catalogue.toml"
         folder_again.write_text(CLAIMS)
         verify_command._catalogue = lambda: [ClaimFile("catalogue.toml", folder_again)]  # type: ignore[assignment]
+        shutil.rmtree(place / "cache", ignore_errors=True)
         answered(["verify"])
         (kept,) = (place / "cache").rglob("*.json")
         for _ in range(asked.memories):

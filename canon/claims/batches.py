@@ -7,7 +7,7 @@ lost worker had is asked again, item by item; an item whose worker is lost again
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Executor, Future, wait
 from typing import Any, Final, TypeVar
 
 AHEAD: Final = 64
@@ -47,7 +47,7 @@ def answers(
                 return
             for future in wait(out, return_when=FIRST_COMPLETED).done:
                 work = out.pop(future)
-                error = future.exception()
+                error = CancelledError("it was called off") if future.cancelled() else future.exception()
                 if error is None:
                     yield from zip((number for number, _ in work), future.result(), strict=True)
                     continue

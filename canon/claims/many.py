@@ -26,6 +26,9 @@ from canon.verdict import Verdict
 BATCH: Final = 16
 """Claims that travel together: a message costs about as much as a small claim."""
 
+LOST: Final = "stopped: its worker was lost twice"
+"""How it is said of a claim that nobody was there to answer it: another run may."""
+
 Answer = Verdict | InputError
 
 
@@ -104,4 +107,4 @@ def decided_here(claim: Claim, settings: Settings, certificates: bool) -> Answer
 
 def _lost(given: Claim | Sent, error: BaseException) -> Verdict:
     claim = given.claim if isinstance(given, Sent) else given
-    return without_verdict(claim, f"stopped: its worker was lost twice ({type(error).__name__}: {error})"[:300], 0.0)
+    return without_verdict(claim, f"{LOST} ({type(error).__name__}: {error})"[:300], 0.0)

@@ -5,8 +5,10 @@ Files are opened here, since a worker may not see the same folders; what is in t
 
 from __future__ import annotations
 
+import logging
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor, Future
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -47,7 +49,7 @@ def readings_of(address: str, paths: Sequence[Path]) -> list[tuple[list[Any], li
 
     sent: list[int] = []
     with _client(address) as client:
-        for place, read in read_many(texts(), client.get_executor()):
+        for place, read in read_many(texts(), Reaching(client)):
             found[sent[place]] = read
     return [(read.claims, read.problems, digest) for read, digest in zip(found, digests, strict=True)]
 
@@ -67,7 +69,7 @@ def answers_of(address: str, entries: Sequence[Entry], settings: Settings) -> It
     with _client(address) as client:
         found = verify_many(
             given,
-            executor=client.get_executor(),
+            executor=Reaching(client),
             budget=settings.budget,
             seed=settings.seed,
             method=settings.method,
@@ -83,6 +85,20 @@ def answers_of(address: str, entries: Sequence[Entry], settings: Settings) -> It
                 yield position, {"claim": claim_record(entry, claims[position], answer)}
 
 
+class Reaching(Executor):
+    """The executor of a client of Dask's that takes nothing once its scheduler is gone: what it took then would never
+    be answered."""
+
+    def __init__(self, client: Any) -> None:
+        self.client, self.inner = client, client.get_executor()
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        """Send a call to the cluster. **Raises:** `RuntimeError` where there is none any more."""
+        if self.client.status not in ("running", "connecting"):
+            raise RuntimeError("the scheduler of the cluster is gone")
+        return self.inner.submit(fn, *args, **kwargs)
+
+
 def _client(address: str) -> Any:
     try:
         from distributed import Client  # pyright: ignore[reportMissingImports]
@@ -90,6 +106,7 @@ def _client(address: str) -> Any:
         raise InputError("clusters need Dask: pip install 'canon-mechanics[cluster]'", "--cluster") from None
     if not _ADDRESS.fullmatch(address):
         raise InputError(f"an address of a scheduler is one like tcp://host:8786, not {address[:100]!r}", "--cluster")
+    logging.getLogger("concurrent.futures").disabled = True  # it tells of calls that a closed client can't take back
     try:
         return Client(address, timeout=SECONDS, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:

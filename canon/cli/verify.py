@@ -170,8 +170,11 @@ def execute(arguments: argparse.Namespace) -> int:
 
 def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Record) -> None:
     from canon.claims.journal import write
+    from canon.claims.many import LOST
 
-    write(diary, entries[position], answer)
+    note = answer["claim"]["detail"].get("note") if "claim" in answer else None
+    if not (isinstance(note, str) and note.startswith(LOST)):  # nobody has answered: another run asks again
+        write(diary, entries[position], answer)
 
 
 def _refuse(error: InputError) -> int:

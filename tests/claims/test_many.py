@@ -15,6 +15,7 @@ from canon.claim import Claim
 from canon.claims import apart, many
 from canon.claims.apart import decided_apart
 from canon.claims.batches import AHEAD
+from canon.claims.many import LOST
 from canon.claims.read_many import _sent, read_many
 from canon.claims.reader import read_text
 from canon.claims.worker import Settings
@@ -208,3 +209,28 @@ def test_a_file_that_takes_its_readers_along_is_at_fault() -> None:
     assert [len(found[k].claims) for k in range(3)] == [1, 0, 2]
     (fault,) = found[1].problems
     assert fault["message"] == "not read: its worker was lost twice (BrokenExecutor: its machine is gone)"
+
+
+def test_what_an_executor_calls_off_is_asked_again() -> None:
+    """As Dask's does with all that is out where its scheduler is gone; it takes nothing more then."""
+    from canon.cli.cluster import Reaching
+
+    class Client:
+        status = "running"
+
+        def get_executor(self) -> Executor:
+            return CallingOff()
+
+    class CallingOff(Here):
+        def submit(self, fn, /, *args, **kwargs):
+            client.status = "closed"
+            future: Future = Future()
+            future.cancel()
+            future.set_running_or_notify_cancel()
+            return future
+
+    client = Client()
+    found = dict(verify_many(CLAIMS, executor=Reaching(client), apart=False, batch=100))
+    assert len(found) == len(CLAIMS)
+    notes = {answer.detail["note"] for answer in found.values() if isinstance(answer, Verdict)}
+    assert notes == {f"{LOST} (RuntimeError: the scheduler of the cluster is gone)"}

@@ -14,7 +14,7 @@ from canon.checker.poisson import brackets
 from canon.checker.positive import is_nowhere_zero
 from canon.checker.regular import is_regular
 from canon.checker.roots import multiple
-from canon.checker.shapes import is_rational, is_smooth_there
+from canon.checker.shapes import is_rational, is_smooth, is_smooth_there
 from canon.checker.statement import Statement
 
 
@@ -233,7 +233,9 @@ def lie_series(s: Statement) -> Case:
         sure = not bound and is_regular(s, [s.pull(given)], {name: f.number(0)}, own=True)
         trusted = "" if sure else f"that {name} may be 0, and the series is analytic there"
         flow = f.sub(f.slope(given, name), f.bracket(given, G, f.pairs))
-        return Case([s.pull(f.sub(start, x)), s.pull(flow)], trusted=trusted)
+        smooth = is_smooth(s, s.pull(given), name) and not any(f.ops[b][1] in f.functions for b in f.reach(given))
+        against = "" if smooth else "that the point speaks of the germ, as the series may not be analytic up to it"
+        return Case([s.pull(f.sub(start, x)), s.pull(flow)], trusted=trusted, against=against)
     _analytic(s, [given], {name: f.number(0)})
     zeros = []
     for k, c in enumerate(taylor(s, given, name, range(order + 1))):

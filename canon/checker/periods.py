@@ -38,8 +38,7 @@ def is_so(
 ) -> bool:
     """Whether the action is what is claimed, or with `rate` the frequency: of a libration, or over a `period`; that
     there is such an orbit is taken for granted, or not where it isn't known that it `exists`."""
-    found = Rational(s)
-    for chart in charts(s, found, x, [square.D, square.slope]):
+    for chart in charts(s, found := Rational(s), x, [square.D, square.slope]):
         try:
             if _Integral(s, found, chart, x, square, rate=rate, exists=exists).is_so(equals, period):
                 return True

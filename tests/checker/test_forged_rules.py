@@ -145,6 +145,7 @@ REFUTED = {
     "i is 2": (equal("1j**2", "-1"), {"q": "1", "1j": "2"}),
     "a coordinate is i": (equal("sqrt(q**4) + 1j", "q**2 + 1j"), {"q": {"re": "0", "im": "1"}}),
     "a pole of a surface": (equal("q", "2", domain=POLE), {"q": f"{10**30 + 1}/{10**30}"}),
+    "a germ, far from its place": (series("q + s + sqrt((s - 1)**2) + s - 1"), {"s": "3"}),
     "a time beyond the ends": (least(KINKED, "t", "1"), {"t": "3"}),
     "a time beyond the ends, of a minimum": (least(KINKED, "t", "1", extremum="minimum"), {"t": "3"}),
 }
@@ -153,7 +154,7 @@ REFUTED = {
 @pytest.mark.parametrize("name", sorted(REFUTED))
 def test_no_refutation_of_what_is_true(name: str) -> None:
     data, witness = REFUTED[name]
-    assert not against(data, **witness).status.startswith("confirmed"), name
+    assert against(data, **witness).status != "confirmed", name
 
 
 def test_no_refutation_of_a_second_variation_with_a_jump() -> None:
@@ -175,6 +176,7 @@ def test_what_is_false_is_refuted() -> None:
         against(equal("q", "3", domain={"on": ["q**2 - 2"]}), q="1.414213562373095048801688724").status == "confirmed"
     )
     assert against(least("v**2/2 + q*t", "t", "1"), t="1/2").status == "confirmed"
+    assert against(series("q + 2*s"), s="3").status == "confirmed"
 
 
 TEN = {"phase_space": {"q": [f"q{k}" for k in range(10)], "p": [f"p{k}" for k in range(10)]}}

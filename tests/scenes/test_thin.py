@@ -202,3 +202,26 @@ def test_the_error_that_is_told_has_the_rounding_of_all_steps() -> None:
         assert off < float(accuracy)
         assert result.planned.error is not None
         assert off < 3 * result.planned.error
+
+
+def test_a_method_that_does_not_fit_says_which_does() -> None:
+    """No class of ours is named to who writes a scene."""
+    rod = """
+[[body]]
+mass = 1.0
+position = [0.6, -0.8]
+[[effect]]
+kind = "rod"
+length = 1.0
+[run]
+duration = 1.0
+integrator = """
+    for text, says in (
+        (scene("p**2/2 - cos(q)", more='integrator = "boris"'), "yoshida6, or gauss6"),
+        (scene("p**2/2 - cos(q)", more='integrator = "rattle"'), "this one has none"),
+        (rod + '"yoshida6"', "rattle_6"),
+        (rod + '"rk4"', "rattle_6"),
+    ):
+        with pytest.raises(InputError, match=says) as found:
+            simulate(read_scene_text(text))
+        assert "class" not in found.value.message

@@ -18,6 +18,11 @@ from canon.numeric.integrators.problem import Field, State
 from canon.numeric.integrators.traits import Traits
 from canon.numeric.rotations import cross
 
+NO_CHARGE: Final = (
+    "takes a charge in fields that are functions, a Charge in Python, and no Hamiltonian: scenes are run without it; "
+    "yoshida6, or gauss6 where H cannot be split, take a charge's Hamiltonian"
+)
+
 
 @dataclass(frozen=True)
 class Charge:
@@ -58,7 +63,7 @@ def _turned(u: Any, angle: Any) -> Any:
 
 def _boris(problem: Any) -> StepMap:
     if not isinstance(problem, Charge):
-        raise InputError(f"boris takes a charge in fields, not {type(problem)}")
+        raise InputError(f"boris {NO_CHARGE}")
     c = problem.c
 
     def step(state: State, t: Any, h: Any) -> State:
@@ -75,7 +80,7 @@ def _boris(problem: Any) -> StepMap:
 
 def _exact_push(problem: Any) -> StepMap:
     if not isinstance(problem, Charge):
-        raise InputError(f"the exact push takes a charge in fields, not {type(problem)}")
+        raise InputError(f"the exact push {NO_CHARGE}")
 
     def step(state: State, t: Any, h: Any) -> State:
         from canon.numeric.exact.relativistic_charge import relativistic_charge

@@ -17,7 +17,10 @@ def as_field(problem: Any, name: str) -> Field:
     if isinstance(problem, Field):
         return problem
     if not isinstance(problem, Splitting):
-        raise InputError(f"{name} takes a vector field, or a problem that is split into parts, not {type(problem)}")
+        raise InputError(
+            f"{name} takes a vector field, or a problem that is split into parts; this is neither. Constraints are for "
+            f"rattle_6"
+        )
     rates = [_shear_rate(part) if isinstance(part, Shear) else _flow_rate(part) for part in problem.parts]
 
     def rate(state: State, t: Any) -> State:

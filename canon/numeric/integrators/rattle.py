@@ -154,7 +154,7 @@ def dragged(problem: Held, drag: Drag) -> StepMap:
 
 def _build(problem: Any) -> StepMap:
     if not isinstance(problem, Held):
-        raise InputError(f"rattle takes a system with holonomic constraints, not {type(problem)}")
+        raise InputError("rattle takes a system with holonomic constraints; this one has none")
     step = _step(problem) if isinstance(problem, Constrained) else _general_step(problem)
     if problem.drag is None:
         return step

@@ -52,7 +52,10 @@ class SplittingMethod:
     def stepper(self, problem: Any, *, compensated: bool = False) -> Stepper:
         """The method set up for a `Splitting`; `compensated` keeps what the additions of shears round away."""
         if not isinstance(problem, Splitting):
-            raise InputError(f"{self.name} takes a problem that is split into solvable parts, not {type(problem)}")
+            raise InputError(
+                f"{self.name} takes a problem that is split into solvable parts, and this one is not: gauss6 takes it "
+                f"whole, or rattle_6 where there are constraints"
+            )
         if self.needs == "nystrom" and not problem.nystrom:
             raise InputError(
                 f"{self.name} is for H = T(p) + V(q, t) with T quadratic: choose a method for any splitting"

@@ -46,7 +46,7 @@ KEYS: dict[str, dict[str, str]] = {
     "noether": {**_MOTION, "dq": "each", "dt": "text", "f": "text", "charge": "text"},
     "hamilton_jacobi": {"S": "text", "W": "text", "constants": "names", "energy": "text"},
     "solves": {"solution": "values", "equations": "texts"}, "action_angle": {"angle_period": "text"},
-    "action": _ACTION, "frequency": _ACTION, "normal_form": {"order": "whole", "N": "values"},
+    "action": _ACTION, "frequency": _ACTION, "normal_form": {"order": "whole", "N": "degrees"},
     "algebra": {"basis": "values", **_NAMED, "tensor": "matrix", "coordinates": "names"},
     "matrix_algebra": {"basis": "matrices", **_NAMED},
     "group": {"composition": "texts", "first": "names", "second": "names", "matrix": "matrix", "inverse": "matrix",
@@ -243,6 +243,11 @@ def _are_dimensions(value: Any) -> bool:
     return isinstance(value, Mapping) and all(_is_text(row) or _are_texts(row) for row in value.values())
 
 
+def _are_degrees(value: Any) -> bool:
+    """A table degree = formula, the degrees in plain digits."""
+    return _is_table_of(value, _is_text) and all(key.isascii() and key.isdecimal() for key in value)
+
+
 FORMS: dict[str, Callable[[Any], bool]] = {
     "any": lambda x: True, "label": lambda x: isinstance(x, str), "text": _is_text, "texts": _are_texts,
     "each": lambda x: _is_text(x) or _are_texts(x), "name": _is_name, "names": _are_names, "whole": _is_whole,
@@ -250,5 +255,5 @@ FORMS: dict[str, Callable[[Any], bool]] = {
     "values": lambda x: _is_table_of(x, _is_text), "matrices": lambda x: _is_table_of(x, _is_matrix),
     "solutions": lambda x: _is_list_of(x, lambda row: _is_table_of(row, _is_text)), "brackets": _are_pairs,
     "combinations": _are_pairs, "branch": lambda x: x in ("libration", "rotation"), "side": lambda x: x in ("+", "-"),
-    "fields": _are_fields, "dimensions": _are_dimensions,
+    "fields": _are_fields, "degrees": _are_degrees, "dimensions": _are_dimensions,
 }  # fmt: skip

@@ -85,6 +85,10 @@ NONE = {
     "an order in what is 0": of("canonical", empty(definitions={"e": "0"},
         transformation={"Q": ["q + e*q"], "P": ["p"]}), order=["e", 2]),
     "an algebra's other name": of("algebra", THREE, basis=SPHERE, structure=TURNS, equals="so(13,3)"),
+    "a degree with a sign": of("normal_form", {**SPACE, "hamiltonian": {"H": "(p**2 + q**2)/2 + q**4"}}, order=4,
+        N={"+4": "3/2*((p**2 + q**2)/2)**2"}),
+    "a degree with a space": of("normal_form", {**SPACE, "hamiltonian": {"H": "(p**2 + q**2)/2 + q**4"}}, order=4,
+        N={" 4": "3/2*((p**2 + q**2)/2)**2"}),
     "half of an algebra's name": of("algebra", THREE, basis=SPHERE, structure=TURNS, equals="so(3"),
 }  # fmt: skip
 

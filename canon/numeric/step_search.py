@@ -46,6 +46,8 @@ PIECE: Final = 0.2
 """Seconds between two looks at whether the run goes on."""
 PLATEAU: Final = 1e-6
 """Differences below this that no longer fall are rounding."""
+FINEST: Final = 1e-14
+"""The least accuracy for which rounding is kept from the first run on."""
 KEEP_EVERY: Final = 10.0
 """Seconds between two calls of `keep`; at least `KEEP_SHARE` times as many as such a call takes."""
 KEEP_SHARE: Final = 20.0
@@ -192,9 +194,10 @@ class Search:
         """Whether a run of so many steps keeps what its additions round away; None where its length alone decides.
 
         It does where a rounding a step, all of them the same way, would come to the accuracy: an estimate of the error
-        by the order of the method knows nothing of rounding.
+        by the order of the method knows nothing of rounding. Of accuracies that are rounding themselves the search
+        finds out where it ends.
         """
-        fine = self.accuracy is not None and not self.exact and steps * UNIT > self.accuracy
+        fine = self.accuracy is not None and not self.exact and FINEST <= self.accuracy < steps * UNIT
         return True if fine and self.compensated is None else self.compensated
 
     def warmed(self, run: Run) -> None:

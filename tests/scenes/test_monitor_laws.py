@@ -9,7 +9,7 @@ import pytest
 
 from canon.scenes.monitors.conserved import SAFETY, breakers, drift_bound
 from canon.scenes.monitors.flow import Flow
-from canon.scenes.monitors.loop import _carried, _error_slack
+from canon.scenes.monitors.loop import _error_slack
 from canon.scenes.monitors.predicted import volume_exponent
 from canon.scenes.problem import constrained_problem
 from canon.scenes.reader import read_scene_text
@@ -88,7 +88,7 @@ def test_the_bound_of_a_drift_is_what_the_error_and_rounding_make_of_it(fall: Re
 
 def test_loops_are_carried_to_the_end_of_the_run(fall: Result) -> None:
     states = np.hstack([fall.q, fall.p])
-    carried = _carried(flow_of(fall), np.stack([states[0], states[0] + [1.0, 0.0, 0.0, 0.0]]))
+    carried = flow_of(fall).neighbours.along(np.stack([states[0], states[0] + [1.0, 0.0, 0.0, 0.0]]), 2)[-1]
     assert np.allclose(carried[0], states[-1], rtol=0, atol=1e-13)
     assert np.allclose(carried[1], states[-1] + [1.0, 0.0, 0.0, 0.0], rtol=0, atol=1e-13)
 

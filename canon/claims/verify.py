@@ -10,6 +10,7 @@ from typing import Any, Literal
 from canon.budget import Budget
 from canon.claim import Claim
 from canon.claims.agreement import alarm_within, compared
+from canon.claims.confined import unconfined
 from canon.claims.kinds import Kind, kind_named
 from canon.claims.matters import mattering
 from canon.claims.no_numbers import sampled_only
@@ -111,7 +112,7 @@ def _apart(claim: Claim, settings: Settings) -> Verdict:
 def _answer(decide: Kind, question: Question) -> Outcome:
     """What the kind says; a budget spent, or what the deciders don't know, is `undecided` and says so."""
     try:
-        outcome = decide(question)
+        outcome = unconfined(question, decide(question))
     except BudgetExceeded as reason:
         return Outcome("undecided", note=str(reason))
     except Unsupported as reason:

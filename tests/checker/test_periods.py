@@ -77,7 +77,6 @@ OTHER: dict[str, tuple[str, int, dict[str, Any]]] = {
     "a rotation for a libration": ("action-pendulum", 2, {"claim": {"branch": "rotation"}}),
     "a libration for a rotation": ("action-pendulum", 3, {"claim": {"branch": "libration"}}),
     "an energy without librations": ("action-pendulum", 2, {"claim": {"fixed": {"E": "2*m*g*l"}}}),
-    "a separatrix": ("action-pendulum", 2, {"claim": {"fixed": {"E": "m*g*l"}}}),
     "the modulus for the parameter": ("action-pendulum", 2, {"claim": {"equals": PENDULUM.replace("(k)", "(k**2)")}}),
     "two wells": ("hookes-atom-action", 0, {"symbols": {
         "r": "real", "w": "positive", "a": "positive", "b": "positive"}}),

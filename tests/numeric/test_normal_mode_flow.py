@@ -23,7 +23,7 @@ CASES = {
 
 
 def exactly(inverse: list[float], K: np.ndarray, h: float) -> list[np.ndarray]:
-    """exp of the whole matrix (q, p) in 80 digits, by scaling, Taylor's series, and squaring."""
+    """exp of the whole matrix (q, p), less 1, in 80 digits, by scaling, Taylor's series, and squaring."""
     n = len(inverse)
     with mpmath.workdps(80):
         B = mpmath.matrix(2 * n, 2 * n)
@@ -32,7 +32,7 @@ def exactly(inverse: list[float], K: np.ndarray, h: float) -> list[np.ndarray]:
             for j in range(n):
                 B[n + i, j] = -mpmath.mpf(float(K[i, j]))
         E = mpmath.expm(B * mpmath.mpf(h), method="taylor")
-        whole = np.array([[float(E[i, j]) for j in range(2 * n)] for i in range(2 * n)])
+        whole = np.array([[float(E[i, j] - (i == j)) for j in range(2 * n)] for i in range(2 * n)])
     return [whole[:n, :n], whole[:n, n:], whole[n:, :n], whole[n:, n:]]
 
 
@@ -46,6 +46,24 @@ def test_every_entry_is_exact_beside_its_own_size(name: str) -> None:
     for place, h in enumerate(lengths):
         for block, wanted in zip(blocks, exactly(inverse, K, h), strict=True):
             assert np.all(np.abs(block[place] - wanted) <= 2e-8 * np.abs(wanted))
+
+
+@pytest.mark.parametrize("h", [1 / 8, 1 / 64, 3 / 128])
+def test_the_rounding_of_many_flows_does_not_add_up(h: float) -> None:
+    """16384 flows are the one flow of their whole time: what a step's matrix is rounded by is the same each time."""
+    W = np.array([[0.0, 0.7], [-0.7, 0.0]])
+    part, count = quadratic_part([1.0, 1.0], np.eye(2), W), 16384
+
+    @jax.jit
+    def moved(state: Any, length: Any, times: Any) -> Any:
+        tables = jax.tree.map(lambda x: x[0], part.prepare(length[None]))
+        return jax.lax.fori_loop(0, times, lambda _, now: part.flow(now, tables, None), state)
+
+    with double():
+        state = tuple(map(np.array, ([0.3, 0.5], [0.2, 1.0])))
+        step, whole = np.array(h), np.array(h * count)
+        by_steps, at_once = (np.concatenate(moved(state, *each)) for each in ((step, count), (whole, 1)))
+    assert np.abs(by_steps - at_once).max() < 4e-16 * (count**0.5 + h * count)
 
 
 def test_what_a_coarse_look_beside_a_stiff_spring_would_call_a_symmetry() -> None:

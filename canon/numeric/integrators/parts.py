@@ -46,16 +46,17 @@ def quadratic_part(
         if not turning:
             return blocks
         angle = jnp.asarray(turns) * jnp.asarray(lengths)[:, None]
-        turn = jnp.einsum("sk,kij->sij", jnp.cos(angle), np.array([real for real, _ in planes]))
-        turn = turn + jnp.einsum("sk,kij->sij", jnp.sin(angle), np.array([imag for _, imag in planes]))
-        return tuple(jnp.einsum("sij,sjk->sik", turn, block) for block in blocks)
+        less = jnp.einsum("sk,kij->sij", -2 * jnp.sin(angle / 2) ** 2, np.array([real for real, _ in planes]))
+        less = less + jnp.einsum("sk,kij->sij", jnp.sin(angle), np.array([imag for _, imag in planes]))
+        turned = [block + jnp.einsum("sij,sjk->sik", less, block) for block in blocks]
+        return (turned[0] + less, *turned[1:3], turned[3] + less)
 
     used = _pattern(K, W)
 
     def flow(state: State, blocks: Any, t: Any) -> State:
         q, p, *others = state
         qq, qp, pq, pp = blocks
-        return (_rows(q, (qq, q), (qp, p), used), _rows(p, (pq, q), (pp, p), used), *others)
+        return (_moved(q, (qq, q), (qp, p), used), _moved(p, (pq, q), (pp, p), used), *others)
 
     return ExactPart(flow, prepare, name)
 
@@ -97,16 +98,16 @@ def _pattern(K: np.ndarray, W: np.ndarray) -> list[list[int]]:
     return [[int(j) for j in np.flatnonzero(row)] for row in near]
 
 
-def _rows(like: Any, first: Any, second: Any, used: list[list[int]]) -> Any:
-    """A x + B y by rows, without the products that are known to be zero."""
+def _moved(at: Any, first: Any, second: Any, used: list[list[int]]) -> Any:
+    """z + A x + B y by rows, without the products that are known to be zero."""
     import jax.numpy as jnp
 
     (A, x), (B, y) = first, second
     values = []
     for i, columns in enumerate(used):
         terms = [A[i, j] * x[j] + B[i, j] * y[j] for j in columns]
-        values.append(sum(terms[1:], start=terms[0]))
-    return tuple(values) if isinstance(like, tuple) else jnp.stack(values)
+        values.append(at[i] + sum(terms[1:], start=terms[0]))
+    return tuple(values) if isinstance(at, tuple) else jnp.stack(values)
 
 
 def kepler_part(mass: float, a: float) -> ExactPart:
@@ -135,16 +136,16 @@ def damping_part(rate: Any, slot: int = 1) -> ExactPart:
     def prepare(lengths: Any) -> Any:
         import jax.numpy as jnp
 
-        return jnp.exp(-2 * jnp.asarray(lengths).reshape(-1, *(1,) * rates.ndim) * rates)
+        return jnp.expm1(-2 * jnp.asarray(lengths).reshape(-1, *(1,) * rates.ndim) * rates)
 
     def flow(state: State, factor: Any, t: Any) -> State:
         import jax
 
         p = state[slot]
         if isinstance(p, tuple):
-            damped: Any = tuple(x * (factor[i] if rates.ndim else factor) for i, x in enumerate(p))
+            damped: Any = tuple(x + x * (factor[i] if rates.ndim else factor) for i, x in enumerate(p))
         else:
-            damped = jax.tree.map(lambda x: x * factor.reshape(factor.shape + (1,) * (x.ndim - factor.ndim)), p)
+            damped = jax.tree.map(lambda x: x + x * factor.reshape(factor.shape + (1,) * (x.ndim - factor.ndim)), p)
         return (*state[:slot], damped, *state[slot + 1 :])
 
     return ExactPart(flow, prepare, "damping", hamiltonian=False)
@@ -165,13 +166,13 @@ def rayleigh_part(matrix: Any, mass: Sequence[float], slot: int = 1) -> ExactPar
     def prepare(lengths: Any) -> Any:
         import jax.numpy as jnp
 
-        return jnp.einsum("ik,sk,jk->sij", left, jnp.exp(-jnp.asarray(lengths)[:, None] * rates), right)
+        return jnp.einsum("ik,sk,jk->sij", left, jnp.expm1(-jnp.asarray(lengths)[:, None] * rates), right)
 
     used = _pattern(alpha, np.zeros_like(alpha))
 
     def flow(state: State, block: Any, t: Any) -> State:
         p = state[slot]
         zero = np.zeros((len(used), len(used)))
-        return (*state[:slot], _rows(p, (block, p), (zero, p), used), *state[slot + 1 :])
+        return (*state[:slot], _moved(p, (block, p), (zero, p), used), *state[slot + 1 :])
 
     return ExactPart(flow, prepare, "damping", hamiltonian=False)

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from canon.errors import InputError
+from canon.numeric.convergence import LEAST
 from canon.numeric.engines import Engine
 from canon.numeric.integrate import Run
 from canon.numeric.integrators.problem import State
@@ -95,7 +96,8 @@ def run_with_step(
     keep: Keep | None = None,
     resume: Callable[[Task], Progress] | None = None,
 ) -> Planned:
-    """The run with a step of this length, or a little less so that samples are met; its error from one with twice it.
+    """The run with a step of this length, or a little less so that samples are met; its error from one with twice it,
+    and no less than what roundings, one a step at random, make where the steps don't keep them.
 
     **Raises:** `InputError` where that is too many steps.
     """
@@ -115,6 +117,7 @@ def run_with_step(
     error = None
     if coarse is not None and run.completed == coarse.completed == samples:
         error = distance(run, coarse) / (1 if exact else (run.total / coarse.total) ** method.traits.order - 1)
+        error = max(error, LEAST * (1.0 if exact or run.compensated else float(np.sqrt(run.total))))
     return _planned(search, run, coarse, error, tuple(reversed(search.trials)), Verdict(True))
 
 

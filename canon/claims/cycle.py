@@ -25,6 +25,7 @@ from canon.decide.sample import evaluate_again
 from canon.decide.search import samples
 from canon.decide.tape import Unsupported
 from canon.decide.winding import winding_number
+from canon.sign import declared
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -37,6 +38,7 @@ MOST_TURNS: Final = 3
 POINTS: Final = 4
 BITS: Final = 128
 PRIMITIVE = "a curve gone round k times has numbers of turns that k divides"
+ONE_SIGN = "{} turns by multiples of 2 pi, as an angle does, and is said to be of one sign, as no angle is"
 PARTS = "whole turns, but others in other parts of the domain"
 
 Turns = tuple[int, ...]
@@ -82,6 +84,8 @@ def closes(cycle: Cycle) -> Outcome:
     turns = _turns_at(cycle, back)
     if not isinstance(turns, tuple) or not any(turns):
         return _not_closed(back, turns)
+    if signed := [x for x, k in zip(question.space.old, turns, strict=True) if k and _has_a_sign(x)]:
+        return Outcome("undecided", note=ONE_SIGN.format(signed[0]))
     periodic = question.decide(_periods(cycle, turns), cycle.region)
     if periodic.status == "refuted":
         return back
@@ -90,6 +94,11 @@ def closes(cycle: Cycle) -> Outcome:
         elsewhere = _turns_at(cycle, turned)
         return _not_closed(turned, None if elsewhere == turns else elsewhere)
     return _once(cycle, combined([periodic, turned]), turns)
+
+
+def _has_a_sign(symbol: sp.Symbol) -> bool:
+    facts = declared(symbol)
+    return any(facts.get(word) is not None for word in ("positive", "negative"))
 
 
 def _not_closed(outcome: Outcome, turns: Turns | str | None) -> Outcome:

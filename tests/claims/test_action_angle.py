@@ -259,3 +259,23 @@ def test_a_period_that_is_off_by_ever_so_little_is_not_proved() -> None:
     claim = read_text(text.replace('"2*pi"', '"2*pi*(1 + 10**-20)"')).claims[0]
     assert claim.kind == "action_angle"
     assert verify(claim).status != "proved"
+
+
+@pytest.mark.parametrize(("sign", "status"), [("real", "proved"), ("positive", "undecided"), ("negative", "undecided")])
+def test_an_angle_has_no_sign(sign, status):
+    """H = p leads out of the half-line on which q is said to be: q isn't an angle there."""
+    text = f"""
+    [phase_space]
+    {SPACE}
+    [symbols]
+    q = "{sign}"
+    [hamiltonian]
+    H = "p"
+    [transformation]
+    q = ["w"]
+    p = ["J"]
+    [[claim]]
+    {angle_claim("2*pi")}
+    """
+    (read,) = read_text(text.replace("    ", "")).claims
+    assert verify(read).status == status

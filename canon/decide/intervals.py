@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
 
 from flint import arb
 
@@ -154,13 +156,38 @@ def leaves_out_zero(tape: Tape, node: Node, interval: Interval) -> bool:
     return bool(symbol.is_real) and symbol.is_zero is False and interval.contains(ORIGIN)
 
 
+def may_be_zero(tape: Tape, node: Node) -> bool:
+    """Whether a name, which is said to be of one sign, may be 0 besides: intervals are open, and leave this end out."""
+    facts = sign.declared(tape.symbol_at(node))
+    return bool(facts.get("nonnegative") or facts.get("nonpositive")) and facts.get("zero") is not False
+
+
+def with_zeros(tape: Tape, region: Region, symbols: Iterable[Node]) -> dict[Node, Interval]:
+    """`intervals_of`, with 0 inside for those of the symbols that may be 0.
+
+    What holds for a > 0 holds for a = 0 too, by continuity, where a may be varied; on a surface a = 0 may be a piece of
+    its own, and an integer has nothing beside it.
+    """
+    out = intervals_of(tape, region)
+    for node in symbols:
+        if may_be_zero(tape, node):
+            bounds = (half_line(*form[:2]) for form in _affine_conditions(tape, region) if form[2] == node)
+            out[node] = reduce(Interval.meet, bounds, Interval())
+    return out
+
+
 def intervals_of(tape: Tape, region: Region) -> dict[Node, Interval]:
     """The exact interval of every symbol that a condition affine in it alone bounds."""
     out: dict[Node, Interval] = {}
+    for constant, slope, symbol in _affine_conditions(tape, region):
+        if tape.symbol_at(symbol).is_real:
+            out[symbol] = out.get(symbol, declared(tape, symbol)).meet(half_line(constant, slope))
+    return out
+
+
+def _affine_conditions(tape: Tape, region: Region) -> Iterator[tuple[Edge, Fraction, Node]]:
+    """constant + slope · symbol of each condition that is one > 0."""
     for requirement in region.requirements:
         form = exact_affine(tape, requirement.nodes[0]) if requirement.kind == "positive" else None
         if form is not None:
-            constant, slope, symbol = form
-            if tape.symbol_at(symbol).is_real:
-                out[symbol] = out.get(symbol, declared(tape, symbol)).meet(half_line(constant, slope))
-    return out
+            yield form

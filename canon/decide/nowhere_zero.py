@@ -14,13 +14,12 @@ from canon.budget import Budget
 from canon.decide.cells import cells_of
 from canon.decide.derivative import substitute
 from canon.decide.enclosure import excludes_zero
-from canon.decide.intervals import Interval, intervals_of
+from canon.decide.intervals import Interval, intervals_of, may_be_zero
 from canon.decide.region import Region
 from canon.decide.search import samples
 from canon.decide.sign_on_box import is_zero_free
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.errors import InputError
-from canon.sign import declared
 
 POINTS = 3
 
@@ -54,15 +53,11 @@ def _is_zero_free(
         return value != 0
     if not is_zero_free(tape, node, box, budget, positive=positive):
         return False
-    weak = [x for x in sorted(tape.support(node)) if _may_be_zero_at_the_end(declared(tape.symbol_at(x)))]
+    weak = [x for x in sorted(tape.support(node)) if may_be_zero(tape, x)]
     try:
         return all(_is_zero_free(tape, substitute(tape, node, {x: tape.zero}), box, (), budget) for x in weak)
     except InputError:  # the node isn't defined there
         return False
-
-
-def _may_be_zero_at_the_end(facts: Mapping[str, bool]) -> bool:
-    return bool(facts.get("nonnegative") or facts.get("nonpositive")) and facts.get("zero") is not False
 
 
 def factors(tape: Tape, node: Node) -> Iterator[Node]:

@@ -14,14 +14,14 @@ from canon.deadline import within
 from canon.decide.certificate import Certificate, describe
 from canon.decide.components import without_powers
 from canon.decide.fraction_field import Element, FractionField
-from canon.decide.intervals import intervals_of
+from canon.decide.intervals import with_zeros
 from canon.decide.jacobi_kernels import JACOBI
 from canon.decide.normal_form import reduce_to_zero
 from canon.decide.region import Region
 from canon.decide.ring import Polynomial, Ring
-from canon.decide.signs import sign_of, split
+from canon.decide.signs import classify, sign_of, split
 from canon.decide.tape import Node, Tape
-from canon.decide.tower import Tower, combine
+from canon.decide.tower import Generator, Tower, combine
 
 MOST_TERMS, MOST_TERMS_OF_RADICAL = 600, 60
 SPECIAL = ("elliptic_k", "elliptic_e", "elliptic_f", "elliptic_ei", "elliptic_pi", "elliptic_pii", "lambertw",
@@ -32,7 +32,9 @@ def vanishes_on_surface(tape: Tape, node: Node, region: Region, budget: Budget) 
     """A certificate that the node is 0 on region ∩ surface, or None."""
     positive = [r.nodes[0] for r in region.requirements if r.kind == "positive" and not tape.is_complex(r.nodes[0])]
     surface = without_powers(tape, region.surface)
-    tower = Tower(tape, [node, *surface], positive=positive, intervals=intervals_of(tape, region), budget=budget)
+    symbols = set().union(*(tape.support(n) for n in [node, *surface]))
+    box = with_zeros(tape, region, symbols)
+    tower = Tower(tape, [node, *surface], positive=positive, intervals=box, budget=budget)
     zero, nonzero, field = reduce_to_zero(tower, [node], budget)
     if node in zero:
         return _certificate(tower, region, [])
@@ -59,19 +61,32 @@ def vanishes_on_surface(tape: Tape, node: Node, region: Region, budget: Budget) 
 def _defined(
     tower: Tower, node: Node, value: Element, field: FractionField, equations: list[Polynomial], budget: Budget
 ) -> bool:
-    """True when no denominator vanishes on the surface.
+    """True when no denominator vanishes on the surface, and no gamma function is infinite there.
 
     What a formula divides by, and what its derivatives do, isn't 0 in the region, but for the removable singularities
-    that the derivatives of special functions have, as of K(m) at m = 0.
+    that the derivatives of special functions have, as of K(m) at m = 0. Their own values are finite, but what the tower
+    puts in their place need not be: Γ(x + 2) is (x + 1) Γ(x + 1), which is 0·∞ at x = −1.
     """
     tape, ring = tower.tape, tower.ring
     if not any(tape.ops[i][0] == "f" and tape.ops[i][1] in SPECIAL for i in tape.reach([node])):
         return True
+    if not all(_is_finite(tower, g, node) for g in tower.generators if g.kind == "gamma"):
+        return False
     for k in value[1]:
         f = ring.polynomial({m + (0,) * (ring.size - len(m)): c for m, c in field.ring.terms(field.factors[k]).items()})
         if sign_of(tower, f) not in ("pos", "neg") and not _in_ideal(tower, ring.one, [f, *equations], budget):
             return False
     return True
+
+
+def _is_finite(tower: Tower, made: Generator, node: Node) -> bool:
+    """Whether a gamma function is one of those that are written, or its argument is positive."""
+    (y,), tape = made.data, tower.tape
+    written = [op[2][0] for i in tape.reach([node]) if (op := tape.ops[i])[:2] == ("f", "gamma")]
+    if any(tower.field.equal(y, tower.values[argument]) for argument in written):
+        return True
+    sign, _, known, unknown = classify(tower, y)
+    return sign > 0 and not unknown and all(sign_of(tower, f) in ("pos", "neg") for f, _ in known)
 
 
 def _essential(tower: Tower, equation: Node, region: Region) -> Polynomial:

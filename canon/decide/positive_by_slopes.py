@@ -17,8 +17,16 @@ from canon.decide.constants import number_is_zero
 from canon.decide.continuous_at import at_edge, is_continuous_at
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, excludes_zero, precision
-from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of, leaves_out_zero
-from canon.decide.positivity import may_be_zero, positive_by_signs
+from canon.decide.intervals import (
+    Edge,
+    Interval,
+    declared,
+    exact_affine,
+    intervals_of,
+    leaves_out_zero,
+    may_be_zero,
+)
+from canon.decide.positivity import positive_by_signs
 from canon.decide.region import Region, Requirement
 from canon.decide.search import samples
 from canon.decide.tape import Node, Tape, Unsupported

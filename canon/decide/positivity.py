@@ -17,7 +17,7 @@ from canon.budget import Budget
 from canon.decide.arbitrary import rational
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
-from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of
+from canon.decide.intervals import Edge, Interval, declared, exact_affine, intervals_of, may_be_zero
 from canon.decide.proposal import Coordinate
 from canon.decide.region import Region
 from canon.decide.ring import TooCostly
@@ -27,7 +27,6 @@ from canon.decide.signs import classify, sign_of, sign_of_rest
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower, combine
 from canon.errors import InputError
-from canon.sign import declared as assumptions
 
 MOST_BOXES = 4000
 STARTS, STEPS = 4, 160
@@ -62,11 +61,6 @@ def positive_by_signs(
         )
     except InputError:  # the node isn't defined there
         return False
-
-
-def may_be_zero(tape: Tape, x: Node) -> bool:
-    facts = assumptions(tape.symbol_at(x))
-    return bool(facts.get("nonnegative") or facts.get("nonpositive")) and facts.get("zero") is not False
 
 
 def _without(tape: Tape, region: Region, x: Node) -> Region:

@@ -12,7 +12,7 @@ from canon.decide.on_surface import _in_ideal, _in_radical, vanishes_on_surface
 from canon.decide.region import Region
 from canon.decide.tape import Tape
 from canon.decide.tower import Tower
-from canon.domain import Domain
+from canon.domain import Domain, positive
 
 x, y = sp.symbols("x y", real=True)
 
@@ -94,6 +94,49 @@ def test_what_vanishes_on_a_surface(equations, function, vanishes):
     assert (found is not None) == vanishes
     if found is not None:
         assert "ideal" in found["argument"]
+
+
+a = sp.Symbol("a", nonnegative=True)
+b = sp.Symbol("b", nonnegative=True)
+n = sp.Symbol("n", integer=True, nonnegative=True)
+
+
+@pytest.mark.parametrize(
+    ("equation", "condition", "shown"),
+    [
+        (a * (x - 1), 5 - a, False),
+        ((a + b) * (x - 1), 5 - a, False),
+        (n * (x - 1), 5 - n, False),
+        (sp.sin(a) * (x - 1), 3 - a, False),
+        ((a + 1) * (x - 1), 5 - a, True),
+        ((sp.exp(a) + b) * (x - 1), 5 - a, True),
+        (a * (x - 1), a, True),
+        (sp.sin(a) * (x - 1), a * (3 - a), False),
+    ],
+    ids=str,
+)
+def test_a_name_that_may_be_0_makes_a_piece_of_its_own(equation, condition, shown):
+    """Where a(x − 1) = 0 is x = 1, or a = 0, which a name that is only said to be nonnegative may be."""
+    tape = Tape()
+    region = Region.of(tape, Domain(positive(condition), (equation,)), [x, a, b, n])
+    assert (vanishes_on_surface(tape, tape.load(x - 1), region, Budget(20)) is not None) == shown
+
+
+@pytest.mark.parametrize(
+    ("equation", "function", "shown"),
+    [
+        (x + 1, sp.gamma(x + 2), False),
+        (sp.sin(sp.pi * x), 1 / sp.gamma(-x), False),
+        (x - 1, (x - 1) * sp.gamma(x**2 + 2), True),
+        (x - y, sp.gamma(x) - sp.gamma(y), False),
+    ],
+    ids=str,
+)
+def test_what_stands_for_a_gamma_function_has_to_be_finite_on_the_surface(equation, function, shown):
+    """Γ(x + 2) is (x + 1) Γ(x + 1): at x = −1 that is 0·∞, and Γ(1) is 1."""
+    tape = Tape()
+    region = Region.of(tape, Domain((), (equation,)), [x, y])
+    assert (vanishes_on_surface(tape, tape.load(function), region, Budget(20)) is not None) == shown
 
 
 def test_what_is_divided_by_on_the_surface_is_no_proof():

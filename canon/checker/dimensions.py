@@ -47,7 +47,10 @@ def dimension(s: Statement) -> Case:
 
 
 def _scaled(s: Statement, values: list[int], names: Mapping[str, Dimension], wanted: Dimension) -> list[int]:
-    """f of names that are multiplied by the units' scales, less the scale of the dimension times f."""
+    """f of names that are multiplied by the units' scales, less the scale of the dimension times f.
+
+    Both are to be in the domain: the value in other units may be one of another part of it.
+    """
     f = s.f
     units = sorted({unit for dimension in (*names.values(), wanted) for unit in dimension})
     s.words |= {f"#{unit}": ["positive"] for unit in units}
@@ -56,6 +59,8 @@ def _scaled(s: Statement, values: list[int], names: Mapping[str, Dimension], wan
         return f.mul(*(f.power(f.node("s", f"#{unit}"), f.number(e)) for unit, e in dimension.items()))
 
     images = {name: f.mul(scale(dimension), f.node("s", name)) for name, dimension in names.items()}
+    s.conditions = [*s.conditions, *((f.substitute(a, images), kind) for a, kind in s.conditions)]
+    s.surface = [*s.surface, *(f.substitute(a, images) for a in s.surface)]
     return [f.sub(f.substitute(a, images), f.mul(scale(wanted), a)) for a in values]
 
 

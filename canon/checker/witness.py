@@ -45,7 +45,7 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
     Returns what is to be trusted.
     """
     said = {op[1] for op in s.f.ops if op[0] == "s"} & witness.keys()
-    if wrong := {n for n in said if n in ("pi", "1j") or n[0] == "#"}:
+    if wrong := {n for n in said if n in ("pi", "1j") or (n[0] == "#" and n not in s.words)}:
         raise Rejected(f"a point says what {min(wrong)[:40]!r} is")
     if any(_exact(witness[n])[1] and "complex" not in s.words.get(n, ()) for n in said):
         raise Rejected("a name that is real has a complex value at the witness")

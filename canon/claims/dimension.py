@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from canon.claims.dimension_keys import Dimension, Dimensions, written
-from canon.claims.outcome import Outcome, Residual
+from canon.claims.other_units import Degree, in_other_units
+from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.own_names import of_integers
 from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node, Tape
@@ -28,8 +29,9 @@ def dimension(question: Question) -> Outcome:
 
     A name that isn't listed is a pure number. In units smaller by factors λ of the base, a quantity of dimension
     L^d grows by λ^d; a formula has the dimension L^D if its value then grows by λ^D, at every point and for every λ,
-    which is Euler's identity Σ d x ∂f/∂x = D f for each base (Bridgman, Dimensional Analysis, ch. 2). For an arbitrary
-    function, its own dimension and those of its arguments are listed: V = ["M*L**2/T**2", "L"].
+    which is Euler's identity Σ d x ∂f/∂x = D f for each base (Bridgman, Dimensional Analysis, ch. 2), wherever the
+    domain is carried along; else the values in other units are compared themselves. For an arbitrary function, its own
+    dimension and those of its arguments are listed: V = ["M*L**2/T**2", "L"].
     """
     functions = question.formulas("functions", side="both")
     table: Dimensions = question.key("dimensions")
@@ -52,7 +54,14 @@ def dimension(question: Question) -> Outcome:
         found = [_own_dimension(question, question.load(f), table, bases, region, outcome) for f in functions]
         if None not in found:
             return outcome.with_detail(dimensions=[written(d) for d in found if d is not None])
-    return outcome
+        return outcome
+
+    def power(name: str, position: int) -> Degree:
+        listed = table.get(name)
+        return tuple(Fraction(0) if listed is None else listed[position].get(b, Fraction(0)) for b in bases)
+
+    afar = in_other_units(question, functions, bases, power, tuple(claimed.get(b, Fraction(0)) for b in bases))
+    return outcome if afar is None else combined([outcome, afar])
 
 
 @dataclass

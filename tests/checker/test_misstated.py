@@ -156,6 +156,8 @@ TRUE = {
     "functions that are independent outside": against(of({"kind": "algebra", "basis": {"A": "p", "B": "(x - 1)**2/2",
         "C": "abs(x - 1)", "D": "1"}, "structure": {"B,A": "C", "C,A": "D"}}, 0, domain={"where": ["x > 1"]}),
         x="101/100", p="1"),
+    "a length that is cut off": against(of({"kind": "dimension", "functions": ["x*sign(x - 1)"], "equals": "L",
+        "dimensions": {"x": "L"}}, 0, domain={"where": ["x > 1"]}), x="101/100", p="1"),
 }  # fmt: skip
 
 
@@ -201,6 +203,13 @@ def test_no_claim_that_a_file_could_not_state(name: str) -> None:
 @pytest.mark.parametrize("name", sorted(TRUE))
 def test_no_refutation_of_what_is_true(name: str) -> None:
     assert status(TRUE[name]) != "confirmed", name
+
+
+def test_a_length_beside_a_fixed_one_is_none() -> None:
+    """The point says by what factor the units grow."""
+    claim = {"kind": "dimension", "functions": ["x*sign(x - 1)"], "dimensions": {"x": "L"}, "equals": "L"}
+    assert status(against(of(claim, 0), **{"x": "1/2", "p": "1", "#L": "4"})) == "confirmed"
+    assert status(against(of(claim, 0), **{"x": "2", "p": "1", "#L": "4"})) == "rejected"
 
 
 def test_a_kernel_that_is_real_is_confirmed() -> None:

@@ -44,6 +44,24 @@ def test_the_answer_names_the_dimension(ask):
     assert verdict.detail["dimensions"] == ["L**(4/3)*M*T**(-2)"]
 
 
+@pytest.mark.parametrize(
+    ("function", "equals", "domain", "expected"),
+    [
+        ("sign(q - 1)", "1", "", "refuted"),  # the slope of it is 0, and its value another one in other units
+        ("q*sign(q - 1)", "L", "", "refuted"),
+        ("atan(tan(q)) - q", "1", "", "refuted"),
+        ("sign(V(q) - 1)", "1", "", "refuted"),
+        ("q*sign(q - 1)", "L", 'where = ["q > 1"]', "proved"),
+        ("V(q)*sqrt(q - 1)/sqrt(q - 1)", "M*L**2/T**2", "", "proved"),
+        ("q*sign(q - R)", "L", "", "proved"),
+        ("(q - 1)**2", "M", 'on = ["q - 1"]', "undecided"),
+        ("q + R", "L", 'on = ["q - R"]', "proved"),
+    ],
+)
+def test_units_that_change_by_any_factor(status, function, equals, domain, expected):
+    assert status(_claim(function, equals), symbols=SYMBOLS, domain=domain) == expected
+
+
 def test_bases_of_ones_own(status):
     claim = _claim("q/R", "m/ft", '{q = "m", R = "ft"}', 'base = ["m", "ft"]')
     assert status(claim, symbols=SYMBOLS) == "proved"

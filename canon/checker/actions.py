@@ -16,6 +16,7 @@ from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.closed_actions import closed, constant
+from canon.checker.defined import is_unbound, unseen
 from canon.checker.followed import at_random, is_identity
 from canon.checker.formulas import ONE, ZERO
 from canon.checker.forward_angles import advance, advances, unmeasured
@@ -64,10 +65,19 @@ def action(s: Statement) -> Case:
     period = given[0] if "period" in claim else f.read("2*pi", s.names)
     if has_complex(s, H) or any(f.ops[b] == ("s", s.time) for b in f.reach(H)):
         raise Unreadable("an action is one of a real Hamiltonian without time")
+    s.without(H, {*s.q} - {x})  # else the coordinate alone has no action
+    for a in (equals, *given):
+        s.without(a, (x, p, s.time))  # an action is a function of energy and constants
+    free = is_unbound(s, (x, p))
     form = Form.of(s, H, x, p)
     rate, rotates = claim["kind"] == "frequency", claim.get("branch") == "rotation"
     if rotates and not form.quadratic:
         raise Unknown("a rotation with a Hamiltonian that isn't quadratic in the momentum")
+    if rotates and "period" not in claim and not any(f.ops[b] == ("s", x) for b in f.reach(H)):
+        raise Unreadable(f"H doesn't depend on {x}: a rotation needs a period")
+    ahead = f.sub(f.substitute(H, {x: f.add(f.node("s", x), period)}), H) if rotates else ZERO
+    if s.verdict == "refuted" and not is_identity(at_random(s), ahead):
+        raise Unknown("a rotation over what isn't seen to be a period of H")
 
     def measured(numbers: Numbers, of: Mapping[str, Any]) -> list[Any]:
         found = numbers.values(f, [level, equals, period, *given], of)
@@ -97,7 +107,7 @@ def action(s: Statement) -> Case:
             values = [(1 / value if rate else value) - found[equals] for value in several]
             yield next((value for value in values if 0 in value), values[0])
 
-    if s.verdict == "proved" and form.quadratic and "well" not in claim:
+    if s.verdict == "proved" and form.quadratic and "well" not in claim and free:
         g, signs = form.integrand(level, rate=rate, rotates=rotates)
         known = constant(s, g, [a for a, _ in signs], period) if rotates else None
         zeros, there = (None if rotates else closed(s, g, equals, rate=rate)) or (None, [])
@@ -105,7 +115,7 @@ def action(s: Statement) -> Case:
             zeros = [f.sub(f.mul(equals, known), ONE) if rate else f.sub(known, equals)]
         if zeros is not None:
             return Case(zeros, somewhere=there)
-    square = squared(s, form, H, level)
+    square = squared(s, form, H, level) if free else None
     if square is not None and not rate:
         turn, well = period if rotates else None, given[-1] if "well" in claim else None
         known = separatrix(s, x, square, turn, well)
@@ -113,8 +123,9 @@ def action(s: Statement) -> Case:
             case = Case([f.sub(known, equals)])
             return replace(case, measured=measured, digits=DIGITS, found=True) if s.verdict == "proved" else case
     solved = None if form.quadratic else square
-    case = Case([], measured=measured, digits=DIGITS, enclosed=enclosed if form.quadratic or square else None)
-    stated = s.verdict == "proved" and "well" not in claim and not s.surface
+    seen = free and (form.quadratic or square is not None)
+    case = Case([], measured=measured, digits=DIGITS, enclosed=enclosed if seen else None)
+    stated = s.verdict == "proved" and "well" not in claim and not s.surface and free
     if stated and square is not None and is_so(s, x, square, equals, period if rotates else None, rate=rate):
         case.found = True
     if stated and not rate and not rotates and is_action(s, form, level, equals):
@@ -147,11 +158,12 @@ def action_angle(s: Statement) -> Case:
     s.written.append(period)
     once = "that each angle advances by its period once round its cycle"
     if s.direction == "forward":
-        if s.verdict == "refuted" and len(s.q) > 1:
-            raise Unknown("a refutation of several angles of a map that is given forward")
+        free = is_unbound(s, (*s.q, *s.p))
+        if s.verdict == "refuted" and (len(s.q) > 1 or not free):
+            raise Unknown("a refutation of several angles of a map that is given forward, or of orbits with bounds")
         if s.verdict == "refuted":
             return Case([], measured=unmeasured, enclosed=advance(s, period))
-        shown = len(s.q) == 1 and not s.surface and advances(s, period)
+        shown = len(s.q) == 1 and not s.surface and free and advances(s, period)
         momenta = s.new[len(s.q) :]
         return Case([*zeros, *(f.bracket(P, s.H, s.f.pairs) for P in momenta)], trusted="" if shown else once)
     if s.direction != "backward":
@@ -184,7 +196,7 @@ def _is_whole(s: Statement, K: int) -> bool:
         for word in {*s.words.get(name, ())} - {"real"}:  # what is said of the old variables cuts the cycle, too
             strict = word == "positive"
             bound = bound or word not in ("positive", "nonnegative") or not is_positive(s, a, strict=strict, real=True)
-    return not bound and all(is_smooth(s, a, angle) for a in (K, *s.old) for angle in s.Q)
+    return not bound and all(is_smooth(s, a, angle) for a in (K, *s.old, *unseen(s)) for angle in s.Q)
 
 
 def _changes(s: Statement, angle: str, period: int) -> list[int]:

@@ -8,11 +8,15 @@ from itertools import combinations_with_replacement
 
 from canon.checker.calculus import by_antiderivative, moves
 from canon.checker.case import Case
+from canon.checker.defined import unseen
 from canon.checker.followed import at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.positive import is_positive
 from canon.checker.shapes import is_smooth
 from canon.checker.statement import Statement
+
+DEPTHS = (0, 1, 10, 1000)
+"""How far below 0 a potential may lie."""
 
 
 def _is_linear(s: Statement) -> bool:
@@ -25,6 +29,26 @@ def _is_linear(s: Statement) -> bool:
     return names.isdisjoint((*z, s.time))
 
 
+def _goes_on(s: Statement) -> bool:
+    """Whether no motion ends: the equations are linear, or H is Σ a p²/2 + V with a > 0 and V bounded from below."""
+    if _is_linear(s):
+        return True
+    f, rest = s.f, s.H
+    for p in s.p:
+        curved = f.slope(f.slope(s.H, p), p)
+        if any(moves(s, curved, name) for name in (*s.q, *s.p, s.time)) or not _is_positive(s, curved, strict=True):
+            return False
+        rest = f.sub(rest, f.mul(f.number("1/2"), curved, f.node("s", p), f.node("s", p)))
+    V = f.substitute(s.H, dict.fromkeys(s.p, f.number(0)))
+    if moves(s, V, s.time) or not is_identity(at_random(s), f.sub(rest, V)):
+        return False
+    return any(_is_positive(s, f.add(V, f.number(depth)), strict=False) for depth in DEPTHS)
+
+
+def _is_positive(s: Statement, a: int, *, strict: bool) -> bool:
+    return is_positive(s, a, strict=strict, real=True)
+
+
 def _has_no_walls(s: Statement, formulas: Sequence[int], rate: Callable[[int], int]) -> bool:
     """Whether no motion leaves the domain: what it demands is conserved, and the formulas are smooth everywhere."""
     moving = [*s.q, *s.p, s.time]
@@ -33,7 +57,8 @@ def _has_no_walls(s: Statement, formulas: Sequence[int], rate: Callable[[int], i
     walls = [rate(a) for a, _ in s.conditions if any(moves(s, a, name) for name in moving)]
     if walls and not all(is_identity(at_random(s), a) for a in walls):
         return False
-    return all(is_smooth(s, a, name) for a in formulas for name in moving)
+    jumps = [a for a, _ in s.conditions if not all(is_smooth(s, a, name) for name in moving)]
+    return not jumps and all(is_smooth(s, a, name) for a in (*formulas, *unseen(s)) for name in moving)
 
 
 def average(s: Statement) -> Case:
@@ -52,12 +77,13 @@ def average(s: Statement) -> Case:
         if s.verdict == "refuted":  # motions that leave the domain are none that the claim is about
             zeros = [rate(a) for a in (mean, bound, *(a for a, _ in s.conditions))]
             bounded = all(is_positive(s, a, strict=False, real=True) for a in (f.sub(bound, G), f.add(bound, G)))
+            on = _is_linear(s) or (_goes_on(s) and _has_no_walls(s, [value, G, bound, equals, s.H], rate))
             against = "" if bounded else "that the virial is bounded as it says"
-            against = against or ("" if _is_linear(s) else "that some of its motions go on for ever")
+            against = against or ("" if on else "that some of its motions go on for ever")
             return Case([f.sub(mean, equals)], granted=zeros, against=against)
         zeros = [rate(mean), rate(bound), f.sub(mean, equals)]
-        stays = _has_no_walls(s, [value, G, bound, equals], rate)
-        trusted = "" if stays else "that there are motions that stay in the domain"
+        stays = _has_no_walls(s, [value, G, bound, equals, s.H], rate)
+        trusted = "" if stays and _goes_on(s) else "that there are motions that stay in the domain, and go on for ever"
         return Case(zeros, positive=[(f.sub(bound, G), False), (f.add(bound, G), False)], trusted=trusted)
     if "coordinate" in claim:
         raise Unknown("an average over an orbit")
@@ -106,7 +132,7 @@ def _stays(s: Statement, moved: Mapping[str, int], written: Sequence[int]) -> bo
     if any(kind != "positive" for _, kind in touched) or (touched and s.surface):
         return False
     along = [f.substitute(a, moved) for a, _ in touched]
-    own = [f.substitute(a, moved) for a in (*written, *([s.H] if s._H is not None else []))]
+    own = [f.substitute(a, moved) for a in (*written, *unseen(s), *([s.H] if s._H is not None else []))]
     u = str(s.claim["parameter"])
     return all(is_positive(s, a, strict=True, real=True) for a in along) and all(is_smooth(s, a, u) for a in own)
 

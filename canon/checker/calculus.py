@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from canon.checker.case import Case
+from canon.checker.defined import is_there
 from canon.checker.expansions import Series
 from canon.checker.functions import Unreadable
 from canon.checker.intervals import Intervals
@@ -15,7 +16,7 @@ from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_positive
 from canon.checker.shapes import has_complex, is_smooth
 from canon.checker.statement import Statement
-from canon.checker.tendency import fades, towards
+from canon.checker.tendency import fades, is_near, towards
 
 PRECISE, DIGITS = 32, 10
 PIECES = (16, 128, 1024)
@@ -178,11 +179,14 @@ def integral(s: Statement) -> Case:
             yield total * (b - a) / n - found[equals]
 
     bounded = [end for end in ends if isinstance(end, int)]
+    there = is_there(s, x, ends, [inside])
     case = by_antiderivative(s, inside, x, ends, equals) or by_gauss(s, inside, x, ends, equals)
     if case is None:
         case = Case([], measured=measured, digits=DIGITS)
-        case.enclosed = enclosed if len(bounded) == 2 else None
-    return replace(case, mentions=[inside])
+        case.enclosed = enclosed if len(bounded) == 2 and there else None
+        return replace(case, mentions=[inside])
+    doubt = "" if there else "that what is integrated has a value all over the range"
+    return replace(case, mentions=[inside], trusted=doubt, against=doubt)
 
 
 def _pieces(numbers: Numbers, a: Any, b: Any) -> list[Any]:
@@ -223,7 +227,8 @@ def limit(s: Statement) -> Case:
     sides = {"+": [1], "-": [-1]}.get(str(claim.get("side")), [1, -1] if isinstance(to, int) else [1])
     shown = by_expansion(s, [towards(s, inside, x, to, side) for side in sides], equals)
     if shown is not None:
-        return replace(shown, mentions=[inside])
+        doubt = "" if is_near(s, x, to, sides) else f"that {x} may come there, in the domain"
+        return replace(shown, mentions=[inside], trusted=doubt, against=doubt)
 
     def measured(numbers: Numbers, of: Mapping[str, Any]) -> list[Any]:
         own = Numbers(120, real=numbers.real)

@@ -183,6 +183,8 @@ class Formulas:
                 slopes = [self._slopes[b, name] for b in parts]
                 if op[0] == "s":
                     self._slopes[a, name] = self.number(int(op[1] == name))
+                elif op[0] == "*" and op[1] == ZERO:
+                    self._slopes[a, name] = a if slopes[1] != ZERO else ZERO
                 else:
                     terms = [self.mul(self._partial(a, k), d) for k, d in enumerate(slopes) if d != ZERO]
                     self._slopes[a, name] = self.add(*terms)
@@ -203,6 +205,8 @@ class Formulas:
             return self.mul(a, self.node("f", "log", (), parts[:1]) if k else self.over(parts[1], parts[0]))
         if op[1] in ("abs", "sign") and self._may_be_complex(parts[0]):
             raise Unknown(f"the derivative of {op[1]} beside complex numbers")
+        if op[1] == "sign":  # 0 times what jumps: who asks whether a slope moves is told so
+            return self.node("*", ZERO, a)
         slopes = SLOPES.get(f"{op[1]}/{len(parts)}", SLOPES[op[1]])
         if k >= len(slopes):
             raise Unknown(f"the derivative of {op[1]} by its argument {k + 1}")

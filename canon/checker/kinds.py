@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from canon.checker import (
     actions,
@@ -152,10 +152,20 @@ def solves(s: Statement) -> Case:
         if len({*op[3]}) < len(op[3]) or op[1] in solution:
             raise Unreadable(f"{call[:40]!r}: a name, or the function, stands twice")
         solution[op[1]] = [f.ops[a][1] for a in op[3]], f.read(text, s.names)
+        s.conditions += _as_declared(s, op[1], s.pull(solution[op[1]][1]))
     if any(f.ops[a][0] == "f" and f.ops[a][1] in solution for _, body in solution.values() for a in f.reach(body)):
         raise Unreadable("a solution that contains what is to be solved for")
     equations = [f.read(text, s.names) for text in s.claim["equations"]]
     return Case([f.put_in(s.pull(a), solution) for a in equations])
+
+
+def _as_declared(s: Statement, name: str, body: int) -> Iterator[tuple[int, str]]:
+    """What a solution has to be, wherever it is looked at, to be a function as it is declared."""
+    words = s.words[name]
+    if "positive" in words or "negative" in words:
+        yield (body if "positive" in words else s.f.mul(s.f.number(-1), body)), "positive"
+    elif "nonzero" in words:
+        yield body, "nonzero"
 
 
 KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {

@@ -96,6 +96,8 @@ def _operand(t: _Text, at: Any) -> int:
         raise Unreadable("derivatives are counted")
     of = of.value if isinstance(of, ast.Subscript) else of
     name = of.id[1:]
+    if name == "D" and len(at.args) > 2 and not isinstance(at.args[2], ast.Constant):
+        raise Unreadable("derivatives are counted")
     if not t.plain and (name in t.names or name in f.taken):
         raise Unreadable(f"{name[:40]!r} is no function here")
     return call(f, name, orders, [_built(t, item) for item in at.args], plain=t.plain)

@@ -15,6 +15,7 @@ from math import comb, factorial
 from typing import Any
 
 from canon.checker.case import Case, whole
+from canon.checker.defined import unseen
 from canon.checker.followed import FAILURES, at_random
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.obligations import taylor
@@ -46,7 +47,7 @@ def normal_form(s: Statement) -> Case:
     if any(f.ops[b] == ("s", s.time) for b in f.reach(s.H, *table.values(), *written)):
         raise Unknown("a normal form that depends on time")
     at = {x: f.number(0) for x in (*s.q, *s.p)}
-    if not is_regular(s, [s.H], at, own=False):
+    if not is_regular(s, [s.H, *unseen(s)], at, own=False):
         raise Unknown("a Hamiltonian that isn't seen to be analytic at the origin")
     series = taylor(s, scaled, "#scale", range(order + 1))
     work = Algebra(s, order)

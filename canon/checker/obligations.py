@@ -7,6 +7,7 @@ from itertools import combinations
 from math import factorial
 
 from canon.checker.case import Case, whole
+from canon.checker.defined import unseen
 from canon.checker.everywhere import is_exact, is_somewhere
 from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
@@ -65,7 +66,7 @@ def taylor(s: Statement, a: int, name: str, orders: Iterable[int]) -> list[int]:
 
 def _analytic(s: Statement, targets: Iterable[int], at: Mapping[str, int]) -> None:
     """Refuse a series of what isn't seen to be analytic. Raises Unknown."""
-    if not is_regular(s, [s.pull(a) for a in targets], at, own=True):
+    if not is_regular(s, [*(s.pull(a) for a in targets), *unseen(s)], at, own=True):
         raise Unknown("a series of what isn't seen to be analytic at its place")
 
 
@@ -230,7 +231,7 @@ def lie_series(s: Statement) -> Case:
         start = f.substitute(given, {name: f.number(0)})
         s.written.append(start)  # it has to have a value, too
         bound = any(f.ops[b] == ("s", name) for a, _ in s.conditions for b in f.reach(a))
-        sure = not bound and is_regular(s, [s.pull(given)], {name: f.number(0)}, own=True)
+        sure = not bound and is_regular(s, [s.pull(given), *unseen(s)], {name: f.number(0)}, own=True)
         trusted = "" if sure else f"that {name} may be 0, and the series is analytic there"
         flow = f.sub(f.slope(given, name), f.bracket(given, G, f.pairs))
         smooth = is_smooth(s, s.pull(given), name) and not any(f.ops[b][1] in f.functions for b in f.reach(given))

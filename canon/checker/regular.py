@@ -7,6 +7,7 @@ derivative −2 ε/√(1 − (1 − ε²)²).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from canon.checker.followed import FAILURES, at_random
 from canon.checker.formulas import ONE
@@ -46,7 +47,9 @@ def is_regular(s: Statement, targets: Sequence[int], at: Mapping[str, int], *, o
         if op[0] in "s+*" or (op[0] == "^" and op[2] > 0) or (op[0] == "f" and op[1] in smooth):
             continue
         first = parts[0]
-        if op[0] == "^" or op[1] in CUT:
+        if not own and not _is_real(s, op, at):
+            fine = False
+        elif op[0] == "^" or op[1] in CUT:
             fine = apart(first, said=True)
         elif op[1] in EDGED:
             fine = apart(f.sub(ONE, f.mul(first, first)))
@@ -65,6 +68,15 @@ def is_regular(s: Statement, targets: Sequence[int], at: Mapping[str, int], *, o
         if not fine:
             return False
     return True
+
+
+def _is_real(s: Statement, op: tuple[Any, ...], at: Mapping[str, int]) -> bool:
+    """Whether a function is seen to be real at the place: √(q − 1) is analytic at 0, and has no value there."""
+    if op[0] == "^" or op[1] not in (*EDGED, "power", "log"):
+        return True
+    f, x = s.f, op[3][0]
+    walls = {"acosh": f.sub(x, ONE), "power": x, "log": x}
+    return _is_positive(s, walls.get(op[1], f.sub(ONE, f.mul(x, x))), at)
 
 
 def _is_positive(s: Statement, a: int, at: Mapping[str, int]) -> bool:

@@ -19,7 +19,7 @@ SECTIONS: dict[str, set[str] | None] = {
     "transformation": {"q", "p", "Q", "P"}, "domain": {"where", "on"},
 }  # fmt: skip
 """The sections of a file, and the keys of those that have the same ones always."""
-COMMON = {"kind": "label", "title": "label", "source": "label", "expect": "label", "budget": "any"}
+COMMON = {"kind": "label", "title": "label", "source": "label", "expect": "expected", "budget": "seconds"}
 _TENSOR = {"tensor": "matrix", "coordinates": "names", "structure": "brackets"}
 _NAMED = {"equals": "label", "structure": "combinations"}
 _ACTION = {
@@ -33,17 +33,17 @@ KEYS: dict[str, dict[str, str]] = {
     "integral_invariant": {"order": "whole"}, "cartan_invariant": {"K": "text"}, "generates": {},
     "generating_function": {"type": "types", "F": "text"}, "new_hamiltonian": {"K": "text"},
     "bracket": {"f": "text", "g": "text", "equals": "text", **_TENSOR}, "conserved": {"f": "text", **_TENSOR},
-    "jacobi": {"f": "text", "g": "text", "h": "text", **_TENSOR}, "involution": {"functions": "texts", **_TENSOR},
+    "jacobi": {"f": "text", "g": "text", "h": "text", **_TENSOR}, "involution": {"functions": "several", **_TENSOR},
     "casimir": {"f": "text", **_TENSOR}, "independent": {"functions": "texts"},
     "lie_series": {"generator": "text", "parameter": "name", "f": "text", "equals": "text", "order": "whole"},
-    "infinitesimal": {"generator": "text", "dq": "each", "dp": "each"},
-    "equations_of_motion": {"qdot": "each", "pdot": "each"},
-    "hamiltonian_field": {"qdot": "each", "pdot": "each", "H": "text"}, "legendre": _MOTION,
+    "infinitesimal": {"generator": "text", "dq": "texts", "dp": "texts"},
+    "equations_of_motion": {"qdot": "texts", "pdot": "texts"},
+    "hamiltonian_field": {"qdot": "texts", "pdot": "texts", "H": "text"}, "legendre": _MOTION,
     "euler_lagrange": {
-        **_MOTION, "accelerations": "names", "dissipation": "text", "forces": "each", "equations": "each",
-        "qddot": "each",
+        **_MOTION, "accelerations": "names", "dissipation": "text", "forces": "texts", "equations": "texts",
+        "qddot": "texts",
     },
-    "noether": {**_MOTION, "dq": "each", "dt": "text", "f": "text", "charge": "text"},
+    "noether": {**_MOTION, "dq": "texts", "dt": "text", "f": "text", "charge": "text"},
     "hamilton_jacobi": {"S": "text", "W": "text", "constants": "names", "energy": "text"},
     "solves": {"solution": "values", "equations": "texts"}, "action_angle": {"angle_period": "text"},
     "action": _ACTION, "frequency": _ACTION, "normal_form": {"order": "whole", "N": "degrees"},
@@ -58,15 +58,15 @@ KEYS: dict[str, dict[str, str]] = {
     },
     "constraint": {
         **_MOTION, "forms": "texts", "functions": "texts", "holonomic": "truth", "stationary": "truth",
-        "integrals": "texts", "possible": "each", "virtual": "each", "qddot": "each", "multipliers": "texts",
-        "forces": "each", "determined": "truth",
+        "integrals": "texts", "possible": "texts", "virtual": "texts", "qddot": "texts", "multipliers": "texts",
+        "forces": "texts", "determined": "truth",
     },
     "dimension": {"functions": "texts", "dimensions": "dimensions", "equals": "text", "base": "names"},
     "limit": {"f": "text", "variable": "name", "to": "text", "side": "side", "equals": "text"},
     "integral": {"f": "text", "variable": "name", "from": "text", "to": "text", "equals": "text",
                  "antiderivative": "text"},
     "stationary": {
-        **_MOTION, "path": "each", "from": "text", "to": "text", "extremum": "label", "field": "fields",
+        **_MOTION, "path": "texts", "from": "text", "to": "text", "extremum": "label", "field": "fields",
         "conjugate": "texts",
     },
     "average": {
@@ -129,6 +129,8 @@ def _sections(tables: Any) -> None:
         if section not in SECTIONS:
             raise Unreadable(f"there is no section {str(section)[:40]!r}")
         if section in ("title", "source"):
+            if not isinstance(value, str):
+                raise Unreadable(f"{section}: a text is expected")
             continue
         if unknown := {*_table(value, section)} - (SECTIONS[section] or {*value}):
             raise Unreadable(f"[{section}] has no key {str(min(unknown))[:40]!r}")
@@ -140,6 +142,8 @@ def _sections(tables: Any) -> None:
     olds, news = ([len(space.get(side, [])) for side in pair] for pair in ("qp", "QP"))
     if len({*olds}) > 1 or len({*news}) > 1 or news[0] > olds[0]:
         raise Unreadable("as many momenta as coordinates are needed, and no more new variables than old ones")
+    if "transformation" in tables and not (tables["transformation"] and news[0]):
+        raise Unreadable("a map to no new variables")
     if news != olds and ({"q", "p"} & {*tables.get("transformation", {})} or "generating_function" in tables):
         raise Unreadable("as many new variables as old ones are needed where these are given by them")
     if "phase_space" in tables and not space.get("q") and claim.get("kind") not in BARE:
@@ -249,8 +253,11 @@ def _are_degrees(value: Any) -> bool:
 
 
 FORMS: dict[str, Callable[[Any], bool]] = {
-    "any": lambda x: True, "label": lambda x: isinstance(x, str), "text": _is_text, "texts": _are_texts,
-    "each": lambda x: _is_text(x) or _are_texts(x), "name": _is_name, "names": _are_names, "whole": _is_whole,
+    "expected": lambda x: x in ("holds", "fails", "proved", "refuted", "supported", "undecided"),
+    "seconds": lambda x: isinstance(x, (int, float)) and not isinstance(x, bool) and x > 0,
+    "label": lambda x: isinstance(x, str), "text": _is_text, "texts": _are_texts,
+    "several": lambda x: _are_texts(x) and len(x) > 1,
+    "name": _is_name, "names": _are_names, "whole": _is_whole,
     "types": _are_types, "power": _is_power, "truth": lambda x: isinstance(x, bool), "matrix": _is_matrix,
     "values": lambda x: _is_table_of(x, _is_text), "matrices": lambda x: _is_table_of(x, _is_matrix),
     "solutions": lambda x: _is_list_of(x, lambda row: _is_table_of(row, _is_text)), "brackets": _are_pairs,

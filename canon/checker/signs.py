@@ -144,7 +144,9 @@ class Signs:
                 self._turned(sine, cosine, x[0])
             return name_of(sine if op[1] == "sin" else cosine), ONE
         sure = op[1] in ("exp", "cosh", "abs")
-        self.words[mark] = ["positive"] if sure else [*self.s.words.get(op[1], ())] if not any(op[2]) else []
+        sure = sure or (op[1] == "power" and all(self._is_sure(p, strict=True) for p in x[0]))
+        declared = op[1] in f.functions and not any(op[2])  # a name may be called as a function of the language is
+        self.words[mark] = ["positive"] if sure else [*self.s.words.get(op[1], ())] if declared else []
         return name_of(mark), ONE
 
     def _turned(self, sine: str, cosine: str, angle: Pair) -> None:

@@ -160,6 +160,11 @@ def _called(s: Statement, text: str) -> set[str]:
     }
 
 
+def written_names(s: Statement, text: str) -> set[str]:
+    """The names that stand in a text."""
+    return {node.id[1:] for node in _nodes(s, text) if isinstance(node, ast.Name)}
+
+
 def _names(s: Statement, text: str) -> set[str]:
     """The names that a formula is made of, those of its abbreviations too."""
     return _meant(s, _nodes(s, text))

@@ -72,14 +72,19 @@ class Statement:
         self.time, self.names, self.written = space.get("time", "t"), dict[str, int](), list[int]()
         self.added: list[int] = []  # formulas that the certificate says of what the claim leaves open
         self.bracketed: list[str] = []  # coordinates of a bracket that isn't the canonical one
+        later = {*tables.get("definitions", {})}
         for name, text in tables.get("definitions", {}).items():
             self.f.abbreviate(name, text, self.names)
+            if early := stated.written_names(self, text) & later:
+                raise Unreadable(f"{min(early)[:40]!r} is defined further down than it is used")
+            later.discard(name)
         self._H = self.f.read(tables["hamiltonian"]["H"], self.names) if "hamiltonian" in tables else None
         self.written += [] if self._H is None else [self._H]
         self._chart(tables.get("transformation"), tables.get("generating_function"))
         stated.check_sides(self, tables)
         self.domain = tables.get("domain", {})
         self._restrict()
+        self._check_declared(set())  # the file's own sections don't know the claim's own names
 
     def _restrict(self) -> None:
         """The surface, and what the inequalities say, in the coordinates."""
@@ -88,9 +93,12 @@ class Statement:
 
     def check_names(self) -> None:
         """Refuse a name that nothing declares: a section of the file, or a key of the claim that holds names."""
-        named = stated.own_names(self.claim)
+        self._check_declared(stated.own_names(self.claim))
+
+    def _check_declared(self, more: set[str]) -> None:
+        known = self.declared | more | {self.time, "pi", "1j"}
         for op in self.f.ops:
-            if op[0] == "s" and op[1][0] != "#" and op[1] not in self.declared | named | {self.time, "pi", "1j"}:
+            if op[0] == "s" and op[1][0] != "#" and op[1] not in known:
                 raise Unreadable(f"the name {op[1][:40]!r} is not declared")
 
     def without_map(self) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any
 
+from canon.checker.defined import unseen
 from canon.checker.expansions import EXPONENTIAL, Expansion, NoSeries, Series
 from canon.checker.followed import FAILURES
 from canon.checker.formulas import ZERO
@@ -31,6 +32,38 @@ def towards(s: Statement, inside: int, x: str, to: Any, side: int) -> Series | N
         if first.end > 0 or first.low < 0:
             return first
     return None
+
+
+def is_near(s: Statement, x: str, to: int | str, sides: Sequence[int]) -> bool:
+    """Whether the domain is seen to reach there, from each side, and what isn't seen of the texts to have values."""
+    f, t = s.f, s.f.node("s", x)
+    signs = {"positive": 1, "nonnegative": 1, "negative": -1}
+    walls = [f.mul(f.number(signs[word]), t) for word in s.words.get(x, ()) if word in signs]
+    walls += [a for a, kind in s.conditions if kind == "positive" and _moves(s, a, x)]
+    others = [a for a, kind in s.conditions if kind == "nonzero" and _moves(s, a, x)]
+    others += [a for a in unseen(s) if _moves(s, a, x)]
+    for side in sides:
+        for a in walls:
+            series = _first_term(s, a, x, to, side)
+            if series is None or not is_positive(s, series, strict=True, real=True):
+                return False
+        if any(_first_term(s, a, x, to, side) is None for a in others):
+            return False
+    return not any(_moves(s, a, x) for a in s.surface)
+
+
+def _first_term(s: Statement, inside: int, x: str, to: Any, side: int) -> int | None:
+    """The first coefficient of a formula's expansion there, which tells its sign near; None where none is seen."""
+    for expansion in _expansions(s, inside, x, to, side):
+        try:
+            return expansion.stripped(expansion.of(inside)).terms[0]
+        except (NoSeries, *FAILURES):
+            continue
+    return None
+
+
+def _moves(s: Statement, a: int, x: str) -> bool:
+    return any(s.f.ops[b] == ("s", x) for b in s.f.reach(a))
 
 
 def _expansions(s: Statement, inside: int, x: str, to: Any, side: int) -> Iterator[Expansion]:

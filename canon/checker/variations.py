@@ -13,6 +13,7 @@ from itertools import combinations, pairwise
 from typing import Any
 
 from canon.checker.case import Case
+from canon.checker.defined import unseen
 from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.formulas import ONE, ZERO
 from canon.checker.functions import Unknown, Unreadable
@@ -48,7 +49,8 @@ def stationary(s: Statement) -> Case:
     for q, w in zip(s.q, v, strict=True):
         momentum = f.substitute(f.slope(L, w), along)
         zeros.append(f.sub(f.slope(momentum, t), f.substitute(f.slope(L, q), along)))
-    smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along)))
+    hidden = [f.substitute(a, along) for a in unseen(s)]
+    smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along), *hidden))
     trusted = "" if smooth else "that the path, and L along it, are smooth between its ends"
     touched = _restricted(s, {*s.q, *v, t}, places[0])
     trusted = trusted or (f"that {touched[0]} stays along the path where it is said to be" if touched else "")

@@ -101,6 +101,10 @@ def _virial(question: Question) -> Outcome:
     wall = leaves_by(question, H, region) if parts.status == "proved" else None
     if wall is not None:
         return parts.with_status("undecided", f"motions may all leave {wall.text}: the claim is about those that stay")
+    if parts.status == "proved" and not goes_on_for_ever(question, H, region):
+        excess = tape.minus(f, claimed)  # where it has one sign the virial grows for ever, or motions end
+        if any(is_positive(question, node, region) for node in (excess, tape.minus(claimed, f))):
+            return parts.with_status("undecided", "motions may all end: f and its average differ with one sign")
     steps = (*parts.arguments, {"theorem": RATE, "G": str(formulas[1]), "bound": str(formulas[2])})
     return replace(parts, arguments=steps if parts.status == "proved" else parts.arguments)
 

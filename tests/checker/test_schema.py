@@ -14,6 +14,8 @@ SPACE: dict[str, Any] = {"phase_space": {"q": ["q"], "p": ["p"]}}
 MAPPED: dict[str, Any] = {"phase_space": {"q": ["q"], "p": ["p"], "Q": ["X"], "P": ["Y"]}}
 THREE: dict[str, Any] = {"phase_space": {"q": ["x", "y", "z"], "p": ["a", "b", "c"]}}
 PLANE = {"forms": ["z*v1 + v2"], "velocities": ["v1", "v2", "v3"]}
+FALL = {"L": "v**2/2", "velocities": ["v"], "accelerations": ["a"]}
+LATER = {"definitions": {"b": "2", "c": "b*q"}, "symbols": {"v": "real"}, "domain": {"where": ["v > 0"]}}
 PAIR = {"A": "q", "B": "p", "C": "1"}
 SPHERE = {"A": "y*c - z*b", "B": "z*a - x*c", "C": "x*b - y*a"}
 TURNS = {"A,B": "C", "B,C": "A", "C,A": "B"}
@@ -33,6 +35,7 @@ def empty(**keys: Any) -> dict[str, Any]:
 
 NONE = {
     "a derivative by an integer": identity("D(cos(2*pi*n)*q, n)", "-2*pi*sin(2*pi*n)*q", symbols={"n": "integer"}),
+    "an order that is a sum": identity("D(q**2, q, 1 + 1)", "2"),
     "a derivative by pi": identity("D(pi**2, pi)", "2*pi"),
     "a derivative by a function": identity("D(V(q), V)", "0", symbols={"V": "function"}),
     "a function without arguments": identity("2*V", "V + V", symbols={"V": "function"}),
@@ -89,6 +92,20 @@ NONE = {
         N={"+4": "3/2*((p**2 + q**2)/2)**2"}),
     "a degree with a space": of("normal_form", {**SPACE, "hamiltonian": {"H": "(p**2 + q**2)/2 + q**4"}}, order=4,
         N={" 4": "3/2*((p**2 + q**2)/2)**2"}),
+    "a text for a list of equations": of("euler_lagrange", SPACE, **FALL, equations="a"),
+    "one function in involution": of("involution", SPACE, functions=["q"]),
+    "an abbreviation of what is the claim's own": of("euler_lagrange", {**SPACE, "definitions": {"A": "v**2/2"}},
+        L="A", velocities=["v"], accelerations=["a"], equations=["a"]),
+    "a domain of what is the claim's own": of("euler_lagrange", {**SPACE, "domain": {"where": ["v > 0"]}}, **FALL,
+        equations=["a"]),
+    "a Hamiltonian of what is the claim's own": of("euler_lagrange", {**SPACE, "hamiltonian": {"H": "p*v"}}, **FALL,
+        equations=["a"]),
+    "time, that is defined further down": of("conserved", {**SPACE, "definitions": {"a": "t", "t": "3"},
+        "hamiltonian": {"H": "p**2/2"}}, f="q - p*a"),
+    "an expectation of nothing": of("involution", SPACE, functions=["q", "q"], expect="zzz"),
+    "a budget that is none": of("involution", SPACE, functions=["q", "q"], budget="zzz"),
+    "a title that is a number": of("involution", {**SPACE, "title": 5}, functions=["q", "q"]),
+    "a map to nothing": of("involution", {**SPACE, "transformation": {}}, functions=["q", "q"]),
     "half of an algebra's name": of("algebra", THREE, basis=SPHERE, structure=TURNS, equals="so(3"),
 }  # fmt: skip
 
@@ -110,7 +127,9 @@ def test_the_same_as_a_file_states_it_is_confirmed() -> None:
     claims = (
         identity("0*sqrt(q)", "0"), identity("1e3*q", "1000*q"), identity("D(n*q, q)", "n", symbols={"n": "integer"}),
         of("constraint", THREE, **PLANE, holonomic=False), of("algebra", basis=PAIR, structure={"A,B": "C"}),
-        of("algebra", THREE, basis=SPHERE, structure=TURNS, equals="so(3)"), of("involution", functions=["sqrt(q)"]),
+        of("algebra", THREE, basis=SPHERE, structure=TURNS, equals="so(3)"),
+        of("involution", functions=["sqrt(q)", "q"]),
+        of("euler_lagrange", {**SPACE, **LATER}, **FALL, equations=["a"]),
     )  # fmt: skip
     for claim, tables in claims:
         assert status(claim, "proved", of_text, {**tables}) == "confirmed", claim

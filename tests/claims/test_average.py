@@ -245,6 +245,7 @@ CENTRIFUGAL = {"symbols": 'q = "positive"\nl = "positive"', "hamiltonian": 'H = 
          "sqrt(p**2 + q**2)", "proved"),
         (CENTRIFUGAL, "p**2 + l**2/q**2", "p**2/2 + l**2/(2*q**2) + q**2/2", "q*p/2",
          "(p**2/2 + l**2/(2*q**2) + q**2/2)/2", "proved"),  # the centre, where H has a pole, is not reached
+        ({"hamiltonian": 'H = "p*(1 + q**2)*sqrt(1 + q**2)"'}, "1", "0", "q/sqrt(1 + q**2)", "1", "undecided"),
     ],
 )  # fmt: skip
 def test_an_average_of_no_motion_at_all(status, sections, f, equals, G, bound, expected):

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 from flint import arb
 
-from canon.claims.action_orbits import is_only_well
 from canon.claims.action_places import FAILURES
 from canon.claims.action_region import constants_region
+from canon.claims.other_wells import UNKNOWN, check_one_well, is_only_well
 from canon.claims.outcome import Outcome
 from canon.claims.solved_orbits import guarded, square_is_right
 from canon.decide.answer import show_ball
@@ -38,7 +38,6 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
 
 PLACES = 6
-FAR = 60
 METHOD = "certified quadrature"
 
 
@@ -70,7 +69,8 @@ def by_quadrature(question: Question, setting: Setting, branch: str, where: Iter
             if not isinstance(difference, arb) or not difference.is_finite():
                 continue
             if not difference.contains(0):
-                is_only_well(question, setting, constants_at(question, integrand))
+                if not is_only_well(question, setting, place):
+                    return Outcome("undecided", METHOD, note=UNKNOWN)
                 return _refuted(question, place, actual, difference)
             found.append((abs(float(difference.mid())), float(difference.rad())))
         if len(found) >= PLACES:
@@ -178,11 +178,6 @@ def _turn_length(question: Question, setting: Setting, integrand: Integrand) -> 
     return None if found is None else found()
 
 
-def constants_at(question: Question, integrand: Integrand) -> dict[sp.Symbol, Fraction]:
-    """The values of the constants at a place."""
-    return {question.tape.symbol_at(node): value for node, value in integrand.point.items()}
-
-
 def _at(question: Question, integrand: Integrand) -> str:
     return ", ".join(f"{question.tape.symbol_at(n)} = {v}" for n, v in sorted(integrand.point.items())) or "this energy"
 
@@ -197,7 +192,7 @@ def certified_orbit(question: Question, setting: Setting, place: Place) -> Orbit
     if orbit is None or not stays_inside(question, setting, integrand, *orbit.outer):
         return None
     if setting.well is None:
-        check_one_well(question, integrand, orbit, translation(setting.motion.square, setting.q))
+        check_one_well(question, setting, integrand, orbit)
     with precision(BITS):
         if not guarded(question, setting, integrand, [place.inside, (orbit.left + orbit.right) / 2]):
             return None
@@ -237,43 +232,3 @@ def _all_hold(question: Question, conditions: list[Any], point: dict[Node, Ball]
         except (*FAILURES, KeyError):
             return False
     return all(holds(requirement, balls) for requirement in requirements)
-
-
-def translation(square: sp.Expr, q: sp.Symbol) -> Fraction | None:
-    """A little less than a period of the square in q that shows at sight; None where none does."""
-    for length in (sp.pi / 2, sp.pi, 2 * sp.pi, 4 * sp.pi):
-        if sp.expand(sp.expand(square.xreplace({q: q + length})) - sp.expand(square)) == 0:  # type: ignore[operator]
-            return Fraction(float(length)) * Fraction(10**9 - 1, 10**9)
-    return None
-
-
-def check_one_well(question: Question, integrand: Integrand, orbit: Orbit, length: Fraction | None) -> None:
-    """**Raises** `InputError` where another well shows at the same energy, among a hundred points on either side.
-
-    Of a square with a period the wells between the orbit and its next images count: the images are the same well.
-    """
-    width = orbit.right - orbit.left
-    for k in range(1, 101):
-        for where in (orbit.outer[0] - width * k / 20, orbit.outer[1] + width * k / 20):
-            if length is not None and not orbit.outer[1] - length < where < orbit.outer[0] + length:
-                continue
-            if (integrand.low is not None and where <= integrand.low) or (
-                integrand.high is not None and where >= integrand.high
-            ):
-                continue
-            if integrand.sign(where) > 0 and not _leads_away(integrand, where, orbit):
-                raise InputError(
-                    f"there is more than one well, near {float((orbit.left + orbit.right) / 2):.3g} and "
-                    f"{float(where):.3g}, at {_at(question, integrand)}: name a point of the one that is meant, or "
-                    "restrict the domain",
-                    "key 'well'",
-                )
-
-
-def _leads_away(integrand: Integrand, where: Fraction, orbit: Orbit) -> bool:
-    """Whether the square stays positive at places farther and farther out: a motion there isn't bound in a well."""
-    step = where - (orbit.left if where < orbit.left else orbit.right)
-    edge = integrand.low if step < 0 else integrand.high
-    if edge is not None:
-        return False
-    return all(integrand.sign(where + step * Fraction(2**k)) > 0 for k in range(FAR))

@@ -93,28 +93,6 @@ def _constants(question: Question, setting: Setting) -> dict[Any, Any] | None:
     return None
 
 
-def is_only_well(question: Question, setting: Setting, point: Mapping[sp.Symbol, Fraction]) -> None:
-    """**Raises** `InputError` where a map of the potential at these constants has orbits in several wells, and the
-    claim names none: a refutation is one of the orbit that is meant."""
-    from canon.numeric.actions.motion import motion
-
-    if setting.well is not None or question.key("branch") == "rotation":
-        return
-    values: dict[Any, Any] = {name: _rational(value) for name, value in point.items()}
-    level = setting.energy if setting.level is None else setting.level
-    low, high = (_at(end, values) for end in (setting.motion.low, setting.motion.high))
-    prefix = "".join(f"{name} = {value}, " for name, value in sorted(values.items(), key=str))
-    try:
-        ends = None if (low, high) == (-sp.oo, sp.oo) else (float(low), float(high))
-        orbits = motion(_at(setting.H, values), setting.q, setting.p, domain=ends)
-        orbits.orbit(energy=_at(level, values), branch="libration")
-    except InputError as error:
-        if error.where == "well":
-            raise InputError(f"at {prefix}{error.message}", "key 'well'") from error
-    except (TypeError, ValueError, OverflowError):
-        return
-
-
 def why_not(question: Question, setting: Setting, branch: str, here: Example | None) -> InputError | None:
     """What is wrong with the energy, branch or well of a claim; None where such an orbit is found after all."""
     if here is None:

@@ -140,6 +140,8 @@ class _Builder:
                 return None
             inside = found
         low, high = (_edge(question, e, point) for e in (motion.low, motion.high))
+        if (low is not None and inside <= low) or (high is not None and inside >= high):
+            return None  # the point that is named isn't in the domain
         return Place(Integrand(question.tape, self.q, self.square, self.mean, point, low, high), inside, name)
 
     def _fixed_level(self, values: Mapping[Node, Fraction]) -> Fraction | None:

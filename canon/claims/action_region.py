@@ -85,6 +85,8 @@ def existing(question: Question, setting: Setting, closed: ClosedAction) -> Regi
     if setting.well is not None:
         inside: Any = square.xreplace({setting.q: setting.well})
         wanted.append((inside, f"{setting.well} lies inside"))
+        ends = (setting.well - setting.motion.low, setting.motion.high - setting.well)
+        wanted += [(e, f"{setting.well} is in the domain") for e in ends if not e.is_infinite and not e.is_positive]
     if setting.period is not None and known_sign(setting.period) != "positive":
         wanted.append((setting.period, "a period is above 0"))
     return region.also(*(Requirement("positive", (tape.load(e),), f"{e} > 0 ({why})") for e, why in wanted))

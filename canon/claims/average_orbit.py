@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING
 from flint import arb
 
 from canon.claims.action import branch_of, setting_of
-from canon.claims.action_evidence import METHOD, certified_orbit, constants_at, constants_hold
-from canon.claims.action_orbits import example, is_only_well, why_not
+from canon.claims.action_evidence import METHOD, certified_orbit, constants_hold
+from canon.claims.action_orbits import example, why_not
 from canon.claims.action_places import FAILURES, Place, places, places_by_wells
 from canon.claims.action_region import Setting
+from canon.claims.other_wells import UNKNOWN, check_images, is_only_well
 from canon.claims.outcome import Outcome
 from canon.decide.answer import show_ball
 from canon.decide.arbitrary import rational
@@ -53,11 +54,14 @@ def over_orbits(question: Question) -> Outcome:
                 continue
             seen.append(place.integrand.point)
             value = _average(question, setting, place)
+            if value is not None:
+                check_images(question, setting, place)
             gap = None if value is None else _gap(question, setting, place, value)
             if value is None or gap is None:
                 continue
             if not gap.contains(0):
-                is_only_well(question, setting, constants_at(question, place.integrand))
+                if not is_only_well(question, setting, place):
+                    return Outcome("undecided", METHOD, note=UNKNOWN)
                 return _refuted(question, place, value, gap)
             found.append((abs(float(gap.mid())), float(gap.rad())))
             if len(found) >= AVERAGES:

@@ -16,7 +16,7 @@ from canon.expression import read
 from canon.numeric.actions.angle import angle_of
 from canon.numeric.actions.balls import Ball, ball_function, ball_of, precision
 from canon.numeric.actions.bounded import Bounded
-from canon.numeric.actions.branches import Branch, TooCoarse, branches_at
+from canon.numeric.actions.branches import Branch, TooCoarse, branches_at, end_place
 from canon.numeric.actions.course import Course
 from canon.numeric.actions.drift import drift_of
 from canon.numeric.actions.inverse import energy_of, point_of
@@ -51,6 +51,18 @@ class Motion:
         """
         level = level_of(_exact(energy, "energy"), str(energy))
         return tuple(self._measured(level, branch) for branch in self._branches(level))
+
+    def librations(self, energy: Any) -> tuple[tuple[float, float], ...]:
+        """Between which places each bounded libration at an energy runs; its images under a period count once.
+
+        **Raises:** `InputError` where there is no motion.
+        """
+        level = level_of(_exact(energy, "energy"), str(energy))
+        ends = [branch.ends for branch in self._branches(level) if branch.kind == "libration" and not branch.is_open]
+        with precision(PRECISIONS[0]):
+            E = level.value()
+            places = [[float(end_place(end, self.profile, self.domain, E)) for end in pair] for pair in ends if pair]
+        return tuple((low, high) for low, high in places)
 
     def orbit(
         self,

@@ -226,6 +226,12 @@ def test_every_effect_parameter_and_monitor_is_in_the_reference() -> None:
     assert not [word for word in words if f"`{word}`" not in text]
 
 
+def test_every_file_of_the_decider_says_what_it_rests_on() -> None:
+    page = (DOCS / "explanation" / "decider-rules.md").read_text(encoding="utf-8")
+    files = {path.stem for path in (Path(canon.__file__).parent / "decide").glob("[a-z]*.py")}
+    assert files <= set(re.findall(r"`(\w+)`", page))
+
+
 def test_links_lead_somewhere() -> None:
     for page in DOCS.rglob("*.md"):
         for target in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):

@@ -178,7 +178,8 @@ def _whole_power(
     same = (g for known, under, degree, g in roots if degree == m and known == numerator and under == denominator)
     made = next(same, None)
     if made is None:
-        lower = field.normal(ring.times(numerator, ring.power(denominator, m - 1)))
+        below = field.power((denominator, {}), m - 1)[0]  # reduced as it grows: m may be 10⁸
+        lower = field.normal(ring.times(numerator, below))
         made = tower.generator("root", sign, ("whole", numerator, denominator, m), relation=(m, lower))
         roots.append((numerator, denominator, m, made))
     root = tower.element(made)

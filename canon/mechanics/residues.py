@@ -132,7 +132,7 @@ def _integral(term: Any, Q: Any, coefficients: tuple[Any, Any, Any], chosen: Sub
     A, B, C = coefficients
     if term.is_polynomial(U):
         power = degree(term, U) if term.has(U) else 0
-        if power > HIGHEST_POWER:
+        if power > HIGHEST_POWER or sp.expand(term - term.coeff(U, power) * U**power) != 0:
             return None
         middle, spread = B / (2 * A), (B**2 + 4 * A * C) / (4 * A**2)
         moments = (sp.S.One, middle, middle**2 + spread / 4)

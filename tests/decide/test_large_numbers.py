@@ -10,7 +10,9 @@ from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.decide.constants import number_is_zero
 from canon.decide.factors import prime_factors
+from canon.decide.ring import TooCostly
 from canon.decide.tape import Tape, Unsupported
+from canon.decide.tower import Tower
 
 PAIRS = [(10**9 + 7, 10**9 + 9), (10**12 + 39, 10**9 + 7), (10**13 + 37, 10**12 + 39)]
 
@@ -50,3 +52,13 @@ def test_a_root_of_two_primes_of_thirty_digits_is_no_hang():
         text = f'{head}lhs = "sqrt({n}*q**2)"\nrhs = "{rhs}"\n'
         found = verify(read_text(text).claims[0], budget=2.0).status
         assert found == status if status else found in ("proved", "supported")
+
+
+def test_a_root_of_order_a_hundred_million_is_no_hang():
+    """Its relation has the 10⁸-th power of sin x below, which has to be reduced while it is multiplied."""
+    tape = Tape()
+    node = tape.load(sp.cos(sp.Symbol("x", real=True)) / sp.sin(sp.Symbol("x", real=True)))
+    budget = Budget(20)
+    with pytest.raises(TooCostly):
+        Tower(tape, [tape.root(node, Fraction(1, 10**8))], budget=budget)
+    assert not budget.spent()

@@ -205,6 +205,7 @@ class Builder:
         self.use(variable.name, place(self.text, variable.span[0]))
         if symbol.is_integer:
             raise InputError(f"D {where} is with respect to {variable.name!r}, which is an integer")
+        self.check_related(node.arguments[0], variable.name, where)
         if len(node.arguments) == 3:
             times = node.arguments[2]
             if not isinstance(times, Number) or times.imaginary or times.value.denominator != 1:
@@ -216,6 +217,17 @@ class Builder:
         for _ in range(order):
             value = differentiated(value, symbol, self.measure)
         return value
+
+    def check_related(self, body: Node, variable: str, where: str) -> None:
+        """Old and new variables are independent as arguments of one function alone: by the map Q depends on q."""
+        vocabulary, names = self.vocabulary, written_names(body, self.vocabulary)
+        old, new = {x.name for pair in vocabulary.pairs for x in pair}, vocabulary.new
+        for side, other, word in ((old, new, "new"), (new, old, "old")):
+            if variable in side and names & other and not names & side:
+                raise InputError(
+                    f"D {where} is with respect to {variable!r}, but {min(names & other)!r} is one of the {word} "
+                    f"variables, which depend on it by the map: write its formula"
+                )
 
     def use_bracket(self, where: str) -> None:
         if self.vocabulary.no_bracket:

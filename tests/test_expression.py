@@ -173,6 +173,16 @@ def test_new_variables_in_a_bracket():
         read("1+bracket(x, px)", words.refusing([], "", "because"))
 
 
+def test_a_derivative_of_what_depends_on_the_name_by_the_map():
+    Q = sp.Symbol("Q", real=True)
+    words = Vocabulary({**WORDS.symbols, "Q": Q}, pairs=WORDS.pairs, new=frozenset({"Q"}))
+    for text, name in (("D(Q, x)", "x"), ("x + D(sin(Q), px, 2)", "px"), ("D(x*px, Q)", "Q")):
+        with pytest.raises(InputError, match=f"with respect to '{name}', but .* which depend on it by the map"):
+            read(text, words)
+    assert read("D(x*Q, x) + D(x*Q, Q)", words).expr == words.symbols["x"] + Q  # a function of both
+    assert read("D(x, px)", words).expr == 0
+
+
 def test_inequalities():
     found = read_relation("0 < x < pi", WORDS)
     assert [(c.kind, c.terms[0], str(c)) for c in found] == [

@@ -121,6 +121,8 @@ def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
         places.append((value, old | new, refused - own))
     if kind in BOTH and any(new & _in_brackets(s, text) for text in texts(dict(claim))):
         raise Unreadable("a bracket in the old variables beside new ones")
+    for text in texts(dict(claim)):
+        _check_related(s, text, old, new)
     for value, variables, refused in places:
         for text in texts(value):
             if wrong := _names(s, text) & refused:
@@ -168,6 +170,16 @@ def written_names(s: Statement, text: str) -> set[str]:
 def _names(s: Statement, text: str) -> set[str]:
     """The names that a formula is made of, those of its abbreviations too."""
     return _meant(s, _nodes(s, text))
+
+
+def _check_related(s: Statement, text: str, old: set[str], new: set[str]) -> None:
+    """Refuse D(Q, q), which is no 0: by the map Q depends on q. Raises Unreadable."""
+    for node in _nodes(s, text):
+        if not (isinstance(node, ast.Call) and ast.unparse(node.func)[1:] == "D" and len(node.args) > 1):
+            continue
+        names, by = _meant(s, ast.walk(node.args[0])), _meant(s, [node.args[1]])
+        if any(by <= side and names & other and not names & side for side, other in ((old, new), (new, old))):
+            raise Unreadable(f"a derivative of variables that depend on the name by the map: {text[:60]!r}")
 
 
 def _in_brackets(s: Statement, text: str) -> set[str]:

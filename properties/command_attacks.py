@@ -28,6 +28,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import chdir, suppress
+from itertools import islice
 from pathlib import Path
 from typing import Final, NamedTuple
 
@@ -204,8 +205,11 @@ def main() -> int:
     parsed.add_argument("--seed", type=int, default=1)
     parsed.add_argument("--values", type=int, default=3000, help="files with an odd value in one of their places")
     parsed.add_argument("--only", default="", help="a word of the command lines that are tried")
+    parsed.add_argument("--after", type=int, default=0, metavar="N", help="leave out the first N command lines")
+    parsed.add_argument("--most", type=int, default=None, metavar="N", help="command lines, and no odd values")
     asked = parsed.parse_args()
     rng, tried, wrong = random.Random(asked.seed), Counter[str](), []
+    whole = not asked.only and asked.most is None
 
     def note(what: str, found: str) -> None:
         tried[what.split()[0] if what else "canon"] += 1
@@ -223,12 +227,14 @@ def main() -> int:
     ):
         surroundings()
         try:
-            for attack in attacks(rng, f"tcp://127.0.0.1:{s.getsockname()[1]}"):
+            listed = attacks(rng, f"tcp://127.0.0.1:{s.getsockname()[1]}")
+            end = None if asked.most is None else asked.after + asked.most
+            for attack in islice(listed, asked.after, end):
                 line = " ".join(attack.words)
                 if asked.only in line:
                     about = f"{attack.variables or ''} {attack.signal or ''} {attack.size or ''}"
                     note(f"{line!a} {about}", fault(attack))
-            for what, found in (*odd_values(rng, asked.values), *journals()) if not asked.only else ():
+            for what, found in (*odd_values(rng, asked.values), *journals()) if whole else ():
                 note(what, found)
         finally:
             if os.path.ismount("full"):

@@ -6,6 +6,7 @@ import argparse
 import math
 import re
 import sys
+from collections.abc import Iterator
 from typing import Any, NoReturn
 
 from canon.cli.spoken import shown
@@ -29,35 +30,64 @@ class Parser(argparse.ArgumentParser):
         """Print the help; where that can't be written, it is an error, which argparse would keep to itself."""
         (sys.stdout if file is None else file).write(self.format_help())
 
+    def parse_args(  # pyright: ignore[reportIncompatibleMethodOverride] - it has overloads
+        self, args: Any = None, namespace: Any = None
+    ) -> Any:
+        """Read the arguments. Of those that nobody knows the command that was meant says so, and not the program."""
+        parsed, unknown = self.parse_known_args(args, namespace)
+        if unknown:
+            chosen = self._chosen(parsed)
+            message, words = (
+                f"unrecognized arguments: {' '.join(unknown)}",
+                [word.partition("=")[0] for word in unknown],
+            )
+            chosen._refuse(message, chosen._nearest(words, self))
+        return parsed
+
     def error(self, message: str) -> NoReturn:
         """Print the usage, the error and the nearest thing that exists, and exit with status 3."""
+        unknown = re.search(r"invalid choice: '([^']*)'", message)
+        self._refuse(message, "" if unknown is None else self._nearest(unknown[1].split(), self))
+
+    def _refuse(self, message: str, advice: str) -> NoReturn:
         lines = [self.format_usage().rstrip(), shown(f"{self.prog}: error: {message}")]
-        advice = self._advice(message)
-        lines.append(f"{advice} See `{self.prog} --help`." if advice else f"See `{self.prog} --help`.")
+        lines.append(f"{shown(advice)} See `{self.prog} --help`.".lstrip())
         self.exit(BAD_INPUT, "\n".join(lines) + "\n")
 
-    def _advice(self, message: str) -> str:
+    def _nearest(self, words: list[str], top: Parser) -> str:
+        """What may have been meant by words that this command doesn't know; never one of these themselves."""
         from difflib import get_close_matches
 
-        unknown = re.search(r"unrecognized arguments: (.+)|invalid choice: '([^']*)'", message)
-        if unknown is None:
-            return ""
-        words = [word.partition("=")[0] for word in (unknown[1] or unknown[2] or "").split()]
-        options = [option for action in self._every_action() for option in action.option_strings]
-        choices = [str(choice) for action in self._every_action() for choice in action.choices or ()]
+        every = list(top._below())
         for word in words:
-            known = options if word.startswith("-") else options + choices
-            if near := get_close_matches(word, known, n=1, cutoff=0.75):
-                return f"Did you mean {near[0]}?"
+            if owners := [parser.prog for parser in every if word.startswith("-") and word in parser._options()]:
+                return f"{word} is an option of {', '.join(f'`{prog}`' for prog in owners)}, not of `{self.prog}`."
+            others = [option for parser in every for option in parser._options()]
+            choices = [choice for parser in self._below() for choice in parser._choices()]
+            for known in (self._options(), others) if word.startswith("-") else (choices, self._options()):
+                if near := get_close_matches(word, sorted(set(known) - {word}), n=1, cutoff=0.75):
+                    return f"Did you mean {near[0]}?"
         return ""
 
-    def _every_action(self) -> list[argparse.Action]:
-        actions = list(self._actions)
+    def _options(self) -> list[str]:
+        return [option for action in self._actions for option in action.option_strings]
+
+    def _choices(self) -> list[str]:
+        return [str(choice) for action in self._actions for choice in action.choices or ()]
+
+    def _chosen(self, parsed: argparse.Namespace) -> Parser:
+        """The parser of the command that was named, and of what it was told to do."""
+        for action in self._actions:
+            if isinstance(action, argparse._SubParsersAction) and getattr(parsed, action.dest, None) in action.choices:
+                return action.choices[getattr(parsed, action.dest)]._chosen(parsed)
+        return self
+
+    def _below(self) -> Iterator[Parser]:
+        yield self
         for action in self._actions:
             if isinstance(action, argparse._SubParsersAction):
-                for sub in action.choices.values():
-                    actions += sub._actions
-        return actions
+                for parser in action.choices.values():
+                    yield from parser._below()
 
 
 def positive(text: str, *, wanted: str = "positive number: give one as 0.01") -> float:

@@ -24,14 +24,20 @@ def refusal(capsys: pytest.CaptureFixture[str], *arguments: str) -> list[str]:
     ("arguments", "lines"),
     [
         (["verfy"], ["Did you mean verify? See `canon --help`."]),
-        (["verify", "--jbos", "2"], ["canon: error: unrecognized arguments: --jbos", "Did you mean --jobs?"]),
+        (["verify", "--jbos", "2"], ["canon verify: error: unrecognized arguments: --jbos", "Did you mean --jobs?"]),
         (["verify", "--jobs", "0"], ["argument --jobs: '0' is no count: give a whole number from 1 on"]),
         (["verify", "--budget", "nan"], ["'nan' is no number of seconds: give one above 0, as 2.5"]),
         (["verify", "--budget", "-1"], ["'-1' is no number of seconds: give one above 0, as 2.5"]),
         (["verify", "--seed", "x"], ["'x' is no whole number from 0 on", "See `canon verify --help`."]),
         (["verify", "--method", "numerical"], ["Did you mean numeric? See `canon verify --help`."]),
         (["verify", "--met", "all"], ["unrecognized arguments: --met", "Did you mean --method?"]),
-        (["simulate", "--duration", "x"], ["arguments: --duration\nSee `canon --help`."]),
+        (["verify", "x", "--explain"], ["\n--explain is an option of `canon simulate`, not of `canon verify`. See"]),
+        (
+            ["certificate", "check", "x", "--coq=y"],
+            ["of `canon certificate export`, not of `canon certificate check`."],
+        ),
+        (["hard", "--version"], ["--version is an option of `canon`, not of `canon hard`."]),
+        (["simulate", "--duration", "x"], ["arguments: --duration\nSee `canon simulate --help`."]),
     ],
 )
 def test_refused_arguments(capsys: pytest.CaptureFixture[str], arguments: list[str], lines: list[str]) -> None:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from canon.claims.along_a_range import Range, Unproved, holds, is_positive, range_of
 from canon.claims.average_orbit import over_orbits
-from canon.claims.eternal import goes_on_for_ever, leaves_by
+from canon.claims.eternal import goes_on_for_ever, leaves_by, some_motion_lasts
 from canon.claims.integral import integral_is
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
@@ -101,10 +101,8 @@ def _virial(question: Question) -> Outcome:
     wall = leaves_by(question, H, region) if parts.status == "proved" else None
     if wall is not None:
         return parts.with_status("undecided", f"motions may all leave {wall.text}: the claim is about those that stay")
-    if parts.status == "proved" and not goes_on_for_ever(question, H, region):
-        excess = tape.minus(f, claimed)  # where it has one sign the virial grows for ever, or motions end
-        if any(is_positive(question, node, region) for node in (excess, tape.minus(claimed, f))):
-            return parts.with_status("undecided", "motions may all end: f and its average differ with one sign")
+    if parts.status == "proved" and not some_motion_lasts(question, H, region):
+        return parts.with_status("undecided", "it isn't shown that any motion goes on for ever, as the claim's do")
     steps = (*parts.arguments, {"theorem": RATE, "G": str(formulas[1]), "bound": str(formulas[2])})
     return replace(parts, arguments=steps if parts.status == "proved" else parts.arguments)
 

@@ -7,6 +7,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from canon.claims.chart import chart_of
+from canon.claims.flat_parts import regular_in_parts
 from canon.claims.independence import full_rank
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.own_names import is_free_of
@@ -111,6 +112,7 @@ def legendre(question: Question) -> Outcome:
     regular = full_rank(question, rows, v, region, everywhere=False, chart=plain)
     if regular.status == "refuted":
         regular = regular.with_detail(hessian="det d2L/dv2 is identically 0")
+    regular = regular_in_parts(question, rows, region, regular)
     return combined([outcome, regular]).with_detail(momenta=shown)
 
 

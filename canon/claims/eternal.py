@@ -10,18 +10,24 @@ than time (Abraham and Marsden, Foundations of Mechanics, sections 2.1 and 3.7).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from canon.claims.along_a_range import is_positive
+import sympy as sp
+
+from canon.budget import BudgetExceeded
+from canon.claims.along_a_range import holds, is_positive
 from canon.claims.chart import required_of
 from canon.claims.outcome import Residual
+from canon.deadline import within
 from canon.decide.derivative import derivative, poisson_bracket, substitute
 from canon.decide.intervals import intervals_of
 from canon.decide.nowhere_zero import has_no_zero
 from canon.decide.region import Region, Requirement
 from canon.decide.regular_on_box import is_regular
-from canon.decide.tape import Node
+from canon.decide.tape import Node, Unsupported
+from canon.errors import InputError
 from canon.sign import declared
 
 if TYPE_CHECKING:
@@ -29,6 +35,8 @@ if TYPE_CHECKING:
 
 DEPTHS = (0, 1, 10, 1000)
 """How far below 0 a potential may lie."""
+MOST = 6
+"""Equilibria that are looked at."""
 
 
 def goes_on_for_ever(question: Question, H: Node, region: Region) -> bool:
@@ -65,6 +73,43 @@ def leaves_by(question: Question, H: Node, region: Region) -> Requirement | None
         if r.kind not in ("positive", "nonzero") or question.decide([_rate(question, H, r)], region).status != "proved":
             return r
     return None
+
+
+def some_motion_lasts(question: Question, H: Node, region: Region) -> bool:
+    """Whether there is a motion in the region that goes on for ever: all of them do, or one rests at an equilibrium.
+
+    Where none does, what is said of those that do says nothing: with H = p cosh² q all are at infinity within a time 2.
+    """
+    return goes_on_for_ever(question, H, region) or any(
+        _is_equilibrium(question, H, region, place) for place in _places_of_rest(question)
+    )
+
+
+def _places_of_rest(question: Question) -> list[dict[sp.Symbol, sp.Expr]]:
+    """Where the gradient of H may vanish: the origin, and what sympy finds. A guess, that is verified."""
+    variables, H = question.space.old, question.hamiltonian().expr
+    origin: dict[sp.Symbol, sp.Expr] = dict.fromkeys(variables, sp.S.Zero)
+    found: Any = []
+    with suppress(ArithmeticError, BudgetExceeded, NotImplementedError, TypeError, ValueError):
+        slopes = [sp.diff(H, x) for x in variables]
+        found = within(question.budget.share(0.2), lambda: sp.solve(slopes, variables, dict=True))
+    return [origin, *(place for place in found[:MOST] if set(place) == {*variables})]
+
+
+def _is_equilibrium(question: Question, H: Node, region: Region, place: dict[sp.Symbol, sp.Expr]) -> bool:
+    tape, t = question.tape, question.tape.symbol(question.space.t)
+    try:
+        images = {tape.symbol(x): tape.load(value) for x, value in place.items()}
+        slopes = [substitute(tape, derivative(tape, H, x), images) for x in images]
+        asked = [replace(r, nodes=tuple(substitute(tape, n, images) for n in r.nodes)) for r in region.requirements]
+        asked += [r for x, y in images.items() for r in required_of(tape, tape.symbol_at(x), y)]
+    except (ArithmeticError, InputError, Unsupported):
+        return False
+    own = [r for r in region.requirements if not any(tape.support(n) & {*images, t} for n in r.nodes)]
+    constants = Region(tuple(own), (), ())
+    if region.surface or not all(r in own or holds(question, r, constants) for r in asked):
+        return False
+    return question.decide([Residual("slope of H", slope) for slope in slopes], constants).status == "proved"
 
 
 def _walls(question: Question, region: Region) -> list[Requirement]:

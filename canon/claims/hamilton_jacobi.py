@@ -6,7 +6,6 @@ det ∂²S/∂q∂α is not identically 0 (Goldstein, Poole and Safko 2002, sect
 
 from __future__ import annotations
 
-import random
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -14,15 +13,14 @@ import sympy as sp
 
 from canon.claims.chart import chart_of
 from canon.claims.determinant import determinant
+from canon.claims.flat_parts import seems_flat_in_parts
 from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.own_names import is_free_of
 from canon.claims.special_parameters import not_zero_for_any_parameters
 from canon.decide.derivative import derivative, substitute
-from canon.decide.enclosure import excludes_zero
 from canon.decide.nowhere_zero import has_no_zero
 from canon.decide.region import Region
-from canon.decide.search import samples
-from canon.decide.tape import Node, Unsupported
+from canon.decide.tape import Node
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
@@ -133,23 +131,12 @@ def _complete(
         or has_no_zero(tape, node, region, question.budget)
     )
     note = "" if whole else "complete at one point; not shown at all values of the parameters"
-    if whole and _seems_flat_in_parts(question, node, region):
+    if whole and seems_flat_in_parts(question, node, region):
         whole, note = False, "complete on a part of the domain; on another the determinant seems to be 0"
     status = "proved" if whole and question.method != "numeric" else "supported"
     return Outcome(status, "nonzero at a point", detail={"determinant": shown}, arguments=(step,), note=note)
 
 
-def _seems_flat_in_parts(question: Question, node: Node, region: Region) -> bool:
-    """Whether the node can't be told from 0 at some of a few points: (|a| + a) q is no complete integral for a < 0."""
-    rng = random.Random(question.seed)
-    try:
-        found = samples(question.tape, [node], region, rng, count=POINTS, bits=BITS, tries=4, budget=question.budget)
-        return any(not excludes_zero(sample.balls[node]) for sample in found)
-    except Unsupported:
-        return False
-
-
 _KEY = "key 'constants'"
-POINTS, BITS = 16, 256
 
 KINDS = {"hamilton_jacobi": hamilton_jacobi}

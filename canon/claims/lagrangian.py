@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from canon.claims.bracket import names as names_of
 from canon.claims.chart import chart_of
+from canon.claims.flat_parts import regular_in_parts
 from canon.claims.independence import full_rank
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.own_names import is_free_of
@@ -61,7 +62,7 @@ def euler_lagrange(question: Question) -> Outcome:
     regular = full_rank(question, rows, list(jets.v), region, everywhere=False, chart=chart)
     if regular.status == "refuted":
         regular = regular.with_detail(hessian="det d2L/dv2 is identically 0")
-    return combined([outcome, regular])
+    return combined([outcome, regular_in_parts(question, rows, region, regular)])
 
 
 def _lagrangian(question: Question) -> Formula:

@@ -246,6 +246,9 @@ CENTRIFUGAL = {"symbols": 'q = "positive"\nl = "positive"', "hamiltonian": 'H = 
         (CENTRIFUGAL, "p**2 + l**2/q**2", "p**2/2 + l**2/(2*q**2) + q**2/2", "q*p/2",
          "(p**2/2 + l**2/(2*q**2) + q**2/2)/2", "proved"),  # the centre, where H has a pole, is not reached
         ({"hamiltonian": 'H = "p*(1 + q**2)*sqrt(1 + q**2)"'}, "1", "0", "q/sqrt(1 + q**2)", "1", "undecided"),
+        ({"hamiltonian": 'H = "p*cosh(q)**2"'}, "1", "0", "tanh(q)", "1", "undecided"),  # at infinity after a time of 2
+        ({"hamiltonian": 'H = "p*cosh(q)**2"'}, "1 + 25*cos(5*tanh(q))", "0", "tanh(q) + 5*sin(5*tanh(q))", "6",
+         "undecided"),
     ],
 )  # fmt: skip
 def test_an_average_of_no_motion_at_all(status, sections, f, equals, G, bound, expected):

@@ -121,3 +121,12 @@ def test_a_hessian_that_only_poles_could_make_vanish(status):
     assert status(claim, space=LINE, **sections) == "proved"
     weak = {**sections, "symbols": 'm = "nonnegative"\nc = "positive"'}
     assert status(claim, space=LINE, **weak) != "proved"
+
+    claim = 'kind = "euler_lagrange"\nL = "{}"\nvelocities = ["v"]\nqddot = ["0"]'
+    assert status(claim.format("(v + abs(v))**2")) == "supported"
+    assert status(claim.format("abs(v)*v**2")) == "proved"
+
+
+def test_a_legendre_transform_of_a_part(status):
+    claim = 'kind = "legendre"\nL = "(v + abs(v))**2/8"\nvelocities = ["v"]'
+    assert status(claim, hamiltonian='H = "p**2/2"') == "supported"

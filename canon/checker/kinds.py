@@ -22,7 +22,7 @@ from canon.checker.functions import Unknown, Unreadable
 from canon.checker.motion import Motion, formulas
 from canon.checker.positive import is_nowhere_zero
 from canon.checker.shapes import SMOOTH, is_rational
-from canon.checker.stated import MAPPED, SQUARE
+from canon.checker.stated import BOTH, MAPPED, SQUARE
 from canon.checker.statement import Statement
 
 FEW = 3
@@ -36,8 +36,14 @@ def obligations(s: Statement) -> list[Case]:
         raise Unknown(f"claims of kind {kind[:40]!r} are not known to the checker")
     found = KINDS[kind](s)
     found = found if isinstance(found, list) else [found]
-    if s.verdict == "proved" and kind not in (*MAPPED, *SQUARE):
-        found[0].nonzeros += _regular(s)
+    if kind not in (*MAPPED, *SQUARE):
+        regular = _regular(s)
+        found[0].nonzeros += regular if s.verdict == "proved" else []
+        if s.verdict == "refuted" and kind not in BOTH:  # where the map is one to one nearby: else it says nothing
+            s.conditions = [*s.conditions, *((group[0], "nonzero") for group in regular)]
+            if s.direction == "backward" and not regular:
+                for case in found:
+                    case.against = case.against or "that the map has an inverse near the point"
     return found
 
 

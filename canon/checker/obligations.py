@@ -33,8 +33,11 @@ def canonical(s: Statement) -> Case:
         powers = range(whole(order) + 1)
         images = {s.parameter(name): f.number(0)}
         _analytic(s, s.images.values(), images)
-        return Case([c for z in zeros for c in taylor(s, z, name, powers)], images=images, trusted=trusted)
-    return Case(zeros, labels=bracket_labels(s, str(s.claim.get("scale", 1))), trusted=trusted)
+        return Case(
+            [c for z in zeros for c in taylor(s, z, name, powers)], images=images, trusted=trusted, against=trusted
+        )
+    labels = bracket_labels(s, str(s.claim.get("scale", 1)))
+    return Case(zeros, labels=labels, trusted=trusted, against=trusted)
 
 
 def bracket_labels(s: Statement, scale: str = "c") -> list[str]:

@@ -199,3 +199,23 @@ def test_an_integral_that_has_no_value_is_not_refuted() -> None:
 def test_a_limit_where_nothing_comes_is_not_refuted() -> None:
     for side, expected in (("-", "confirmed in part"), ("+", "confirmed")):
         assert refuted(limit("x**2", "0", "1", side, said="positive"), {}) == expected
+
+
+IMAGE: dict[str, Any] = {"transformation": {"q": ["Q"], "p": ["Q"]}, **MAP}
+"""Old variables on a line: what holds on it says nothing of the rest."""
+
+
+def test_the_image_of_a_singular_map_refutes_nothing() -> None:
+    free = {"hamiltonian": {"H": "p**2/2"}}
+    regular = {**IMAGE, "transformation": {"q": ["Q"], "p": ["P"]}}
+    for tables, expected in ((IMAGE, "rejected"), (regular, "confirmed")):
+        stated = claim("conserved", {"f": "q"}, **free, **tables)
+        assert refuted(stated, {"Q": "1", "P": "1"}) == expected
+        assert refuted(claim("involution", {"functions": ["q", "p"]}, **tables), {"Q": "1", "P": "1"}) == expected
+
+
+def test_a_scale_that_may_be_0_is_no_claim_that_fails() -> None:
+    for word, expected in (("real", "confirmed in part"), ("positive", "confirmed")):
+        images = {"transformation": {"Q": ["q"], "P": ["p"]}, "symbols": {"a": word}}
+        stated = claim("canonical", {"scale": "a"}, **images, **MAP)
+        assert refuted(stated, {"q": "1", "p": "1", "a": "2"}) == expected

@@ -167,7 +167,7 @@ BREAKS: Final = (
           "tests/cli/test_streams.py::test_streams_that_are_closed_are_nowhere"),
     Break("a system that gives no more", "it is said to be the output", "cli/main.py",
           "refused = error.errno in REFUSED", "refused = False",
-          "tests/cli/test_streams.py::test_a_system_that_gives_no_more_is_no_flaw"),
+          "tests/cli/test_streams.py::test_an_error_of_the_system_is_told_from_one_of_output"),
     Break("a budget ends in a callback that nobody hears", "it is told as an error", "deadline.py",
           "if told.exc_type is not None and issubclass(told.exc_type, _Stop):", "if False:",
           "tests/test_deadline.py::test_what_is_raised_where_nobody_hears_is_raised_again"),

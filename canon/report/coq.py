@@ -8,6 +8,7 @@ lacks is any real number that satisfies its relation. It is proved by writing th
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Final
@@ -160,9 +161,16 @@ def _named(label: str) -> str:
     return f"(* {_harmless(label)} *)\n" if label else ""
 
 
+UNSEEN: Final = frozenset({"Cc", "Cf", "Cs", "Cn", "Co", "Zl", "Zp"})
+"""Kinds of characters that are no letters and no spaces: they move what stands beside them."""
+
+
 def _harmless(text: str) -> str:
-    """Words for a comment: what would end it, or begin a string in it, is written otherwise."""
-    return text.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
+    """Words for a comment: what would end it, or begin a string in it, or be read backwards, is written otherwise."""
+    plain = "".join(
+        c if c == "\n" or unicodedata.category(c) not in UNSEEN else "\N{REPLACEMENT CHARACTER}" for c in text
+    )
+    return plain.replace("(*", "( *").replace("*)", "* )").replace('"', "'")
 
 
 def _size(f: Formulas, targets: Sequence[int]) -> int:

@@ -11,7 +11,7 @@ from typing import Any, Final
 from canon.claim import Claim
 from canon.claims.worker import Entry, Recorder, Settings
 from canon.report.record import claim_record
-from canon.report.words import duration
+from canon.report.words import duration, name, visible
 from canon.verdict import STATUSES, Verdict
 
 Record = dict[str, Any]
@@ -62,8 +62,9 @@ def document(notation: str, title: str, claims: Sequence[Record], seconds: float
     summary = f"{len(claims)} claim{'s' * (len(claims) != 1)}: {said}. Checked by canon in {duration(seconds)}."
     sections = list(_without_repeats(claims))
     make: Callable[..., str] = _module(notation).document
+    title = visible(title)
     if notation == "html":
-        entries = [(claim["title"] or claim["kind"].replace("_", " "), claim["verdict"]) for claim in claims]
+        entries = [(name(claim), claim["verdict"]) for claim in claims]
         return make(title, sections, entries, summary)
     return make(title, sections, summary)
 

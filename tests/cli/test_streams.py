@@ -69,6 +69,22 @@ def test_a_system_that_gives_no_more_is_no_flaw(limit: str, most: int, words: st
     assert done.stderr.count("\n") == 1
 
 
+@pytest.mark.parametrize(
+    ("number", "status", "said"), [("EMFILE", 71, "the system gave no more"), ("EIO", 74, "the output")]
+)
+def test_an_error_of_the_system_is_told_from_one_of_output(number: str, status: int, said: str) -> None:
+    """Wherever it comes from: which call is refused first depends on the machine."""
+    program = (
+        "import errno, canon.cli.main as start\n"
+        "def refused(*_): raise OSError(errno.NUMBER, 'as it happens')\n"
+        "start.main = refused; start.entry()"
+    ).replace("NUMBER", number)
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert done.returncode == status
+    assert done.stderr.startswith(f"canon: {said}")
+    assert done.stderr.count("\n") == 1
+
+
 def test_a_loaded_file_that_is_cut_short_is_said() -> None:
     """CPython 3.11 keeps what it has compiled on a full disk, however much of it; each later start fails over it."""
     program = (

@@ -309,3 +309,43 @@ def test_a_condition_that_ends_with_a_power_is_a_formula() -> None:
     assert isinstance(shown, Paragraph)
     text = "".join(piece if isinstance(piece, str) else written(piece, PLAIN) for piece in shown.words)
     assert text == "E > V(r) + (M^2)/(2 mu r^2), not (y = 0 and x ≤ 0)."
+
+
+HOSTILE = (
+    "</title><script>x</script>", "\\input{/etc/passwd}\\write18{x}", "*) Axiom a : False. (*", '(*(*"(*',
+    "&lt;b&gt; ~~~",
+    "\x1b[31ma\u202eb\u2066c\u200bd\u2028e", "x\n\n:::\n\n~~~{raw} html\n<script>x</script>",
+)  # fmt: skip
+"""Titles and sources that are markup, commands, the end of a comment, or move what stands beside them."""
+
+
+def test_what_a_file_says_is_inert_in_every_notation(tmp_path: Path) -> None:
+    import json
+    import unicodedata
+
+    claim = '[[claim]]\nkind = "bracket"\nf = "q**2"\ng = "p"\nequals = "2*q"\ntitle = {0}\nsource = {0}\n'
+    file = tmp_path / "\u202e<b>*).toml"
+    file.write_text('[phase_space]\nq = ["q"]\np = ["p"]\n' + "".join(map(claim.format, map(json.dumps, HOSTILE))))
+    for ending in NOTATIONS:
+        out = tmp_path / f"out{ending}"
+        assert main(["verify", str(file), "--jobs", "1", "--proof", str(out)]) == 0
+        text = out.read_text()
+        moving = {c for c in text if c != "\n" and unicodedata.category(c) in {"Cc", "Cf", "Cs", "Zl", "Zp"}}
+        assert not moving, ending
+        if ending in {".html", ".htm"}:
+            assert "<script" not in text
+        if ending == ".tex":
+            assert r"\input" not in text
+            assert r"\write" not in text
+        if ending == ".md":
+            assert not re.search(r"(?m)^~~~|(?<!\\)<", text)
+            assert r"\&lt;b\&gt;" in text
+    certificates = tmp_path / "certificates"
+    assert main(["verify", str(file), "--jobs", "1", "--certificate", str(certificates)]) == 0
+    for certificate in certificates.iterdir():
+        assert main(["certificate", "export", str(certificate), "--coq", str(tmp_path / "out.v")]) == 0
+        comment = (tmp_path / "out.v").read_text().partition("From Coq")[0].strip()
+        assert comment.startswith("(*")
+        assert comment.endswith("*)")
+        assert not re.search(r'\(\*|\*\)|"', comment[2:-2])
+        assert not {c for c in comment if c != "\n" and unicodedata.category(c) in {"Cc", "Cf", "Cs", "Zl", "Zp"}}

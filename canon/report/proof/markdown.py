@@ -30,7 +30,7 @@ def section(s: Section) -> tuple[str, str, str]:
 
 def markdown_words(text: str) -> str:
     """Words for Markdown, the signs that mean something escaped."""
-    return "".join(f"\\{c}" if c in "\\*_`$[]<>#{}|" else c for c in text)
+    return "".join(f"\\{c}" if c in "\\*_`$[]<>#{}|&~" else c for c in text)
 
 
 def _block(block: Block) -> str:

@@ -28,7 +28,7 @@ from canon.checker.orbits import Ends, Form, Momenta, Orbit
 from canon.checker.periods import is_so
 from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_nowhere_zero, is_positive
-from canon.checker.power_wells import is_action
+from canon.checker.power_wells import is_action, well_action
 from canon.checker.separatrices import separatrix
 from canon.checker.shapes import has_complex, is_smooth
 from canon.checker.statement import Statement
@@ -122,6 +122,9 @@ def action(s: Statement) -> Case:
         if known is not None:
             case = Case([f.sub(known, equals)])
             return replace(case, measured=measured, digits=DIGITS, found=True) if s.verdict == "proved" else case
+    if s.verdict == "refuted" and not (rate or rotates or "well" in claim or s.surface):
+        if (power := well_action(s, form, level)) is not None:
+            return Case([f.sub(power[0], equals)])
     solved = None if form.quadratic else square
     seen = free and (form.quadratic or square is not None)
     case = Case([], measured=measured, digits=DIGITS, enclosed=enclosed if seen else None)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
@@ -11,10 +13,12 @@ from typing import Any
 from canon.checker.at_zero import evaluated
 from canon.checker.case import Case
 from canon.checker.functions import Unknown, Unreadable
-from canon.checker.lie import Algebra, is_named
+from canon.checker.lie import Algebra, is_named, is_simple
 from canon.checker.linear import rank, solved
 from canon.checker.motion import unused
 from canon.checker.poisson import bracketed
+from canon.checker.scaled import scaled
+from canon.checker.shapes import is_rational
 from canon.checker.statement import Statement
 
 Pair = tuple[int, int]
@@ -41,7 +45,8 @@ def algebra(s: Statement) -> Case:
     if found is False and "structure" in s.claim:  # the claim contradicts itself
         return Case([], found=False)
     case = Case(zeros, independent=pulled, found=found, trusted=trusted, outside=outside, labels=labels)
-    return replace(case, algebra=numeric(s, table, len(e)))
+    other = scaled(s, table, len(e))
+    return replace(case, algebra=numeric(s, table, len(e)), is_simple=other is not None and is_simple(other))
 
 
 def _label(names: Sequence[str], pair: Pair, row: Mapping[int, int], s: Statement) -> str:
@@ -87,13 +92,28 @@ def numeric(s: Statement, table: Table, size: int) -> Algebra | None:
 
 def identified(s: Statement, table: Table, size: int) -> tuple[bool | None, str]:
     """Whether the algebra is the one that is named, as exact arithmetic knows it; and what is left to trust."""
-    algebra, name = numeric(s, table, size), s.claim.get("equals")
+    algebra, name = numeric(s, table, size) or scaled(s, table, size), s.claim.get("equals")
     if name is None:
         return None, ""
     if algebra is None:
         return None, f"that the algebra is {name} for all values of the parameters"
     answer = is_named(algebra, str(name))
     return answer, "" if answer is not None else f"that an algebra with these structure constants is {name}"
+
+
+def _is_wrong(s: Statement, zeros: Sequence[int]) -> bool:
+    """Whether one of these isn't 0 as a rational function, and so on no open set."""
+    rng = random.Random(4)
+    if s.surface:
+        return False
+    for a in zeros:
+        names = sorted({op[1] for b in s.f.reach(a) if (op := s.f.ops[b])[0] == "s"})
+        free = all(len({*s.words.get(n, ())} - {"real"}) < 2 for n in names)  # of two signs at once it would be 0
+        if free and is_rational(s, a) and not {"1j", "pi", *s.fixed} & {*names}:
+            with suppress(Unreadable, ZeroDivisionError):
+                if s.f.value(s.f.substitute(a, {n: s.f.number(rng.randint(2, 99)) for n in names})):
+                    return True
+    return False
 
 
 # -- matrices -----------------------------------------------------------------------------------
@@ -216,6 +236,8 @@ def group(s: Statement) -> Case:
                     zeros.append(f.sub(table[pair][i], stands))
                 elif value != f.value(stands):
                     found = False
+    if found is None and s.verdict == "refuted" and _is_wrong(s, zeros):
+        found = False
     if found is None:
         found, trusted = identified(s, table, len(a))
         return Case(zeros, found=found, trusted=trusted)

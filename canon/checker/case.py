@@ -23,7 +23,7 @@ class Case:
     trust; it says nothing of the claim where one of `granted` isn't identically 0. `enclosed` gives intervals of what
     is measured: one without 0 in it refutes the claim. All that is `somewhere` is positive at a point of the domain:
     what the claim takes for granted is so at least there. `algebra` has the brackets of what is independent, where
-    they are numbers.
+    they are numbers; whatever they are, the algebra may be known to be simple.
     """
 
     zeros: list[int]
@@ -43,6 +43,7 @@ class Case:
     enclosed: Callable[[Any, Mapping[str, Any]], Iterable[Any]] | None = None
     somewhere: list[int] = field(default_factory=list)
     algebra: Any = None
+    is_simple: bool = False
 
     @property
     def fails_alone(self) -> bool:

@@ -71,7 +71,7 @@ def _of_forms(s: Statement, m: Motion, forms: Sequence[Form], word: str) -> Case
         found = [x for form in forms for x in (form[-1], *(f.slope(a, m.t) for a in form[:-1]))]
     if s.claim[word] is True:
         return Case(found)
-    sure = word != "holonomic" or all(is_rational(s, a, names) for a in found)
+    sure = word != "holonomic" or _is_sure(s, found, names)
     trusted = "" if sure else "that the forms are integrable on no open part of the domain"
     return Case([], [found or [f.number(0)]], trusted=trusted)
 

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.formulas import ONE, ZERO
 from canon.checker.positive import is_nowhere_zero, is_positive
-from canon.checker.roots import multiple
+from canon.checker.ratios import multiple
 from canon.checker.shapes import SMOOTH
 from canon.checker.statement import Statement
 

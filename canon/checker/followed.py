@@ -8,10 +8,13 @@ from itertools import chain
 from typing import Any
 
 from canon.checker import core
+from canon.checker.formulas import ZERO
 from canon.checker.functions import Unknown
 from canon.checker.points import domain_of
 from canon.checker.polynomials import divided, parted
-from canon.checker.roots import Undecided, multiple
+from canon.checker.ratios import multiple
+from canon.checker.roots import Undecided
+from canon.checker.signs import Signs
 from canon.checker.statement import Statement
 from canon.checker.terms import sign_of
 from canon.checker.values import Values
@@ -60,8 +63,10 @@ class Followed:
             return False
 
     def is_zero(self, a: int) -> bool:
-        """Whether a residual that isn't written as an identity is 0 all the same."""
-        return not self.s.surface and is_identity(self.values, a)
+        """Whether a residual that isn't written as an identity is 0 all the same, by the kernels or without them."""
+        if self.s.surface:
+            return (on := without_surface(self.s, a)) is not None and is_identity(at_random(self.s), on)
+        return any(is_identity(values, a) for values in (self.values, at_random(self.s)))
 
     def is_not_zero(self, a: int) -> bool:
         """Whether a function of roots alone is 0 for no choice of them."""
@@ -104,6 +109,17 @@ class Followed:
         return found
 
 
+def without_surface(s: Statement, a: int) -> int | None:
+    """A formula on a surface that gives one name by the others, c n + d = 0 with a c that is 0 nowhere."""
+    f = s.f
+    (e, *more) = s.surface
+    for n in sorted({op[1] for b in f.reach(e) if (op := f.ops[b])[0] == "s"} - s.fixed) if not more else ():
+        c, d = f.slope(e, n), f.substitute(e, {n: ZERO})
+        if all(f.ops[b] != ("s", n) for b in f.reach(c)) and Signs(s).is_nowhere_zero(c):
+            return f.substitute(a, {n: f.mul(f.number(-1), f.over(d, c))})
+    return None
+
+
 def is_identity(values: Values, a: int) -> bool:
     """Whether a formula is seen to be 0 by the rules for its functions."""
     try:
@@ -116,4 +132,6 @@ def at_random(s: Statement) -> Values:
     """Values at random numbers of their own: what is 0 there is 0, but for a chance of degree / 2^126."""
     rng, words = random.SystemRandom(), chain.from_iterable(s.words.values())
     real = "complex" not in words and ("s", "1j") not in s.f.ops
-    return Values(s, core.random_prime(rng), rng, real=real)
+    values = Values(s, core.random_prime(rng), rng, real=real)
+    values.roots.has_kernels = False
+    return values

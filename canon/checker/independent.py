@@ -6,6 +6,7 @@
   simple where Killing's form is regular (Cartan).
 - At points with many zeros the values are formulas of the parameters, and elimination finds pivots that are 0 nowhere.
   Where these don't suffice, what may vanish is 0 along those that are numbers: a space in which there must be no ideal.
+- In units in which all parameters are 1, −1 or 0 there are none (`homogeneous`).
 """
 
 from __future__ import annotations
@@ -20,31 +21,31 @@ from canon.checker.at_zero import evaluated
 from canon.checker.everywhere import is_somewhere
 from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.functions import Unreadable
+from canon.checker.homogeneous import are_independent_by_scaling
 from canon.checker.intervals import Intervals, Open
 from canon.checker.lie import Algebra
-from canon.checker.linear import Rows, kernel, signature, unit
+from canon.checker.linear import Rows, kernel, unit
 from canon.checker.points import domain_of
 from canon.checker.positive import is_nowhere_zero, is_positive
-from canon.checker.roots import multiple
+from canon.checker.ratios import multiple
 from canon.checker.statement import Statement
 from canon.checker.values import Values
 from canon.checker.witness import lies_inside
 
-SIMPLE, SEVERAL = (3, 8, 10), 12
+SEVERAL = 12
 
 
 def are_independent(
-    s: Statement, functions: Sequence[int], places: Iterable[Mapping[str, Any]], algebra: Algebra | None
+    s: Statement, functions: Sequence[int], places: Iterable[Mapping[str, Any]], algebra: Algebra | None, simple: bool
 ) -> bool:
     """Whether it is seen. `places` are points of the domain, `algebra` the structure constants, if they are numbers."""
     f, moving = s.f, {*s.coordinates, *s.bracketed}
     if not functions:
         return True
-    simple = algebra is not None and is_simple(algebra)
     if simple and any(is_somewhere(s, a) for a in functions):
         return True
     if s.surface or s.f.is_complex:
-        return False
+        return are_independent_by_scaling(s, functions, sorted(moving))
     names = {f.ops[b][1] for b in f.reach(*functions) if f.ops[b][0] == "s"} - moving - {"pi"}
     called = any(f.ops[b][0] == "f" and f.ops[b][1] in f.functions for b in f.reach(*functions))
     if not names and not called:
@@ -53,13 +54,9 @@ def are_independent(
         return False
     if simple and any(_is_somewhere(s, a, sorted(moving)) for a in functions):
         return True
-    return _by_pivots(s, functions, sorted(moving), algebra)
-
-
-def is_simple(algebra: Algebra) -> bool:
-    """Whether structure constants are those of a simple algebra, as the invariants tell."""
-    found = signature(algebra.killing())
-    return algebra.is_lie() and not found[2] and (algebra.size in SIMPLE or found == (3, 3, 0))
+    if _by_pivots(s, functions, sorted(moving), algebra):
+        return True
+    return are_independent_by_scaling(s, functions, sorted(moving))
 
 
 def _regular_near(s: Statement, functions: Sequence[int], of: Mapping[str, Any], moving: set[str]) -> bool:

@@ -20,7 +20,7 @@ from itertools import combinations, product
 from canon.checker.linear import Rows, kernel, rank, signature, solved, unit
 
 Constants = Mapping[tuple[int, int], Mapping[int, Fraction]]
-DETERMINED = (0, 3, 6, 8, 10)
+DETERMINED, SIMPLE = (0, 3, 6, 8, 10), (3, 8, 10)
 SAME = {
     "su(2)": "so(3)", "usp(2)": "so(3)", "sl(2,R)": "so(2,1)", "sp(2,R)": "so(2,1)", "su(1,1)": "so(2,1)",
     "sl(2,C)": "so(3,1)", "so(3,C)": "so(3,1)", "lorentz": "so(3,1)", "poincare": "iso(3,1)", "e(3)": "iso(3)",
@@ -121,10 +121,18 @@ def is_named(algebra: Algebra, name: str) -> bool | None:
     wanted = named(name)
     if wanted is None:
         return None
+    if isinstance(wanted, Algebra) and algebra.table == wanted.table:
+        return True
     found = algebra.invariants()
     if found != (wanted.invariants() if isinstance(wanted, Algebra) else wanted):
         return False
     return True if algebra.is_determined() else None
+
+
+def is_simple(algebra: Algebra) -> bool:
+    """Whether structure constants are those of a simple algebra, as the invariants tell."""
+    found = signature(algebra.killing())
+    return algebra.is_lie() and not found[2] and (algebra.size in SIMPLE or found == (3, 3, 0))
 
 
 def named(name: str) -> Algebra | Invariants | None:

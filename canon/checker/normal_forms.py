@@ -20,8 +20,8 @@ from canon.checker.followed import FAILURES, at_random
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.obligations import taylor
 from canon.checker.positive import is_nowhere_zero
+from canon.checker.ratios import multiple
 from canon.checker.regular import is_regular
-from canon.checker.roots import multiple
 from canon.checker.statement import Statement
 from canon.checker.values import Values
 

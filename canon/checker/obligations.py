@@ -13,8 +13,8 @@ from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.poisson import brackets
 from canon.checker.positive import is_nowhere_zero
+from canon.checker.ratios import multiple
 from canon.checker.regular import is_regular
-from canon.checker.roots import multiple
 from canon.checker.shapes import is_rational, is_smooth, is_smooth_there
 from canon.checker.statement import Statement
 

@@ -28,8 +28,8 @@ from canon.checker.momentum import Square
 from canon.checker.positive import is_positive
 from canon.checker.radicals import Radicals
 from canon.checker.rational import NoForm, Rational, X
+from canon.checker.ratios import multiple
 from canon.checker.reduction import Reduction, reduced
-from canon.checker.roots import multiple
 from canon.checker.statement import Statement
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from canon.checker import core
@@ -86,3 +87,38 @@ def coefficients(p: Polynomial, name: str) -> list[Polynomial]:
     for m, c in p.items():
         parts[dict(m).get(name, 0)][tuple((n, e) for n, e in m if n != name)] = c
     return parts
+
+
+def shifts_of(p: Polynomial, above: str) -> Iterator[tuple[str, int, Polynomial]]:
+    """What p = d says of a name u, or of its square: with k u + rest = d it is (d - rest)/k; d is called `above`."""
+    for m, k in p.items():
+        if len(m) != 1 or m[0][1] not in (1, 2):
+            continue
+        name, exponent = m[0]
+        rest = {n: c for n, c in p.items() if n != m}
+        if name not in core.names(rest):
+            yield name, exponent, {n: c / k for n, c in combined(name_of(above), rest, {(): Fraction(-1)}).items()}
+
+
+def is_below_one(p: Polynomial) -> str:
+    """The name of c in a multiple of 1 - c²; "" for any other polynomial."""
+    names = core.names(p)
+    name = min(names, default="")
+    return name if len(names) == 1 and is_multiple(p, {(): Fraction(1), ((name, 2),): Fraction(-1)}) else ""
+
+
+def reduced(p: Polynomial, rules: Mapping[str, tuple[int, Polynomial]]) -> Polynomial:
+    """Without powers of names that are, from the n-th on, polynomials in others. Raises Undetermined."""
+    for _ in range(40):
+        step: Polynomial = {}
+        for m, c in p.items():
+            name = next((n for n, e in m if n in rules and e >= rules[n][0]), None)
+            value = ONE if name is None else rules[name][1]
+            rest = tuple((n, e - rules[n][0] if n == name else e) for n, e in m if n != name or e > rules[n][0])
+            step = combined(step, {rest: c}, value)
+        if step == p:
+            return p
+        p = step
+        if len(p) > MOST:
+            raise Undetermined
+    raise Undetermined

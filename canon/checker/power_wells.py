@@ -19,16 +19,16 @@ from canon.checker.statement import Statement
 HIGHEST = 40
 
 
-def is_action(s: Statement, form: Form, level: int, equals: int) -> bool:
-    """Whether the action in such a well is what is claimed; the domain says nothing of q and p."""
+def well_action(s: Statement, form: Form, level: int) -> tuple[int, int] | None:
+    """The action in such a well, and what is left of the energy there; the domain says nothing of q and p."""
     f, x = s.f, form.x
     if not form.quadratic or _is_bound(s, x, form.p):
-        return False
+        return None
     a, b, c = form.parts
     powers = [p for p in f.reach(c) if _exponent(s, p, x) is not None]
     powers = [p for p in powers if not any(p in f.parts(other) for other in powers)]  # |x| in |x|^n is none by itself
     if len(powers) != 1:
-        return False
+        return None
     (power,) = powers
     first, second, third = (_put(s, c, power, f.number(m)) for m in (1, 2, 3))
     k, n = f.sub(second, first), _exponent(s, power, x) or ONE
@@ -37,12 +37,20 @@ def is_action(s: Statement, form: Form, level: int, equals: int) -> bool:
     free = all(f.ops[p] != ("s", x) for y in (a, base, k, n) for p in f.reach(y))
     linear = is_identity(values, f.sub(f.sub(third, second), k)) and is_identity(values, b)
     if not free or not linear or not all(is_positive(s, y, strict=True, real=True) for y in (a, k, n)):
-        return False
+        return None
     inverse = f.over(ONE, n)
     gammas = (f.node("f", "gamma", (), (f.add(f.number(m), inverse),)) for m in (1, Fraction(3, 2)))
     root = f.power(f.over(f.mul(f.node("s", "pi"), room), a), f.number(Fraction(1, 2)))
     total = f.mul(f.number(2), root, f.power(f.over(room, k), inverse), f.over(*gammas))
-    kept = s.conditions
+    return total, room
+
+
+def is_action(s: Statement, form: Form, level: int, equals: int) -> bool:
+    """Whether the action in such a well is what is claimed."""
+    found, f = well_action(s, form, level), s.f
+    if found is None:
+        return False
+    (total, room), values, kept = found, at_random(s), s.conditions
     try:
         s.conditions = [*kept, (room, "positive"), *((y, "positive") for y in Radicals(s, [room]).known())]
         radicals = Radicals(s, [])

@@ -13,7 +13,8 @@ from collections.abc import Collection, Iterable, Mapping
 from canon.checker import core
 from canon.checker.followed import Followed
 from canon.checker.functions import Unknown
-from canon.checker.roots import Undecided, multiple
+from canon.checker.ratios import multiple
+from canon.checker.roots import Undecided
 from canon.checker.signs import Signs
 from canon.checker.terms import sign_of
 from canon.checker.tower import Element
@@ -59,7 +60,7 @@ class Real:
         arguments = [x for a in self.own if s.f.ops[a][0] == "f" for x in self._radicands(a)]
         self._known = [*arguments, *(a for a, kind in s.conditions if kind == "positive")]
         self._elements: list[Element] | None = None
-        self.kernels, self._signs = kernels, Signs(s)
+        self.kernels = kernels
 
     def names(self, meaning: int) -> set[str]:
         """The names in a formula."""
@@ -106,7 +107,7 @@ class Real:
             radicands = self._radicands(a)
             if not radicands and not self._is_own_function(a):
                 return False
-            if not all(self._is_nonnegative(x) for x in radicands):
+            if not all(self._is_nonnegative(x) or self._is_above(x) for x in radicands):
                 return False
         return True
 
@@ -179,9 +180,14 @@ class Real:
         polynomial = self.values.polynomial(a)
         if polynomial is not None and sign_of(self.words, polynomial)[0] > 0:
             return True
-        ops = [f.ops[b] for b in f.reach(a)]
-        plain = all(x[0] != "f" and (x[0] != "s" or x[1] not in self.kernels) for x in ops)
-        return (plain and self._signs.is_positive(a, strict=False)) or self._is_known(a)
+        return self._is_known(a)
+
+    def _is_above(self, a: int) -> bool:
+        """Whether the rules for signs say so of a formula, with what kernels stand for."""
+        if self.names(a) & (self.kernels.keys() - self._granted.keys()):
+            return False
+        meant = self.f.substitute(a, self.values.roots.meanings)
+        return Signs(self.s).is_positive(meant, strict=False)
 
     def _is_known(self, a: int) -> bool:
         """Whether a formula is a positive multiple of one that the claim says to be nowhere negative."""

@@ -13,7 +13,7 @@ from canon.checker.followed import FAILURES, at_random
 from canon.checker.formulas import ONE
 from canon.checker.functions import Unreadable
 from canon.checker.positive import is_nowhere_zero, is_positive
-from canon.checker.roots import multiple
+from canon.checker.ratios import multiple
 from canon.checker.shapes import ENTIRE, SMOOTH, has_complex, is_algebraic
 from canon.checker.statement import Statement
 from canon.checker.values import Values

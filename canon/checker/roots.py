@@ -13,6 +13,9 @@ from typing import Any
 
 from canon.checker import core
 from canon.checker.functions import Unknown
+from canon.checker.points import domain_of
+from canon.checker.ratios import multiple, ratio, rational
+from canon.checker.signs import Signs
 from canon.checker.statement import Statement
 from canon.checker.terms import sign_of
 from canon.checker.tower import Element, Tower
@@ -35,7 +38,12 @@ class Roots:
         self.claimed: Mapping[int, Fraction_] = {}
         self.names: dict[str, Element] = {}
         self.words: dict[str, Sequence[str]] = {**s.words, "pi": ("positive",)}
+        self._radicands: list[int] | None = None
+        self.has_kernels = True
+        self.meanings: dict[str, int] = {}  # of kernels, as formulas in the claim's names
         self._roots: list[tuple[Element, int, Element, bool]] = []  # radicand, degree, root, whether it is positive
+        self._divisors: dict[int, Element] = {}  # what is divided by, and is nowhere negative, or nowhere positive
+        self._said: list[Element] = []  # what the domain says to be positive
         self.nonnegative: list[Element] = []  # radicands of real roots, and what the domain says to be positive
         self._conditions = [a for a, kind in s.conditions if real and kind == "positive"]
         for op in (self.f.ops[a] for a in self._conditions):
@@ -49,7 +57,8 @@ class Roots:
                 continue
             self._conditions.remove(a)
             try:
-                self.nonnegative.append(self._value(a))
+                self._said.append(self._value(a))
+                self.nonnegative.append(self._said[-1])
             except (Undecided, Unknown, ZeroDivisionError, ValueError):
                 continue
 
@@ -90,7 +99,7 @@ class Roots:
         if abs(m) == 1:
             own = claimed if m == 1 or claimed is None else (claimed[1], claimed[0])
             root = self.root(base, n, own, positive)
-        elif (root := self._known_root(base, n, positive)) is None:
+        elif (root := self.known_root(base, n, positive)) is None:
             power = t.power(base, m)
             if claimed is not None and self.real and t.power(self.fraction(claimed), n) == power:
                 if n % 2 or self._sign(claimed) > 0:
@@ -101,7 +110,7 @@ class Roots:
     def root(self, power: Element, degree: int, claimed: Fraction_ | None, positive: bool = False) -> Element:
         """The root of a quantity: one that is claimed and nowhere negative, one that is known, or a new one."""
         positive = positive or self.real
-        known = power if degree == 1 else self._known_root(power, degree, positive)
+        known = power if degree == 1 else self.known_root(power, degree, positive)
         if claimed is not None and degree > 1:
             value = self.fraction(claimed)
             if value == known:
@@ -132,7 +141,40 @@ class Roots:
                     ready.append(x)
         return ready
 
-    def _known_root(self, power: Element, degree: int, positive: bool) -> Element | None:
+    def is_root(self, x: Element, *, positive: bool) -> None:
+        """What is nowhere negative, or nowhere positive, is, but for its sign, the root of its square."""
+        if x:
+            root = x if positive else self.t.mul(x, self.t.constant(core.Fraction(-1)))
+            self._roots.append((self.t.mul(x, x), 2, root, True))
+
+    def note_divisors(self, node: int, power: Element) -> None:
+        """Look for the signs of what is divided by in a radicand, if no root of it is known."""
+        if not self.real or self.known_root(power, 2, True) is not None:
+            return
+        for op in (self.f.ops[b] for b in self.f.reach(node)):
+            if op[0] == "^" and op[2] < 0 and op[1] not in self._divisors:
+                self._divisors[op[1]] = {}
+                for k in (1, -1):
+                    if self.is_above(own := self.f.mul(self.f.number(k), op[1])):
+                        self._divisors[op[1]] = self._value(own)
+
+    def known_root(self, power: Element, degree: int, positive: bool) -> Element | None:
+        """A root that is known, a product of such, or such a one over, or times, what is said to be positive."""
+        found, t = self._product_of_roots(power, degree, positive, (1, 2, 3, 4)), self.t
+        if found is not None or not positive or degree != 2 or not power or not self.real:
+            return found
+        self._read_conditions(plain=self.has_kernels)
+        for x in (*self._said, *self._divisors.values()):
+            for n in (1, -1) if set(x) == {()} else ():
+                rest = self._product_of_roots(t.mul(power, t.power(x, -2 * n)), 2, True, (1, 2))
+                if rest is not None:
+                    return t.mul(rest, t.power(x, n))
+            square = ratio(power, t.mul(x, x), t.prime)
+            if square is not None and (number := self._rational_root({(): square})) is not None:
+                return t.mul(x, t.constant(number))
+        return None
+
+    def _product_of_roots(self, power: Element, degree: int, positive: bool, sizes: Sequence[int]) -> Element | None:
         """A root that is known, or for square roots of numbers that aren't negative a product of such."""
         t = self.t
         for radicand, n, root, _ in self._roots:
@@ -146,15 +188,15 @@ class Roots:
         if (number := self._rational_root(power)) is not None:
             return t.constant(number)
         for radicand, root in roots:
-            ratio = _ratio(power, radicand, t.prime)
-            if ratio is not None and (number := self._rational_root({(): ratio})) is not None:
+            found = ratio(power, radicand, t.prime)
+            if found is not None and (number := self._rational_root({(): found})) is not None:
                 return t.mul(root, t.constant(number))
         if set(power) != {()}:
             return None
         named = [self.named(n) for n, words in self.words.items() if {"positive", "nonnegative"} & {*words}]
         plain = [(r[()], root) for r, root in roots if set(r) == {()}]
         plain += [(pow(x[()], 2, t.prime), x) for x in named if set(x) == {()}]
-        for size in (2, 3, 4) if len(plain) <= MOST_ROOTS else (2,):
+        for size in [n for n in sizes if n < 3 or len(plain) <= MOST_ROOTS]:
             for chosen in combinations(plain, size):
                 for signs in product((1, -1), repeat=size):
                     left = power[()]
@@ -169,7 +211,7 @@ class Roots:
 
     def _rational_root(self, x: Element) -> core.Fraction | None:
         """The positive square root of a rational number that is a square."""
-        value = _rational(x[()], self.t.prime) if set(x) == {()} else None
+        value = rational(x[()], self.t.prime) if set(x) == {()} else None
         if value is None or value <= 0:
             return None
         root = core.Fraction(isqrt(value.numerator), isqrt(value.denominator))
@@ -179,7 +221,30 @@ class Roots:
 
     def _sign(self, x: Fraction_) -> int:
         """1 or -1 where a fraction is shown to be nowhere negative, or nowhere positive; 0 where it isn't."""
-        return self._sign_of(x[0]) * self._sign_of(x[1])
+        sign = self._sign_of(x[0]) * self._sign_of(x[1])
+        if sign or not self.real:
+            return sign
+        parts = list[int]()
+        for p in x:
+            terms = []
+            for monomial, c in p.items():
+                powers = (self.f.power(self.f.node("s", n), self.f.number(e)) for n, e in monomial)
+                terms.append(self.f.mul(self.f.number(c), *powers))
+            parts.append(self.f.add(*terms))
+        own = self.f.over(*parts)
+        return next((k for k in (1, -1) if self.is_above(self.f.mul(self.f.number(k), own), strict=False)), 0)
+
+    def is_above(self, a: int, *, strict: bool = True) -> bool:
+        """Whether a formula is seen to be positive, or nowhere negative, what kernels stand for being put in.
+
+        Where the claim's own formulas are real, their radicands aren't negative.
+        """
+        if self._radicands is None:
+            own = self.f.reach(*domain_of(self.s))
+            self._radicands = [b for b in own if self.f.ops[b][:2] == ("f", "power")]
+        return self.real and Signs(self.s, self._radicands).is_positive(
+            self.f.substitute(a, self.meanings), strict=strict
+        )
 
     def _sign_of(self, p: core.Polynomial) -> int:
         """The sign of a product of names and of a sum: of terms of one sign, or a multiple of what has a sign."""
@@ -191,8 +256,10 @@ class Roots:
             powers = dict(monomial)
             common = {n: min(e, powers[n]) for n, e in common.items() if n in powers}
         rest = {tuple((n, e - common.get(n, 0)) for n, e in m if e > common.get(n, 0)): c for m, c in p.items()}
-        outer = sign_of(self.words, {tuple(common.items()): core.Fraction(1)})[0]
-        return outer * self._known_sign(self.t.polynomial(rest, _Names(self)))
+        outer = 1
+        for name, e in common.items():
+            outer *= sign_of(self.words, {((name, e),): core.Fraction(1)})[0] or self._known_sign(self.named(name))
+        return outer * (self._known_sign(self.t.polynomial(rest, _Names(self))) if rest != core.ONE else 1)
 
     def _known_sign(self, x: Element) -> int:
         """The sign of a rational multiple of what is nowhere negative; 0 for anything else."""
@@ -223,27 +290,3 @@ class _Names(Mapping[str, Element]):
 
     def __len__(self) -> int:
         return len(self._values.names)
-
-
-def _ratio(x: Element, y: Element, prime: int) -> int | None:
-    """The number c with x = c y; None where there is none."""
-    if not x or x.keys() != y.keys():
-        return None
-    m = next(iter(x))
-    ratio = x[m] * pow(y[m], -1, prime) % prime
-    return ratio if all((ratio * y[k] - c) % prime == 0 for k, c in x.items()) else None
-
-
-def multiple(x: Element, y: Element, prime: int) -> core.Fraction | None:
-    """The rational number c with x = c y; None where there is none."""
-    ratio = _ratio(x, y, prime)
-    return None if ratio is None else _rational(ratio, prime)
-
-
-def _rational(x: int, prime: int) -> core.Fraction | None:
-    """The rational number that stands for a residue, if there is one with a numerator and a denominator below 2^40."""
-    a, b, u, v = prime, x, 0, 1
-    while b >> 40:
-        q = a // b
-        a, b, u, v = b, a - q * b, v, u - q * v
-    return core.Fraction(b, v) if v and not abs(v) >> 40 else None

@@ -109,7 +109,8 @@ class Shown:
                 trusted.append("that what must not vanish everywhere doesn't, as values in 50 digits say")
         if case.independent and all(independence(s, case, case.independent, self.numbers, of) == 0 for of, _ in places):
             raise Rejected("what must be linearly independent is not, at the points that were tried")
-        if case.independent and not are_independent(s, case.independent, (of for of, _ in places), case.algebra):
+        at = (of for of, _ in places)
+        if case.independent and not are_independent(s, case.independent, at, case.algebra, case.is_simple):
             trusted.append("that the basis is independent for all values of the parameters, as values at points say")
         return [*trusted, *self._positive(case, places), *self._measured(case, places)]
 

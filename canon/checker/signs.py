@@ -8,13 +8,16 @@ for all real values of such names holds for the functions. A polynomial P in the
   condition or a root says to be positive;
 - with P = A + B w, if A and B are; or if A is and B nowhere positive, and A² − B² R nowhere negative (or the reverse);
 - with P = a x² + b x + c, if a is positive, or a and c are nowhere negative, and 4 a c − b² isn't either;
-- with P = A + B c for a sine or cosine c, if A + B and A − B are;
+- with P = A + B c for a sine or cosine c, or one with a condition 1 − c² > 0, if A + B and A − B are;
+- if P is without some term that isn't negative anywhere;
+- with A² − B² R or its opposite, if a condition says A + B w > 0, and the sign of A − B w is seen;
 - with a name u, or a square, replaced by what a condition u − v > 0 says: u = v + d with a positive d.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from fractions import Fraction
 
 from canon.checker import core
@@ -25,11 +28,14 @@ from canon.checker.polynomials import (
     Undetermined,
     coefficients,
     divided,
+    is_below_one,
     is_multiple,
     minus,
     name_of,
     parted,
     plus,
+    reduced,
+    shifts_of,
     times,
 )
 from canon.checker.statement import Statement
@@ -37,6 +43,8 @@ from canon.checker.terms import sign_of
 
 DEPTH, LONGEST = 5, 400_000
 """Steps one inside the other, and products of terms for one formula."""
+FEW = 5
+"""Sums of fewer terms may be left without one."""
 REAL = ("sin", "cos", "exp", "sinh", "cosh", "tanh", "atan", "asinh", "abs")
 """Functions that are real for all real arguments, in a file with complex numbers, too."""
 Pair = tuple[Polynomial, Polynomial]
@@ -44,9 +52,9 @@ ONE = core.ONE
 
 
 class Signs:
-    """The signs of a claim's formulas on its domain."""
+    """The signs of a claim's formulas on its domain, where those `beside` them have a value, too."""
 
-    def __init__(self, s: Statement) -> None:
+    def __init__(self, s: Statement, beside: Sequence[int] = ()) -> None:
         self.s, self.f = s, s.f
         self.words: dict[str, Sequence[str]] = {**s.words, "pi": ["positive"]}
         self._roots: dict[str, tuple[int, Polynomial]] = {}
@@ -65,7 +73,12 @@ class Signs:
                 continue
             if op[0] != "s" and (under == ONE or self._is_sure(under, strict=False)):
                 conditions.append(over)
-        self._shifts = [shift for k, p in enumerate(conditions) for shift in self._shifts_of(p, f"#above{k}")]
+        for a in beside:
+            with suppress(Undetermined, Unreadable):
+                self.fraction(a)
+        self._conjugates(conditions)
+        self.words |= {f"#above{k}": ["positive"] for k in range(len(conditions))}
+        self._shifts = [shift for k, p in enumerate(conditions) for shift in shifts_of(p, f"#above{k}")]
 
     def is_positive(self, a: int, *, strict: bool) -> bool:
         """Whether a formula is positive, or nowhere negative, wherever it has a value. False says nothing."""
@@ -78,6 +91,18 @@ class Signs:
     def is_nowhere_zero(self, a: int) -> bool:
         """Whether a formula is 0 nowhere that it has a value: so its numerator has a sign."""
         return any(self._is_sure(sign(p), strict=True) for p, _ in self._forms(a) for sign in (plus, minus))
+
+    def _conjugates(self, conditions: list[Polynomial]) -> None:
+        """With A + B w > 0 the product with its conjugate has the sign of that, if it is seen to have one."""
+        for p, name in [(c, n) for c in conditions for n in sorted(core.names(c) & {*self._roots})]:
+            n, radicand = self._roots[name]
+            A, *B = coefficients(p, name)
+            with suppress(Undetermined, Unreadable):
+                for sign in (plus, minus) if n == 2 and len(B) == 1 else ():
+                    other = sign(combined(A, times(B[0], name_of(name)), {(): Fraction(-1)}))
+                    if self._is_sure(other, strict=True, depth=3):
+                        squares = combined(times(A, A), times(B[0], B[0], radicand), {(): Fraction(-1)})
+                        conditions.append(self._reduced(sign(squares), cosines=False))
 
     def _forms(self, a: int) -> Iterator[Pair]:
         """Numerator and denominator as they stand, and without powers of roots and of sines, or of cosines."""
@@ -167,19 +192,7 @@ class Signs:
         for sine, cosine in self._circles.items():
             first, other = (cosine, sine) if cosines else (sine, cosine)
             rules[first] = 2, combined(ONE, name_of(other, 2), {(): Fraction(-1)})
-        for _ in range(40):
-            step: Polynomial = {}
-            for m, c in p.items():
-                name = next((n for n, e in m if n in rules and e >= rules[n][0]), None)
-                value = ONE if name is None else rules[name][1]
-                rest = tuple((n, e - rules[n][0] if n == name else e) for n, e in m if n != name or e > rules[n][0])
-                step = combined(step, {rest: c}, value)
-            if step == p:
-                return p
-            p = step
-            if len(p) > MOST:
-                raise Undetermined
-        raise Undetermined
+        return reduced(p, rules)
 
     # -- signs of polynomials -----------------------------------------------------------------------
 
@@ -213,7 +226,7 @@ class Signs:
             quotient = divided(p, other) if 1 < len(other) <= len(p) else None
             if quotient is not None:
                 return self._holds(quotient, strict=strict, depth=depth - 1)
-        rules = self._by_roots, self._by_squares, self._by_conditions, self._by_bounds
+        rules = self._by_roots, self._by_squares, self._by_conditions, self._by_bounds, self._by_terms
         return any(rule(p, strict, depth - 1) for rule in rules)
 
     def _terms(self, p: Polynomial) -> tuple[int, bool]:
@@ -264,21 +277,23 @@ class Signs:
         return False
 
     def _by_bounds(self, p: Polynomial, strict: bool, depth: int) -> bool:
-        """A + B c at a sine or cosine c lies between A + B and A - B."""
-        for name in sorted(core.names(p) & {*self._circles, *self._circles.values()}):
+        """A + B c at a sine or cosine c lies between A + B and A - B; also where c² < 1, and not at the ends."""
+        inside = {*(name for q in self._positive if (name := is_below_one(q)))}
+        for name in sorted(core.names(p) & {*self._circles, *self._circles.values(), *inside}):
             parts = coefficients(p, name)
-            ends = (combined(parts[0], parts[1], {(): Fraction(k)}) for k in (1, -1)) if len(parts) == 2 else ()
-            if len(parts) == 2 and all(self._holds(end, strict=strict, depth=depth) for end in ends):
-                return True
+            if len(parts) != 2:
+                continue
+            ends = [combined(parts[0], parts[1], {(): Fraction(k)}) for k in (1, -1)]
+            if all(self._holds(end, strict=strict and name not in inside, depth=depth) for end in ends):
+                if not strict or name not in inside or any(self._holds(end, strict=True, depth=depth) for end in ends):
+                    return True
         return False
 
-    def _shifts_of(self, p: Polynomial, above: str) -> Iterator[tuple[str, int, Polynomial]]:
-        """What p > 0 says of a name, or of its square: k u + rest = d, so that u = (d - rest)/k."""
-        self.words[above] = ["positive"]
-        for m, k in p.items():
-            if len(m) != 1 or m[0][1] not in (1, 2):
-                continue
-            name, exponent = m[0]
-            rest = {n: c for n, c in p.items() if n != m}
-            if name not in core.names(rest):
-                yield name, exponent, {n: c / k for n, c in combined(name_of(above), rest, {(): Fraction(-1)}).items()}
+    def _by_terms(self, p: Polynomial, strict: bool, depth: int) -> bool:
+        """A sum of few, without a term that is nowhere negative."""
+        for m, c in p.items() if len(p) < FEW and depth >= DEPTH - 3 else ():
+            rest = {n: d for n, d in p.items() if n != m}
+            sign, never = self._terms({m: c})
+            if sign > 0 and self._holds(rest, strict=strict and not never, depth=depth):
+                return True
+        return False

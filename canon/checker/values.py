@@ -3,7 +3,7 @@
 - (R^(1/n))^n = R; R^(m/n) is a quantity v with v^n = R^m that is nowhere negative; |A| and sign A likewise.
 - sin² + cos² = 1, and both of sums Σ n_i A_i of angles; exp of sums of exponents, of n log X and of i times an angle;
   a^b = exp(b log a); hyperbolic ones by exp.
-- An angle may be asin X, acos X, atan X or atan2(y, x), of which sine and cosine are known.
+- An angle may be asin X, acos X, atan X or atan2(y, x), or half of it (`inverses`).
 - Jacobi's cn² = 1 − sn², dn² = 1 − m sn². The elliptic K and E of m by those of m/(m − 1).
 - Odd functions of −A. Any other function is a quantity of which nothing is known: equal where its arguments are.
 
@@ -18,7 +18,9 @@ from itertools import combinations, product
 from typing import Any
 
 from canon.checker import core
+from canon.checker.formulas import ONE
 from canon.checker.functions import Unknown
+from canon.checker.inverses import Inverses
 from canon.checker.roots import Fraction_, Roots
 from canon.checker.statement import Statement
 from canon.checker.tower import Element, Tower
@@ -27,13 +29,8 @@ ODD = {"asin", "atan", "asinh", "atanh", "elliptic_f", "elliptic_e", "jacobi_eps
 CIRCULAR = {"sin": (1, 0), "cos": (0, 1), "tan": (1, -1), "cot": (-1, 1), "sec": (0, -1), "csc": (-1, 0)}
 """The powers of the sine and of the cosine."""
 HYPERBOLIC = {"sinh": (1, 0), "cosh": (0, 1), "tanh": (1, -1), "coth": (-1, 1)}
-QUARTERS = {
-    "asin": ((1, 1), (-1, -1)), "acos": ((0, 1), (1, 0), (-1, 2)), "atan": ((1, "1/2"), (-1, "-1/2")),
-}  # fmt: skip
-"""Values of inverse functions in right angles."""
 MULTIPLES = (range(-24, 25), range(-4, 5), range(-2, 3))
 """The integers n_i that are tried for one angle, for two, for three."""
-INVERSE = ("asin", "acos", "atan", "atan2")
 FEW = {1: 100, 2: 24, 3: 9}
 """Sums of so many are looked for among so many angles."""
 Key = tuple[Any, ...]
@@ -55,17 +52,31 @@ class Values:
         self._angles = [(turn, self.one, self.zero)]  # an angle, its sine, its cosine
         self._exponents: list[tuple[Element, Element]] = []  # an exponent, and its exponential
         self._marks: dict[Any, int] = {}
+        self.inverses = Inverses(self, turn)
 
     def kernel(self, name: str, meaning: int) -> None:
         """A name for the value of a formula."""
         self.roots.names[name] = self.value(meaning)
+        self.roots.meanings[name] = self.f.substitute(meaning, self.roots.meanings)
         op = self.f.ops[meaning]
         if self.real and op[0] == "f":
             even = op[1] == "power" and (self.f.value(op[3][1]) or 1).denominator % 2 == 0
             word = {"exp": "positive", "abs": "nonnegative", "cosh": "positive"}.get(op[1])
-            self.roots.words[name] = ("nonnegative",) if even else (word,) if word else ()
+            words = ("nonnegative",) if even else (word,) if word else ()
             if op[1] in ("sin", "cos"):
-                self.roots.words[name] = self.roots.sign_of_circular(op[1], self.value(op[3][0]))
+                words = self.roots.sign_of_circular(op[1], self.value(op[3][0]))
+            if op[1] == "jacobi_dn" and self.roots.is_above(self.f.sub(ONE, op[3][1])):
+                words = ("positive",)  # dn is 0 for no real argument where the parameter is below 1
+            said = (self.f.ops[a] for a, kind in self.s.conditions if kind == "positive")
+            words = words or (("positive",) if any(self._is_same(op, other) for other in said) else ())
+            self.roots.words[name] = words
+            if {"positive", "nonnegative", "nonpositive"} & {*words} and op[1] != "power":
+                self.roots.is_root(self.roots.names[name], positive="nonpositive" not in words)
+
+    def _is_same(self, op: tuple[Any, ...], other: tuple[Any, ...]) -> bool:
+        """Whether two functions are the same of the same arguments."""
+        same = other[:3] == op[:3] and op[0] == "f" and len(op[3]) == len(other[3])
+        return same and all(self.value(a) == self.value(b) for a, b in zip(op[3], other[3], strict=True))
 
     def value(self, target: int) -> Element:
         """The value of a formula; those `claimed` of functions may be taken where the rules confirm them.
@@ -94,12 +105,16 @@ class Values:
             elif op[0] == "^":
                 self._of[a] = t.power(x[0], op[2])
             else:
-                self._of[a] = self._function(a, op, x, self.roots.claimed.get(a))
+                self._of[a] = self._function(op, x, self.roots.claimed.get(a))
         return self._of[target]
 
     # -- functions ----------------------------------------------------------------------------------
 
-    def _function(self, a: int, op: tuple[Any, ...], x: list[Element], claimed: Fraction_ | None) -> Element:
+    def function(self, op: tuple[Any, ...], x: Sequence[Element]) -> Element:
+        """The value of a function that no formula has to contain."""
+        return self._function(op, [*x], None)
+
+    def _function(self, op: tuple[Any, ...], x: list[Element], claimed: Fraction_ | None) -> Element:
         name, t = str(op[1]), self.t
         key = (name, op[2], *map(_frozen, x))
         if key not in self._functions:
@@ -110,10 +125,11 @@ class Values:
                 if r is None:  # a^b = exp(b log a)
                     found = self._exp(t.mul(x[1], self._log(x[0])), op[3][1])
                 else:
+                    self.roots.note_divisors(op[3][0] if r.denominator == 2 else 0, x[0])
                     found = self.roots.power(x[0], r, claimed, self.real or self.roots.is_positive(op[3][0]))
             elif name in ("abs", "sign") and self.real:
                 size = self.roots.root(
-                    t.mul(x[0], x[0]), 2, claimed if name == "abs" else self._times(claimed, op[3][0])
+                    t.mul(x[0], x[0]), 2, claimed if name == "abs" else self.times(claimed, op[3][0])
                 )
                 found = size if name == "abs" else t.mul(size, t.inverse(x[0]))
             elif name in CIRCULAR:
@@ -129,12 +145,12 @@ class Values:
             elif name in ("jacobi_sn", "jacobi_cn", "jacobi_dn"):
                 found = self._jacobi(name, x)
             else:
-                found = self._other(name, x, claimed)
+                found = self._other(op, x, claimed)
             self._functions[key] = found
         return self._functions[key]
 
-    def _other(self, name: str, x: list[Element], claimed: Fraction_ | None) -> Element:
-        t = self.t
+    def _other(self, op: tuple[Any, ...], x: list[Element], claimed: Fraction_ | None) -> Element:
+        t, name = self.t, str(op[1])
         turned = [t.mul(self.minus_one, x[0]), *x[1:]]
         opposite = (name, (), *map(_frozen, turned))
         if name in ODD and (len(x) > 1 or not name.startswith("elliptic_e")) and opposite in self._functions:
@@ -150,17 +166,11 @@ class Values:
                     return t.mul(other, root if name == "elliptic_e" else t.inverse(root))
         if not x[0] and name in ODD and not (name == "elliptic_e" and len(x) == 1):
             return self.zero
-        for sine, turns in QUARTERS.get(name, ()):
-            if x[0] == t.constant(core.Fraction(sine)):
-                return t.mul(self._angles[0][0], t.constant(core.Fraction(turns)))
-        if name == "acos":
-            key = ("asin", (), _frozen(x[0]))
-            if key not in self._functions:
-                self._functions[key] = self._other("asin", x, None)
-            return t.add(self._angles[0][0], self._functions[key], -1)
+        if (angle := self.inverses.angle(name, op, x)) is not None:
+            return angle
         return self._log(x[0]) if name == "log" else t.free()
 
-    def _times(self, claimed: Fraction_ | None, factor: int) -> Fraction_ | None:
+    def times(self, claimed: Fraction_ | None, factor: int) -> Fraction_ | None:
         """A fraction times a formula that is a polynomial in names and kernels; None where it is none."""
         own = self.polynomial(factor)
         return None if claimed is None or own is None else (core.combined({}, claimed[0], own), claimed[1])
@@ -183,10 +193,7 @@ class Values:
     def _circle(self, angle: Element, name: str, claimed: Fraction_ | None, node: int) -> tuple[Element, Element]:
         """The sine and the cosine of an angle."""
         t = self.t
-        for b in self.f.reach(node):
-            if (op := self.f.ops[b])[0] == "f" and op[1] in INVERSE and (self.real or op[1] != "atan2"):
-                if all(a != self._of[b] for a, _, _ in self._angles):
-                    self._angles.append((self._of[b], *self._inverse(op, name, claimed if b == node else None)))
+        self._angles += self.inverses.angles(angle, name, claimed, node, self._angles)
         found = self._combination(angle, [a for a, _, _ in self._angles])
         if found is not None:
             sine, cosine = self.zero, self.one
@@ -198,22 +205,6 @@ class Values:
         sine = t.root(t.add(self.one, t.mul(cosine, cosine), -1), 2)
         self._angles.append((angle, sine, cosine))
         return sine, cosine
-
-    def _inverse(self, op: tuple[Any, ...], name: str, claimed: Fraction_ | None) -> tuple[Element, Element]:
-        """The sine and the cosine of an inverse function; the one that is a root may be the one that is claimed."""
-        t, x, one = self.t, [self._of[b] for b in op[3]], self.one
-        if op[1] in ("asin", "acos"):
-            rest = t.add(one, t.mul(x[0], x[0]), -1)
-            given = {("asin", "cos"): claimed, ("acos", "sin"): claimed}.get((op[1], name))
-            if (op[1], name) == ("acos", "tan"):
-                given = self._times(claimed, op[3][0])
-            root = self.roots.root(rest, 2, given)
-            return (x[0], root) if op[1] == "asin" else (root, x[0])
-        if op[1] == "atan":
-            cosine = t.inverse(self.roots.root(t.add(one, t.mul(x[0], x[0])), 2, None))
-            return t.mul(x[0], cosine), cosine
-        size = t.inverse(self.roots.root(t.add(t.mul(x[0], x[0]), t.mul(x[1], x[1])), 2, None))
-        return t.mul(x[0], size), t.mul(x[1], size)
 
     def _multiple(self, k: int, n: int) -> tuple[Element, Element]:
         """The sine and the cosine of n times an angle."""

@@ -19,7 +19,7 @@ from canon.checker.formulas import ONE, ZERO
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.intervals import Intervals
 from canon.checker.positive import is_nowhere_zero, is_positive
-from canon.checker.roots import multiple
+from canon.checker.ratios import multiple
 from canon.checker.shapes import is_smooth
 from canon.checker.statement import Statement
 

@@ -147,7 +147,8 @@ def test_names_are_told_apart() -> None:
     assert is_named(total([named("so(3)")] * 2), "so(4)") is True  # pyright: ignore[reportArgumentType]
     assert is_named(named("galilei"), "bargmann") is False  # pyright: ignore[reportArgumentType]
     assert is_named(named("bargmann"), "galilei + u(1)") is False  # pyright: ignore[reportArgumentType]
-    assert is_named(named("iso(2)"), "iso(2)") is None  # pyright: ignore[reportArgumentType]
+    assert is_named(named("iso(2)"), "iso(2)") is True  # pyright: ignore[reportArgumentType]
+    assert is_named(moved(named("iso(2)")), "iso(2)") is None  # pyright: ignore[reportArgumentType]
 
 
 def moved(algebra: Algebra) -> Algebra:

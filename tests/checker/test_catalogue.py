@@ -45,7 +45,13 @@ CLAIMS = {
     ("course", "conjugate-points"): (1, 3, 4),
     ("course", "oscillator-least-action"): (2,),
     ("course", "gaussian-pulse"): (1, 4),
-    ("course", "kepler-quadratures"): (4, 8),
+    ("course", "kepler-quadratures"): (4, 5, 8),
+    ("course", "lorentz-group"): (4,),
+    ("course", "principal-axes"): (0,),
+    ("course", "composition-near-the-identity"): (5,),
+    ("brackets", "fradkin-tensor"): (4,),
+    ("flows", "pendulum-rotation-time-energy"): (1,),
+    ("transformations", "oscillator-type-2"): (0,),
     ("course", "hamilton-jacobi-free-polar"): (1,),
     ("course", "action-angle-oscillator"): (2, 3),
     ("actions", "free-symmetric-top-angles"): (0, 2),
@@ -56,9 +62,7 @@ CLAIMS = {
 }
 IN_PART = {
     ("transformations", "power-and-angle", 0): "almost all values",
-    ("brackets", "micz-kepler-parabolic", 0): "reduction on the surface",
-    ("transformations", "oscillator-type-2", 0): "on a connected cell",
-    ("course", "cross-sections", 1): "points where it was measured",
+    ("course", "brachistochrone-minimum", 0): "second variation",
 }
 PATHS = {(Path(str(file)).parent.name, Path(str(file)).stem): Path(str(file)) for file in files()}
 

@@ -122,7 +122,7 @@ def action(s: Statement) -> Case:
         if known is not None:
             case = Case([f.sub(known, equals)])
             return replace(case, measured=measured, digits=DIGITS, found=True) if s.verdict == "proved" else case
-    if s.verdict == "refuted" and not (rate or rotates or "well" in claim or s.surface):
+    if s.verdict == "refuted" and free and not (rate or rotates or "well" in claim or s.surface):
         if (power := well_action(s, form, level)) is not None:
             return Case([f.sub(power[0], equals)])
     solved = None if form.quadratic else square

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Callable
 
 from canon.errors import BudgetExceeded
 
@@ -12,15 +13,18 @@ class Budget:
     """A deadline, `seconds` from now (`math.inf` for none). Immutable.
 
     Work that may take long asks `check()` now and then; work that may fail asks for a `share`
-    and leaves the rest to what is tried next.
+    and leaves the rest to what is tried next. `look`, if there is one, is called wherever the clock is looked at, by
+    shares of the budget too; it stays in the process.
     """
 
-    __slots__ = ("_deadline", "seconds")
+    __slots__ = ("_deadline", "_look", "seconds")
 
     seconds: float
     _deadline: float
+    _look: Callable[[], None] | None
 
-    def __init__(self, seconds: float = math.inf) -> None:
+    def __init__(self, seconds: float = math.inf, look: Callable[[], None] | None = None) -> None:
+        object.__setattr__(self, "_look", look)
         if math.isnan(seconds) or seconds < 0:
             raise ValueError(f"a budget is a number of seconds from 0 on, not {seconds!r}")
         object.__setattr__(self, "seconds", float(seconds))
@@ -41,6 +45,8 @@ class Budget:
 
     def spent(self) -> bool:
         """Whether nothing is left."""
+        if self._look is not None:
+            self._look()
         return time.monotonic() >= self._deadline
 
     def check(self) -> None:
@@ -52,4 +58,4 @@ class Budget:
         """A budget of `fraction` (0 to 1) of what is left: it can't outlive this one."""
         if not 0 <= fraction <= 1:
             raise ValueError(f"a share is between 0 and 1, not {fraction!r}")
-        return Budget(self.left() * fraction if fraction else 0.0)
+        return Budget(self.left() * fraction if fraction else 0.0, self._look)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, Literal
 
@@ -31,6 +31,8 @@ LEAST_MEMORY = 1 << 29
 """Bytes: what the libraries themselves take, and a little."""
 EXACT_SHARE = 0.7
 """The part of a budget that the exact deciders may spend where sampling is asked for too."""
+SELDOM = 0.2
+"""Seconds between two words about how much of a budget is spent."""
 
 
 def verify(
@@ -41,6 +43,7 @@ def verify(
     method: Method = "symbolic",
     accuracy: float | None = None,
     memory: int | None = None,
+    watch: Callable[[float], None] | None = None,
 ) -> Verdict:
     """The verdict on a claim.
 
@@ -51,6 +54,8 @@ def verify(
     have so many bytes (of address space, at least 2²⁹) and is killed where the claim needs more or is still busy well
     past its budget, which is `undecided` then. It is kept for the next claims; the first one waits for it, about a
     second. Without `memory` the claim is decided here, where the deciders look at the clock, but nothing limits memory.
+    `watch` is told now and then which part of the budget is spent, from 0 to 1, as in `with progress("deciding") as
+    watch: verify(claim, watch=watch)`: where the deciders look at the clock, and not from the process beside.
 
     **Returns:** a `Verdict`: `proved` and `refuted` rest on exact arguments or certified witnesses, never on floats.
     Should an exact and a numerical answer contradict each other, it is `undecided`, with both in `detail["alarm"]`.
@@ -71,19 +76,35 @@ def verify(
         return _apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy))
     decide = kind_named(claim.kind)
     with in_turn():
-        return _here(claim, decide, budget, seed, method, accuracy)
+        return _here(claim, decide, Settings(budget, seed, method, accuracy=accuracy), watch)
 
 
-def _here(claim: Claim, decide: Kind, budget: float, seed: int, method: Method, accuracy: float | None) -> Verdict:
+def _here(claim: Claim, decide: Kind, settings: Settings, watch: Callable[[float], None] | None) -> Verdict:
+    seed, method, accuracy = settings.seed, settings.method, settings.accuracy
     start = time.monotonic()
     are_continuous(claim)
-    whole = Budget(claim.budget if claim.budget is not None else budget)
+    seconds = claim.budget if claim.budget is not None else settings.budget
+    whole = Budget(seconds, None if watch is None else _looked(watch, start, seconds))
     question = Question(claim, whole, seed, "numeric" if method == "numeric" else "symbolic", accuracy)
     if method != "all":
         return _verdict(question, _answer(decide, question), time.monotonic() - start)
     symbolic = _answer(decide, replace(question, budget=whole.share(EXACT_SHARE)))
     numeric = _answer(decide, replace(question, method="numeric"))
     return _verdict(question, compared(symbolic, numeric), time.monotonic() - start)
+
+
+def _looked(watch: Callable[[float], None], start: float, seconds: float) -> Callable[[], None]:
+    """Tell which part of a budget is spent, but not more often than anybody can see."""
+    last = start
+
+    def look() -> None:
+        nonlocal last
+        now = time.monotonic()
+        if now - last >= SELDOM:
+            last = now
+            watch(min((now - start) / seconds, 1.0) if seconds else 1.0)
+
+    return look
 
 
 def _check(budget: float) -> None:

@@ -46,6 +46,8 @@ def action(s: Statement) -> Case:
     f, claim = s.f, s.claim
     x, E = str(claim["coordinate"]), str(claim["energy"])
     p = s.p[s.q.index(x)]
+    if s.direction in ("implicit", "backward"):
+        s.without_map()  # the domain's conditions are those on the coordinate, not on what it is given by
     if not E.isidentifier() or ("period" in claim and claim.get("branch") != "rotation"):
         raise Unreadable("an energy is a name, and a period is one of a rotation's coordinate")
     fixed = {name: f.read(text, s.names) for name, text in claim.get("fixed", {}).items()}

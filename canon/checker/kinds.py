@@ -38,7 +38,8 @@ def obligations(s: Statement) -> list[Case]:
     found = found if isinstance(found, list) else [found]
     if kind not in (*MAPPED, *SQUARE):
         regular = _regular(s)
-        found[0].nonzeros += regular if s.verdict == "proved" else []
+        if found and s.verdict == "proved":
+            found[0].nonzeros += regular
         if s.verdict == "refuted" and kind not in BOTH:  # where the map is one to one nearby: else it says nothing
             s.conditions = [*s.conditions, *((group[0], "nonzero") for group in regular)]
             if s.direction == "backward" and not regular:

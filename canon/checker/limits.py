@@ -13,11 +13,12 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
+from canon.checker import alone
 from canon.checker.check import Answer, check
 from canon.checker.functions import Unreadable
 
@@ -70,10 +71,20 @@ def checked_apart(certificate: Any, seconds: float = SECONDS) -> Answer:
     return Answer(found["status"], tuple(found["reasons"]))
 
 
-def _limited(certificate: Any, seconds: float) -> Answer:
+def checked_alone(certificate: Any, seconds: float = SECONDS) -> Answer:
+    """The answer of the checker in one file (`canon.checker.alone`): "shown", "not shown" or "wrong"."""
+    return _limited(certificate, seconds, _alone)
+
+
+def _alone(certificate: Any) -> Answer:
+    status, reason = alone.checked(certificate)
+    return Answer(status, (reason,) if reason else ())
+
+
+def _limited(certificate: Any, seconds: float, by: Callable[[Any], Answer] = check) -> Answer:
     try:
         with _timed(seconds), _sized():
-            return check(certificate)
+            return by(certificate)
     except Late:
         return _late(seconds)
     except MemoryError:

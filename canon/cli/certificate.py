@@ -20,7 +20,10 @@ EXPORT: Final = (
     "Writes theorems that each residual of the claim is 0 over the reals (or isn't, at a witness), with proofs that "
     "`coqc` checks."
 )
-STATUS: Final = {"confirmed": 0, "confirmed in part": 2, "not confirmed": 2, "rejected": 1, "unreadable": BAD_INPUT}
+STATUS: Final = {
+    "confirmed": 0, "confirmed in part": 2, "not confirmed": 2, "rejected": 1, "unreadable": BAD_INPUT,
+    "shown": 0, "not shown": 2, "wrong": 1,
+}  # fmt: skip
 """The exit status of each answer; of several files, the gravest: unreadable, rejected, in part, confirmed."""
 LONGEST: Final = 1000
 """Characters of the reasons that are printed; with --json all are."""
@@ -35,6 +38,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
     export = actions.add_parser("export", help="write a certificate as a file of Coq", description=EXPORT)
     export.add_argument("file", metavar="CERTIFICATE", help="a certificate")
     export.add_argument("--coq", required=True, metavar="FILE.v", help="the file to be written")
+    check.add_argument(
+        "--alone", action="store_true", help="ask the checker in one file instead: shown, not shown, or wrong"
+    )
     check.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
 
 
@@ -77,13 +83,13 @@ def _export(arguments: argparse.Namespace) -> int:
 def _check(arguments: argparse.Namespace) -> int:
     from canon.checker.files import load
     from canon.checker.functions import Unreadable
-    from canon.checker.limits import checked
+    from canon.checker.limits import checked, checked_alone
     from canon.report.words import visible
 
     answers: list[tuple[str, str, list[str]]] = []
     for name in _files(arguments.files):
         try:
-            answer = checked(load(name))
+            answer = (checked_alone if arguments.alone else checked)(load(name))
             answers.append((name, answer.status, list(answer.reasons)))
         except Unreadable as reason:
             answers.append((name, "unreadable", [str(reason)]))

@@ -54,8 +54,9 @@ exit status of verify:
 """
 
 
-HEARING: Final = ("verify",)
-"""The commands that hear Ctrl-C themselves: their work is done in other processes. Others are as it is."""
+HEARING: Final = ("verify", "certificate")
+"""The commands that hear Ctrl-C in the first thread: their work is done in other processes, or in short steps; and
+certificates are checked under a timer, which the first thread alone has."""
 REFUSED: Final = {
     **dict.fromkeys((errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN), "the system gave no more"),
     errno.ENOENT: "the working folder is gone",

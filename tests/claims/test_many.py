@@ -230,7 +230,7 @@ def test_what_an_executor_calls_off_is_asked_again() -> None:
             return future
 
     client = Client()
-    found = dict(verify_many(CLAIMS, executor=Reaching(client), apart=False, batch=100))
+    found = dict(verify_many(CLAIMS, executor=Reaching(client, patience=60, glance=60), apart=False, batch=100))
     assert len(found) == len(CLAIMS)
     notes = {answer.detail["note"] for answer in found.values() if isinstance(answer, Verdict)}
     assert notes == {f"{LOST} (RuntimeError: the scheduler of the cluster is gone)"}

@@ -46,6 +46,18 @@ MEANINGS = {
     "csc": "1/sin(a)", "sinh": "(exp(a) - exp(-a))/2", "cosh": "(exp(a) + exp(-a))/2",
     "tanh": "1 - 2/(exp(2*a) + 1)", "coth": "1 + 2/(exp(2*a) - 1)",
 }  # fmt: skip
+OPAQUE = (
+    "gamma",
+    "lambertw",
+    "elliptic_k",
+    "elliptic_e",
+    "elliptic_f",
+    "elliptic_pi",
+    "jacobi_sn",
+    "jacobi_cn",
+    "jacobi_dn",
+)
+"""Functions of which nothing is known."""
 TEMPLATES = {
     "identity": ["_lhs - _rhs"], "bracket": ["bracket(_f, _g) - _equals"],
     "conserved": ["D(_f, {t}) + bracket(_f, _H)"],
@@ -130,8 +142,8 @@ class Point:
         if (name, order) not in self.found and name in self.texts:
             self.found[name, order] = self.read(self.texts[name], {}, order)
         elif (name, order) not in self.found:
-            if name.startswith("_"):
-                raise Stop("not shown", f"a claim without {name[1:]}")
+            if name.startswith("_") or "function" in self.words.get(name, ()):
+                raise Stop("not shown", f"what {name.strip('_')} is")
             said, value = {*self.words.get(name, ())}, self.given[name] if name in self.given else self.any(name)
             if name not in self.given and (said & {"positive", "negative", "nonnegative"} or name == "pi"):
                 value = value**2 * (-1 if "negative" in said else 1) % self.p
@@ -265,6 +277,8 @@ class Point:
             return total
         if "function" in self.words.get(name, ()):
             return self.applied(name, x, tuple(orders) or (0,) * len(x))
+        if name not in (*SLOPES, *MEANINGS, *OPAQUE):
+            raise ValueError(f"no function is called {name}")
         return self.read(MEANINGS[name], {"a": x[0]}) if name in MEANINGS else self.applied(name, x)
 
 

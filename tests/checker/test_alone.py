@@ -128,6 +128,10 @@ FORGED = {
     "a key that nobody asks for": (
         {**SPACE, "claim": {"kind": "identity", "lhs": "q", "rhs": "q", "order": "1"}}, {},
     ),
+    "a function that nobody declares": ({**SPACE, "claim": {"kind": "identity", "lhs": "f(q)", "rhs": "f(q)"}}, {}),
+    "a function without its arguments": (
+        {**SPACE, "symbols": {"f": "function"}, "claim": {"kind": "identity", "lhs": "f*q", "rhs": "q*f"}}, {},
+    ),
     "a surface": ({**SPACE, "domain": {"on": ["q - 1"]}, "claim": {"kind": "identity", "lhs": "q", "rhs": "q"}}, {}),
     "a scale that may be 0": (
         {**SPACE, "symbols": {"c": "real"}, "transformation": {"Q": ["q"], "P": ["c*p"]}, "hamiltonian": {"H": "0"},

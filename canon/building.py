@@ -182,7 +182,8 @@ class Builder:
     def function(self, function: Any, values: list[Any], texts: tuple[str, ...]) -> Any:
         self.measure.spend_on(values)
         self.add(function_conditions(function, tuple(values), texts, is_complex=self.measure.is_complex))
-        return applied(function, values, any(self.measure.is_complex(value) for value in values))
+        beside_integers = any(symbol.is_integer for symbol in self.vocabulary.symbols.values())
+        return applied(function, values, any(self.measure.is_complex(value) for value in values), beside_integers)
 
     def arbitrary(self, name: str, values: list[Any], where: str) -> Any:
         self.use(name, where)

@@ -19,9 +19,6 @@ from canon.sign import Reality, known_sign
 from canon.sign import is_complex as _is_complex
 from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
 from canon.substitution import replaced
-from canon.tangents import kept_as_written
-
-kept_as_written()
 
 Test = Callable[[Any], bool]
 ConditionKind = Literal["positive", "nonzero", "uncut", "slit", "regular"]

@@ -24,10 +24,15 @@ FUNCTIONS: Final[dict[str, tuple[Any, tuple[int, ...]]]] = {
 }  # fmt: skip
 """Each function's class in sympy and the numbers of arguments that it takes."""
 
+QUOTIENTS: Final[dict[Any, tuple[Any, Any]]] = {
+    sp.tan: (sp.sin, sp.cos), sp.cot: (sp.cos, sp.sin), sp.tanh: (sp.sinh, sp.cosh), sp.coth: (sp.cosh, sp.sinh),
+}  # fmt: skip
+"""What is read as a quotient beside integers: sympy 1.14 makes tan x of tan(x + nπ + π/2), as it is written or whenever
+something is put in for a name; and tangents of the others."""
 _GAMMA_LIMIT: Final = 300
 
 
-def applied(function: Any, values: list[Any], is_complex: bool) -> Any:
+def applied(function: Any, values: list[Any], is_complex: bool, beside_integers: bool = False) -> Any:
     """The value of a function, kept from what sympy would make of arguments that it wasn't written for.
 
     **Raises:** `InputError` where the value is too large, or where the function isn't analytic in a complex argument.
@@ -40,6 +45,9 @@ def applied(function: Any, values: list[Any], is_complex: bool) -> Any:
         raise InputError(f"gamma of a number above {_GAMMA_LIMIT}")
     if function is sp.atan2 and values[0].is_zero:
         return sp.Integer(0)
+    if beside_integers and function in QUOTIENTS and not is_constant(values):
+        over, under = QUOTIENTS[function]
+        return over(*values) / under(*values)
     value = constant(function, *values) if is_constant(values) else function(*values)
     if is_complex and function is sp.Abs and value.has(sp.re, sp.im, sp.arg, sp.conjugate):
         raise InputError("abs of this complex expression: write x + 1j*y for its names, with real x and y")

@@ -75,7 +75,7 @@ def _prepared(known: sp.Symbol, value: sp.Expr) -> sp.Expr:
     angle = known if not shift and factor == 1 else (known - shift) / factor
     if isinstance(turn, (sp.atan2, sp.atan)) and shift.is_number and factor.is_number:
         if isinstance(turn, sp.atan):
-            return turn.args[0] - sp.tan(angle)
+            return turn.args[0] - sp.sin(angle) / sp.cos(angle)
         y, x = turn.args
         return y * sp.cos(angle) - x * sp.sin(angle)
     return value - known

@@ -35,6 +35,7 @@ class Builder:
         self.conditions: dict[Condition, None] = {}
         self.names: set[str] = set()
         self.calls: set[tuple[str, int]] = set()
+        self.slopes: set[tuple[str, str]] = set()
         self.has_bracket = False
 
     def source(self, node: Node) -> str:
@@ -132,6 +133,7 @@ class Builder:
         if formula.has_bracket:
             self.use_bracket(where)
         self.calls |= formula.calls
+        self.slopes |= formula.slopes
         self.add(formula.conditions)
         return formula.expr
 
@@ -207,6 +209,7 @@ class Builder:
         if symbol.is_integer:
             raise InputError(f"D {where} is with respect to {variable.name!r}, which is an integer")
         self.check_related(node.arguments[0], variable.name, where)
+        self.slopes |= {(variable.name, f) for f in written_functions(node.arguments[0], self.vocabulary)}
         if len(node.arguments) == 3:
             times = node.arguments[2]
             if not isinstance(times, Number) or times.imaginary or times.value.denominator != 1:
@@ -242,7 +245,9 @@ class Builder:
             raise InputError(f"'bracket' {where} is in the old variables, but {name!r} is a new one")
         f, g = values
         terms = list[Any]()
+        inside = written_functions(node, self.vocabulary)
         for q, p in self.vocabulary.pairs:
+            self.slopes |= {(x.name, name) for x in (q, p) for name in inside}
             df, dg = ([differentiated(h, x, self.measure) for x in (q, p)] for h in (f, g))
             terms += [df[0] * dg[1], -df[1] * dg[0]]
         return sp.Add(*terms)
@@ -258,4 +263,19 @@ def written_names(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
         if isinstance(part, Name):
             formula = vocabulary.definitions.get(part.name)
             found |= formula.names if isinstance(formula, Formula) else {part.name}
+    return frozenset(found)
+
+
+def written_functions(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
+    """The arbitrary functions that are called below `node`, abbreviations followed."""
+    found: set[str] = set()
+    stack = [node]
+    while stack:
+        part = stack.pop()
+        stack.extend(children(part))
+        formula = vocabulary.definitions.get(part.name) if isinstance(part, Name) else None
+        if isinstance(formula, Formula):
+            found |= {name for name, _ in formula.calls}
+        elif isinstance(part, Call) and part.name in vocabulary.functions:
+            found.add(part.name)
     return frozenset(found)

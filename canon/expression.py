@@ -56,7 +56,9 @@ def _read(text: str, vocabulary: Vocabulary, measure: Measure | None) -> Formula
     value = builder.value_of(parse(text))
     written = " ".join(text.split())
     names, calls = frozenset(builder.names), frozenset(builder.calls)
-    return Formula(value, tuple(builder.conditions), written, names, builder.has_bracket, calls)
+    return Formula(
+        value, tuple(builder.conditions), written, names, builder.has_bracket, calls, frozenset(builder.slopes)
+    )
 
 
 def _read_relation(text: str, vocabulary: Vocabulary, measure: Measure | None) -> tuple[Condition, ...]:

@@ -45,7 +45,8 @@ class Formula:
 
     **Arguments:** `expr`, as sympy holds it; `conditions`, also those that no longer show in `expr` (`x/x` is 1
     where x ≠ 0); `text`, as its author wrote it; `names`, those that were written, abbreviations followed;
-    `has_bracket`, whether a Poisson bracket was; `calls`, the arbitrary functions with their numbers of arguments.
+    `has_bracket`, whether a Poisson bracket was; `calls`, the arbitrary functions with their numbers of arguments;
+    `slopes`, the names by which a derivative or a bracket is taken, each with an arbitrary function inside of it.
     """
 
     expr: sp.Expr
@@ -54,6 +55,7 @@ class Formula:
     names: frozenset[str] = field(default=frozenset(), compare=False)
     has_bracket: bool = field(default=False, compare=False)
     calls: frozenset[tuple[str, int]] = field(default=frozenset(), compare=False)
+    slopes: frozenset[tuple[str, str]] = field(default=frozenset(), compare=False)
 
     def __str__(self) -> str:
         return self.text or str(self.expr)

@@ -5,6 +5,7 @@
 `meaning_attacks.toml` holds claims about what a claim means, of all kinds, `class_attacks.toml` those of classes that
 it hardly has, `analysis_attacks.toml` those about what the theorems of analysis take for granted,
 `map_attacks.toml` those about maps, brackets, algebras and surfaces, and `round11_maps.toml` more of them,
+`round12.toml` those that combine what is seldom combined,
 `round11_analysis.toml` those about which orbit or motion a claim speaks of.
 `action_attacks.toml`, where no file is named, those about actions and their mutants: a sign, a factor, a thousandth;
 energies at and beyond separatrices; several wells, barriers, branches; variables of one sign, domains that cut the

@@ -123,6 +123,8 @@ def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
         raise Unreadable("a bracket in the old variables beside new ones")
     for text in texts(dict(claim)):
         _check_related(s, text, old, new)
+    if kind == "solves":
+        _check_slopes(s, [*texts(claim["equations"]), *texts(tables.get("definitions", {}))], old, new)
     for value, variables, refused in places:
         for text in texts(value):
             if wrong := _names(s, text) & refused:
@@ -180,6 +182,30 @@ def _check_related(s: Statement, text: str, old: set[str], new: set[str]) -> Non
         names, by = _meant(s, ast.walk(node.args[0])), _meant(s, [node.args[1]])
         if any(by <= side and names & other and not names & side for side, other in ((old, new), (new, old))):
             raise Unreadable(f"a derivative of variables that depend on the name by the map: {text[:60]!r}")
+
+
+def _check_slopes(s: Statement, equations: list[str], old: set[str], new: set[str]) -> None:
+    """Refuse D(f(t), a) of a solution a cos t, which is no 0: it was taken too early. Raises Unreadable."""
+    slopes = set[tuple[str, str]]()
+    for node in (node for text in equations for node in _nodes(s, text) if isinstance(node, ast.Call)):
+        name = ast.unparse(node.func)[1:]
+        if name == "bracket" or (name == "D" and len(node.args) > 1):
+            by = {*s.q, *s.p} if name == "bracket" else _meant(s, [node.args[1]])
+            slopes |= {(x, f) for x in by for f in _functions(s, node.args if name == "bracket" else node.args[:1])}
+    for call, text in s.claim["solution"].items():
+        held = {s.f.ops[a][1] for a in s.f.reach(s.f.read(text, s.names)) if s.f.ops[a][0] == "s"}
+        held |= (new if held & old else set()) | (old if held & new else set())
+        held -= {s.f.ops[a][1] for a in s.f.reach(s.f.read(call, {})) if s.f.ops[a][0] == "s"}
+        if any((x, f) in slopes for x in held for f in _functions(s, [s.f.tree(call)[0]])):
+            raise Unreadable(f"a derivative of {call[:40]!r} by a name on which the solution depends, and it doesn't")
+
+
+def _functions(s: Statement, trees: list[Any]) -> set[str]:
+    """The arbitrary functions that are called in formulas, and in their abbreviations."""
+    nodes = [node for tree in trees for node in ast.walk(tree)]
+    called = {ast.unparse(node.func)[1:] for node in nodes if isinstance(node, ast.Call)}
+    inner = [s.names[node.id[1:]] for node in nodes if isinstance(node, ast.Name) and node.id[1:] in s.names]
+    return called | {s.f.ops[a][1] for a in s.f.reach(*inner) if s.f.ops[a][0] == "f"}
 
 
 def _in_brackets(s: Statement, text: str) -> set[str]:

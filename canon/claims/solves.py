@@ -32,6 +32,7 @@ def solves(question: Question) -> Outcome:
     for formula in equations:
         if not any(_calls(formula, call) for call in solution):
             raise InputError(f"the equation {formula} has none of the functions of 'solution' in it", "key 'equations'")
+        _check_slopes(question, formula, solution)
     written = question.region(*equations)
     replaced = _Replaced(question, solution)
     residuals = [
@@ -45,6 +46,27 @@ def solves(question: Question) -> Outcome:
     surface = tuple(replaced.value(node) for node in written.surface)
     region = Region((*kept, *replaced.requirements), surface, written.symbols)
     return question.decide(residuals, region)
+
+
+def _check_slopes(question: Question, formula: Formula, solution: Mapping[sp.Expr, Formula]) -> None:
+    """D(f(t), a) is no 0 where the solution is a cos t: a derivative is taken before anything is put in.
+
+    **Raises:** `InputError` for one by a name on which a solution depends otherwise than by the function's arguments:
+    one that stands in it, or, where the file has a map, one on which what stands in it depends by the map.
+    """
+    space = question.space
+    old, new = {x.name for x in space.old}, {x.name for x in space.new}
+    for call, value in solution.items():
+        held: set[str] = {x.name for x in value.expr.free_symbols}  # pyright: ignore[reportAttributeAccessIssue]
+        held |= (new if held & old else set()) | (old if held & new else set())
+        held -= {x.name for x in call.args}  # pyright: ignore[reportAttributeAccessIssue]
+        wrong = sorted(x for x, name in formula.slopes if name == call.func.__name__ and x in held)
+        if wrong:
+            raise InputError(
+                f"the equation {formula} has a derivative of {call} by {wrong[0]!r}, on which the solution {value} "
+                f"depends, but not the function: make {wrong[0]!r} one of its arguments, or write the derivative",
+                "key 'equations'",
+            )
 
 
 def _calls(formula: Formula, call: sp.Expr) -> bool:

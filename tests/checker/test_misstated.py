@@ -100,6 +100,12 @@ MEANT = {
         transformation=IDENTITY),
     "a derivative of an old variable by a new one": of({"kind": "identity", "lhs": "X + D(sin(x), X)", "rhs": "X"},
         transformation=IDENTITY),
+    "a derivative of a solution by what else it depends on": of(
+        {"kind": "solves", "solution": {"f(t)": "a*cos(t)"}, "equations": ["D(f(t), a)"]},
+        symbols={"a": "real", "f": "function"}),
+    "the same by an abbreviation": of(
+        {"kind": "solves", "solution": {"f(t)": "x*cos(t)"}, "equations": ["g + 0*f(t)"]},
+        definitions={"g": "bracket(p, f(t))"}, symbols={"f": "function"}),
     "a dimension of pi": of({"kind": "dimension", "functions": ["pi"], "dimensions": {"pi": "L"}, "equals": "L"}, 0),
     "a derivative beyond the twentieth": forged("D(x**20, x, 21)", "2432902008176640000"),
     "a derivative by a number": forged("D(x**3, 2)"),

@@ -117,3 +117,34 @@ def test_a_basis_with_two_constants_of_either_sign(status, basis, structure, exp
     """Where each sign of one is looked at, the other one is still held fixed."""
     claim = f'kind = "algebra"\nbasis = {{{basis}}}\nstructure = {{{structure}}}'
     assert status(claim, space=LINE, symbols='a = "nonzero"\nb = "nonzero"') == expected
+
+
+@pytest.mark.parametrize(
+    ("solution", "equation", "definitions"),
+    [
+        ('"f(t)" = "a*cos(t)"', "D(f(t), a)", ""),
+        ('"f(t)" = "a*cos(t)"', "D(f(t), a) - cos(t)", ""),
+        ('"f(a)" = "t*a"', "D(a*f(2*a)**2, t, 2)", ""),
+        ('"f(t)" = "q*cos(t)"', "1 + g + f(t) - q*cos(t)", 'g = "bracket(p, q + f(t))"'),
+        ('"f(t)" = "q*cos(t)"', "D(g, q) + 0*f(t)", 'g = "f(t)"'),
+    ],
+)
+def test_a_derivative_of_a_solution_by_what_its_function_does_not_depend_on(ask, solution, equation, definitions):
+    """It was taken before the solution was put in, and was 0."""
+    claim = f'kind = "solves"\nsolution = {{{solution}}}\nequations = ["{equation}"]'
+    with pytest.raises((InputError, AssertionError), match=r"make .* one of its arguments, or write the derivative"):
+        ask(claim, space=LINE, symbols='a = "real"\nf = "function"', definitions=definitions)
+
+
+@pytest.mark.parametrize(
+    ("solution", "equation"),
+    [
+        ('"f(t)" = "a*cos(t)"', "D(f(t), t) + a*sin(t)"),
+        ('"f(t, a)" = "a*cos(t)"', "D(f(t, a), a) - cos(t)"),
+        ('"f(q)" = "a*q**2"', "bracket(f(q), p) + D(f(q) - q*f(q), q, 3) + 6*a - 2*a*q"),
+        ('"f(t)" = "a*t/a"', "D(f(t), a)"),
+    ],
+)
+def test_derivatives_of_a_solution_by_its_arguments(status, solution, equation):
+    claim = f'kind = "solves"\nsolution = {{{solution}}}\nequations = ["{equation}"]'
+    assert status(claim, space=LINE, symbols='a = "real"\nf = "function"') == "proved"

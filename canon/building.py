@@ -10,6 +10,7 @@ from typing import Any, Final
 
 import sympy as sp
 
+from canon.calls import function
 from canon.constants import check_constant_condition, check_constant_power
 from canon.domain import Condition, function_conditions, nonzero, power_conditions
 from canon.errors import InputError
@@ -190,8 +191,7 @@ class Builder:
     def arbitrary(self, name: str, values: list[Any], where: str) -> Any:
         self.use(name, where)
         self.calls.add((name, len(values)))
-        function: Any = sp.Function(name)
-        value = function(*values)
+        value = function(name)(*values)
         sign = self.vocabulary.signs.get(name)
         if sign == "nonzero":
             self.add((Condition("nonzero", (value,)),))

@@ -5,6 +5,8 @@ from typing import Any
 
 import sympy as sp
 
+from canon.calls import at_places, derivative_of
+
 
 def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     """`expression` with all symbols of `mapping` replaced at once, inside derivatives of arbitrary functions too.
@@ -13,6 +15,9 @@ def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     """
     if not expression.has(sp.Derivative, sp.Subs):
         return expression.xreplace(dict(mapping))
+    if (found := at_places(expression)) is not None:
+        call, orders, arguments = found
+        return derivative_of(call, orders, [sp.sympify(replaced(argument, mapping)) for argument in arguments])
     if isinstance(expression, sp.Derivative):
         return _derivative(expression, mapping)
     if isinstance(expression, sp.Subs):

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy as sp
 
+from canon.calls import derivative_of, function
 from canon.decide.tape import Node, Tape
 from canon.special import EllipticPi
 
@@ -38,7 +39,7 @@ def unload(tape: Tape, node: Node) -> sp.Expr:
         elif kind == "r":
             values[i] = values[op[1]] ** sp.Rational(op[2], op[3])
         elif kind == "f":
-            maker = NAMES.get(op[1]) or sp.Function(op[1])
+            maker = NAMES.get(op[1]) or function(op[1])
             values[i] = maker(*(values[j] for j in op[2]))
         else:
             values[i] = _unload_arbitrary(op[1], op[2], [values[j] for j in op[3]])
@@ -46,12 +47,4 @@ def unload(tape: Tape, node: Node) -> sp.Expr:
 
 
 def _unload_arbitrary(name: str, orders: tuple[int, ...], arguments: list[sp.Expr]) -> sp.Expr:
-    function = sp.Function(name)
-    if not any(orders):
-        return function(*arguments)
-    dummies = [a if isinstance(a, sp.Symbol) else sp.Dummy(f"a{k + 1}") for k, a in enumerate(arguments)]
-    if len(set(dummies)) < len(dummies):
-        dummies = [sp.Dummy(f"a{k + 1}") for k in range(len(arguments))]
-    inner = sp.Derivative(function(*dummies), *((d, k) for d, k in zip(dummies, orders, strict=True) if k))
-    moved = [(d, a) for d, a in zip(dummies, arguments, strict=True) if d is not a]
-    return sp.Subs(inner, [d for d, _ in moved], [a for _, a in moved]) if moved else inner
+    return derivative_of(function(name), orders, arguments)

@@ -7,6 +7,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from canon.calls import function
 from canon.display import latex
 from canon.domain import Domain
 from canon.errors import InputError
@@ -198,7 +199,7 @@ class PhaseSpace:
         """The arbitrary smooth function with this name; **raises** `InputError` when it is not declared."""
         if name not in self.functions:
             raise InputError(f"{name!r} is not declared as a function")
-        return sp.Function(name)
+        return function(name)
 
     def formula(self, text: str) -> Formula:
         """The formula that a text states, read as in a claim file; **raises** `InputError` where it cannot be."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from typing import Final
 
@@ -76,8 +77,19 @@ def _export(arguments: argparse.Namespace) -> int:
         complain(f"canon certificate: {arguments.coq} can't be written: {error.strerror}")
         return NOT_WRITTEN
     count = text.count("\nTheorem ")
-    print(shown(f"{arguments.coq}: {count} theorem{'s' * (count > 1)}; check with `coqc {arguments.coq}`"))
+    print(shown(f"{arguments.coq}: {count} theorem{'s' * (count > 1)}; {_checked_with(arguments.coq)}"))
     return 0
+
+
+def _checked_with(path: str) -> str:
+    """How Coq checks the file: its name is that of a module, so that it may have letters, digits and _ alone."""
+    name = os.path.basename(path)
+    stem, ending = os.path.splitext(name)
+    if stem.isidentifier() and ending == ".v":
+        return f"check with `coqc {path}`"
+    fit = re.sub(r"\W", "_", stem)
+    fit = fit if fit.isidentifier() else f"proof_{fit}"
+    return f"coqc takes names of letters, digits and _ that end in .v: rename it, `coqc {fit}.v`"
 
 
 def _check(arguments: argparse.Namespace) -> int:

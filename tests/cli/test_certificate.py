@@ -99,6 +99,14 @@ def test_certificates_stay_in_their_folder(file: str, expected: str) -> None:
     assert os.path.normpath(path).startswith("out/")
 
 
+@pytest.mark.parametrize(("file", "fit"), [("two-1.v", "two_1.v"), ("1.v", "proof_1.v"), ("two.txt", "two.v")])
+def test_a_name_that_coq_refuses_is_named(
+    file: str, fit: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["certificate", "export", str(folder / "two.1.json"), "--coq", file]) == 0
+    assert capsys.readouterr().out.endswith(f"that end in .v: rename it, `coqc {fit}`\n")
+
+
 def test_a_certificate_is_exported_to_coq(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["certificate", "export", str(folder / "two.1.json"), "--coq", "two.v"]) == 0
     assert capsys.readouterr().out == "two.v: 1 theorem; check with `coqc two.v`\n"

@@ -10,6 +10,7 @@ from canon.constants import constant, is_constant
 from canon.errors import InputError
 from canon.measure import check_exponential
 from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiSN
+from canon.substitution import QUOTIENTS
 
 FUNCTIONS: Final[dict[str, tuple[Any, tuple[int, ...]]]] = {
     "exp": (sp.exp, (1,)), "log": (sp.log, (1,)), "sin": (sp.sin, (1,)), "cos": (sp.cos, (1,)),
@@ -24,11 +25,6 @@ FUNCTIONS: Final[dict[str, tuple[Any, tuple[int, ...]]]] = {
 }  # fmt: skip
 """Each function's class in sympy and the numbers of arguments that it takes."""
 
-QUOTIENTS: Final[dict[Any, tuple[Any, Any]]] = {
-    sp.tan: (sp.sin, sp.cos), sp.cot: (sp.cos, sp.sin), sp.tanh: (sp.sinh, sp.cosh), sp.coth: (sp.cosh, sp.sinh),
-}  # fmt: skip
-"""What is read as a quotient beside integers: sympy 1.14 makes tan x of tan(x + nπ + π/2), as it is written or whenever
-something is put in for a name; and tangents of the others."""
 _GAMMA_LIMIT: Final = 300
 
 

@@ -1,11 +1,17 @@
 """Symbols replaced by expressions, all at once, the variables of derivatives of arbitrary functions being bound."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Final
 
 import sympy as sp
 
 from canon.calls import at_places, derivative_of
+
+QUOTIENTS: Final[dict[Any, tuple[Any, Any]]] = {
+    sp.tan: (sp.sin, sp.cos), sp.cot: (sp.cos, sp.sin), sp.tanh: (sp.sinh, sp.cosh), sp.coth: (sp.cosh, sp.sinh),
+}  # fmt: skip
+"""What is read as a quotient beside integers: sympy 1.14 makes tan x of tan(x + nπ + π/2), as it is written or whenever
+something is put in for a name; and tangents of the others."""
 
 
 def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
@@ -13,6 +19,8 @@ def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
 
     The variable of a derivative is bound: ∂₁f(x, y) under x → x + y is (∂₁f)(x + y, y), whatever the names are.
     """
+    if expression.has(*QUOTIENTS) and _are_beside_integers(expression, *mapping.values()):
+        expression = _with_quotients(expression)
     if not expression.has(sp.Derivative, sp.Subs):
         return expression.xreplace(dict(mapping))
     if (found := at_places(expression)) is not None:
@@ -28,6 +36,17 @@ def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
         point = tuple(replaced(at, mapping) for at in values)
         return sp.Subs(inner, tuple(fresh.values()), point)
     return expression.func(*(replaced(part, mapping) for part in expression.args))
+
+
+def _are_beside_integers(*expressions: Any) -> bool:
+    return any(symbol.is_integer for each in expressions for symbol in sp.sympify(each).free_symbols)
+
+
+def _with_quotients(expression: Any) -> Any:
+    """Its tangents as sines over cosines, before anything is put into them."""
+    for function, (over, under) in QUOTIENTS.items():
+        expression = expression.replace(function, lambda a, over=over, under=under: over(a) / under(a))
+    return expression
 
 
 def _derivative(derivative: Any, mapping: Mapping[Any, Any]) -> Any:

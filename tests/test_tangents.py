@@ -5,7 +5,10 @@ import sympy as sp
 
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
-from canon.functions import QUOTIENTS, applied
+from canon.functions import applied
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.transformation import Transformation
+from canon.substitution import QUOTIENTS, replaced
 
 x, u = sp.symbols("x u", real=True)
 n, m = sp.symbols("n m", integer=True)
@@ -81,3 +84,23 @@ def test_what_a_map_puts_in_is_no_other():
     false, true = (verify(claim).status for claim in read_text(MAPPED).claims)
     assert false == "refuted"
     assert true != "refuted"
+
+
+@pytest.mark.parametrize("function", QUOTIENTS)
+def test_what_is_put_into_an_expression_of_sympys_is_no_other(function):
+    over, under = QUOTIENTS[function]
+    angle = (x + sp.pi * n + sp.pi / 2) * (sp.I if over in (sp.sinh, sp.cosh) else 1)
+    there = sp.expand(angle.xreplace(AT))
+    value = over(there) / under(there)
+    for found in (replaced(function(u), {u: sp.expand(angle)}), replaced(function(angle, evaluate=False), {x: x})):
+        assert abs(sp.N(found.xreplace(AT) - value)) < 1e-9
+    assert replaced(function(u), {u: x}) == function(x)
+
+
+def test_a_canonical_map_after_a_shift_by_whole_turns():
+    space = PhaseSpace("q", "p", integer="k", new=("Q", "P"))
+    (q,), (p,), (k,) = space.q, space.p, space.parameters
+    shift = Transformation(space, Q=q + sp.pi * k + sp.pi / 2, P=p)
+    for momentum, expected in ((p * sp.cos(q) ** 2, "proved"), (-p * sp.cos(q) ** 2, "refuted")):
+        composite = Transformation(space, Q=sp.tan(q), P=momentum).after(shift)
+        assert verify(composite.canonical()).status == expected

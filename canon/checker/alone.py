@@ -32,7 +32,7 @@ from itertools import combinations, product
 from math import prod
 from typing import Any, NamedTuple
 
-TRIALS, MOST_ROOTS, MOST_TERMS, THROWN, HIGHEST = 25, 5, 40, 500, 1000
+TRIALS, MOST_ROOTS, MOST_TERMS, THROWN, HIGHEST, STEEPEST = 25, 5, 40, 500, 1000, 20
 SMALL = (1, -1, 2, -2, 3, -3, 4, 5, 6, 7, 8, 9, 10)
 MODULUS = 24 * prod((3, 5, 7, 11, 13, 17, 19, 23))
 SLOPES = {
@@ -242,11 +242,12 @@ class Point:
         if isinstance(at, ast.BinOp):
             a, b = (self.built(side, text, own, order) for side in (at.left, at.right))
             if isinstance(at.op, ast.Pow):
-                square, plain = b.terms == {1: 2}, {*b.terms} <= {1}
+                if b.terms == {1: 2}:
+                    return self.mul(a, a)
+                plain = {*b.terms} <= {1}
                 if not plain and "integer" in str(self.words):
                     raise Stop("not shown", "powers with a name in the exponent beside integers")
-                other = self.applied("power", [a, b]) if plain else self.read("exp(b*log(a))", {"a": a, "b": b})
-                return self.mul(a, a) if square else other
+                return self.applied("power", [a, b]) if plain else self.read("exp(b*log(a))", {"a": a, "b": b})
             if isinstance(at.op, (ast.Mult, ast.Div)):
                 return self.mul(a, b if isinstance(at.op, ast.Mult) else self.applied("power", [b, self.number(-1)]))
             return self.add(a, b, {ast.Add: 1, ast.Sub: -1}[type(at.op)])
@@ -264,7 +265,9 @@ class Point:
         name = getattr(of, "id", "")[1:]
         times = int(name in ("D", "bracket"))
         if name == "D" and len(at.args) > 2:
-            times = int(ast.get_source_segment(text, at.args[2]) or 0) % HIGHEST
+            times = int(ast.get_source_segment(text, at.args[2]) or 0)
+            if not 0 <= times <= STEEPEST:
+                raise ValueError("an order that D doesn't have")
         x = [self.built(item, text, own, order + times) for item in at.args]
         if name == "D":
             for _ in range(times):

@@ -132,6 +132,10 @@ FORGED = {
     "a function without its arguments": (
         {**SPACE, "symbols": {"f": "function"}, "claim": {"kind": "identity", "lhs": "f*q", "rhs": "q*f"}}, {},
     ),
+    "an order below 0": ({**SPACE, "claim": {"kind": "identity", "lhs": "D(q, q, -1)", "rhs": "q"}}, {}),
+    "an order that is too high": (
+        {**SPACE, "claim": {"kind": "identity", "lhs": "D(exp(q), q, 999999999)", "rhs": "exp(q)"}}, {},
+    ),
     "a surface": ({**SPACE, "domain": {"on": ["q - 1"]}, "claim": {"kind": "identity", "lhs": "q", "rhs": "q"}}, {}),
     "a scale that may be 0": (
         {**SPACE, "symbols": {"c": "real"}, "transformation": {"Q": ["q"], "P": ["c*p"]}, "hamiltonian": {"H": "0"},

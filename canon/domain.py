@@ -169,6 +169,8 @@ def function_conditions(
     if function in _ENTIRE:
         return ()
     if function in _SPECIAL:
+        if function is sp.LambertW and len(arguments) > 1:
+            raise InputError(f"{function.__name__} with a branch: only the principal one is in the language")
         if function is sp.gamma and argument.is_Rational and argument > 0:
             return ()
         name = f"{function.__name__}({', '.join(texts)})"

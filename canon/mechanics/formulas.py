@@ -9,6 +9,7 @@ import sympy as sp
 from canon.domain import Condition, Domain, Smoothness, nonzero, positive
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.mechanics.admissible import check_calls, check_symbol
 from canon.special import EllipticPi
 from canon.substitution import replaced
 
@@ -29,6 +30,8 @@ def as_expression(value: Expression, where: str = "") -> sp.Expr:
         advice = "; text is read by space.formula(...)" if isinstance(value, str) else advice
         raise InputError(f"an expression is expected, not {value!r}{advice}", where)
     if isinstance(value, sp.Expr):
+        if isinstance(value, sp.Lambda):
+            raise InputError(f"{value} is a function: call it with an argument", where)
         if value.has(sp.Float):
             raise InputError(f"{value} contains a floating-point number; write it as a Rational", where)
         if not value.is_commutative:
@@ -62,25 +65,33 @@ def as_formulas(
 def check_symbols(formulas: Iterable[Formula | sp.Expr], known: Mapping[str, sp.Symbol], where: str = "") -> None:
     """Refuse a symbol that bears a name of the phase space but isn't its symbol: derivatives by that would miss it.
 
+    And one of which, or a function of which, more is assumed than a claim can state (`canon.mechanics.admissible`).
+
     **Arguments:** `known`, the space's symbols by name.
 
     **Raises:** `InputError` with what differs and where to take the symbol from.
     """
+    formulas = tuple(formulas)
     for formula in formulas:
         expression = formula.expr if isinstance(formula, Formula) else formula
-        others = [s for s in expression.free_symbols if isinstance(s, sp.Symbol) and known.get(s.name, s) != s]
-        for symbol in sorted(others, key=str):
-            meant = known[str(symbol)]
-            mine, its = (_assumed(x) for x in (symbol, meant))
-            raise InputError(
-                f"this {symbol} is {mine}, and the {symbol} of the phase space is {its}: two different symbols; "
-                f"take it from the space, as in {symbol} = space.symbols({str(symbol)!r})",
-                where,
-            )
+        symbols = sorted((s for s in expression.free_symbols if isinstance(s, sp.Symbol)), key=str)
+        for symbol in symbols:
+            name, meant = symbol.name, known.get(symbol.name, symbol)
+            if meant != symbol:
+                mine, its = (_assumed(x) for x in (symbol, meant))
+                raise InputError(
+                    f"this {name} is {mine}, and the {name} of the phase space is {its}: two different symbols; "
+                    f"take it from the space, as in {name} = space.symbols({name!r})",
+                    where,
+                )
+            check_symbol(symbol, where)
+    check_calls(formulas, where)
 
 
 def _assumed(symbol: Any) -> str:
     """What sets a symbol apart, in words."""
+    if type(symbol) is not sp.Symbol:
+        return f"a {type(symbol).__name__}"
     if symbol.is_positive or symbol.is_negative:
         return "positive" if symbol.is_positive else "negative"
     if symbol.is_real:

@@ -12,6 +12,7 @@ from canon.display import latex
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula, read, read_relation
+from canon.mechanics.admissible import check_symbol
 from canon.mechanics.assumptions import symbol_with
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.relations import region_of
@@ -95,6 +96,7 @@ class PhaseSpace:
         for word, names in keywords.items():
             for name in _listed(names):
                 if isinstance(name, sp.Symbol):
+                    check_symbol(name, word)
                     given[name.name] = name
                     words.setdefault(name.name, [])
                 else:
@@ -102,6 +104,7 @@ class PhaseSpace:
 
         def symbol(name: str | sp.Symbol) -> sp.Symbol:
             if isinstance(name, sp.Symbol):
+                check_symbol(name, "phase_space")
                 return name
             if not name.isidentifier():
                 raise InputError(f"{name!r} is not a name", "phase_space")

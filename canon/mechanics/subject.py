@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from canon.claim import Claim
 from canon.domain import Domain
 from canon.expression import Formula
+from canon.mechanics.admissible import check_calls, check_namesakes
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 
@@ -41,13 +42,24 @@ class Subject:
     def claim(self, kind: str, keys: Mapping[str, object], **options: object) -> Claim:
         """The claim of this kind about this subject; `options` are `title`, `source`, `expect` and `budget`.
 
-        **Raises:** `InputError` where a formula has a symbol that only shares its name with one of the space.
+        **Raises:** `InputError` where a formula has a symbol that only shares its name with one of the space, or where
+        two formulas have different symbols of one name, or call a function with different numbers of arguments.
         """
         shared = () if self.hamiltonian is None else (self.hamiltonian,)
         check_symbols(shared, self.space.vocabulary, "hamiltonian")
         for name, value in keys.items():
             check_symbols(_formulas(value), self.space.vocabulary, f"key {name!r}")
+        written = [*shared, *self._shared_formulas(), *_formulas(list(keys.values()))]
+        check_namesakes(written)
+        check_calls(written)
         return Claim(kind=kind, subject=self, keys=dict(keys), **options)  # pyright: ignore[reportArgumentType]
+
+    def _shared_formulas(self) -> Iterator[Formula]:
+        """The formulas of the map."""
+        if self.transformation is not None and self.transformation.direction != "implicit":
+            yield from self.transformation.formulas
+        if self.generating_function is not None:
+            yield self.generating_function.F
 
 
 def _formulas(value: object) -> Iterator[Formula]:

@@ -1,0 +1,82 @@
+"""Symbols and functions of sympy's that a claim may speak of: what is assumed of them is what a claim file could say.
+
+sympy lets a symbol be even, imaginary, infinite or zero, and a function positive; it evaluates by that, and nothing of
+canon's that looks for witnesses, or shows signs, knows of it. To leave such a fact out changes the claim: |z|² = −z² of
+an imaginary z would be refuted at z = 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from itertools import product
+from typing import Any, Final
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from canon.errors import InputError
+from canon.expression import Formula
+
+_SIGNS: Final[tuple[dict[str, bool], ...]] = (
+    {}, {"positive": True}, {"negative": True}, {"nonnegative": True}, {"nonpositive": True}, {"zero": False},
+)  # fmt: skip
+_WORDS: Final = "a claim may assume that a name is real, complex, positive, negative, nonnegative, nonzero or integer"
+
+
+@cache
+def _known() -> frozenset[frozenset[tuple[str, bool]]]:
+    """All sets of facts about a name that a claim may assume, with what follows from them."""
+    kinds: tuple[dict[str, bool], ...] = ({"real": True}, {"integer": True}, {"rational": True})
+    real = [kind | sign for kind, sign in product(kinds, _SIGNS)]
+    others: list[dict[str, bool]] = [{}, {"complex": True}, {"complex": True, "zero": False}, {"zero": False}]
+    return frozenset(frozenset(sp.Symbol("x", **facts).assumptions0.items()) for facts in (*real, *others))
+
+
+@cache
+def _real_values() -> dict[str, bool]:
+    """What sympy knows of a function with real values."""
+    return getattr(sp.Function("f", real=True), "_kwargs", {})
+
+
+def check_symbol(symbol: sp.Symbol, where: str = "") -> None:
+    """**Raises** `InputError` where more is assumed of the symbol than a claim can."""
+    if frozenset(symbol.assumptions0.items()) in _known():
+        return
+    given: Any = getattr(symbol, "_assumptions_orig", {})
+    said = ", ".join(f"{word}={value}" for word, value in given.items() if word != "commutative")
+    raise InputError(f"the symbol {symbol} has assumptions that no claim can state ({said}): {_WORDS}", where)
+
+
+def check_calls(formulas: Iterable[Formula | sp.Expr], where: str = "") -> None:
+    """**Raises** `InputError` where an arbitrary function has assumptions of its own, or is called in two ways."""
+    counts: dict[str, int] = {}
+    for formula in formulas:
+        expression: Any = formula.expr if isinstance(formula, Formula) else formula
+        if not expression.has(AppliedUndef):
+            continue
+        for call in sorted(expression.atoms(AppliedUndef), key=str):
+            name, given = call.func.__name__, getattr(call.func, "_kwargs", {})
+            if given and given != _real_values():
+                raise InputError(
+                    f"of the function {name} more is assumed than that it is real and smooth: restrict its values by "
+                    f"space.where(...), as in '{name}(x) > 0'",
+                    where,
+                )
+            known = counts.setdefault(name, len(call.args))
+            if known != len(call.args):
+                many = " and with ".join(map(str, sorted((known, len(call.args)))))
+                raise InputError(f"the function {name} is called with {many} arguments", where)
+
+
+def check_namesakes(formulas: Iterable[Formula | sp.Expr], where: str = "") -> None:
+    """**Raises** `InputError` where two symbols bear one name: a witness could give only one value."""
+    found: dict[str, sp.Symbol] = {}
+    for formula in formulas:
+        expression = formula.expr if isinstance(formula, Formula) else formula
+        for symbol in expression.free_symbols:
+            if isinstance(symbol, sp.Symbol) and found.setdefault(symbol.name, symbol) != symbol:
+                raise InputError(
+                    f"two different symbols are called {symbol.name}: give one of them another name",
+                    where,
+                )

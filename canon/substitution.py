@@ -1,6 +1,6 @@
 """Symbols replaced by expressions, all at once, the variables of derivatives of arbitrary functions being bound."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
 import sympy as sp
@@ -19,8 +19,8 @@ def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
 
     The variable of a derivative is bound: ∂₁f(x, y) under x → x + y is (∂₁f)(x + y, y), whatever the names are.
     """
-    if expression.has(*QUOTIENTS) and _are_beside_integers(expression, *mapping.values()):
-        expression = _with_quotients(expression)
+    if expression.has(*QUOTIENTS) and are_beside_integers((expression, *mapping.values())):
+        expression = with_quotients(expression)
     if not expression.has(sp.Derivative, sp.Subs):
         return expression.xreplace(dict(mapping))
     if (found := at_places(expression)) is not None:
@@ -38,12 +38,13 @@ def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     return expression.func(*(replaced(part, mapping) for part in expression.args))
 
 
-def _are_beside_integers(*expressions: Any) -> bool:
+def are_beside_integers(expressions: Iterable[Any]) -> bool:
+    """Whether a name of theirs is an integer."""
     return any(symbol.is_integer for each in expressions for symbol in sp.sympify(each).free_symbols)
 
 
-def _with_quotients(expression: Any) -> Any:
-    """Its tangents as sines over cosines, before anything is put into them."""
+def with_quotients(expression: Any) -> Any:
+    """The expression with its tangents as sines over cosines, before anything is put into them."""
     for function, (over, under) in QUOTIENTS.items():
         expression = expression.replace(function, lambda a, over=over, under=under: over(a) / under(a))
     return expression

@@ -7,6 +7,7 @@ from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.functions import applied
 from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.statements import frequency
 from canon.mechanics.transformation import Transformation
 from canon.substitution import QUOTIENTS, replaced
 
@@ -104,3 +105,11 @@ def test_a_canonical_map_after_a_shift_by_whole_turns():
     for momentum, expected in ((p * sp.cos(q) ** 2, "proved"), (-p * sp.cos(q) ** 2, "refuted")):
         composite = Transformation(space, Q=sp.tan(q), P=momentum).after(shift)
         assert verify(composite.canonical()).status == expected
+
+
+def test_a_frequency_where_an_angle_is_held_at_odd_quarter_turns():
+    space = PhaseSpace("q", "p", positive="E", integer="n", real="c d").where("0 < d", "d < pi/2")
+    q, p, E, n, c, d = (space.symbol(name) for name in ("q", "p", "E", "n", "c", "d"))
+    H, odd = p**2 / 2 + sp.tan(c + d) ** 2 * q**2 / 2, {c: sp.pi * n + sp.pi / 2}
+    for rate, expected in ((sp.cot(d), "proved"), (sp.tan(d), "refuted")):
+        assert verify(frequency(space, H, q, E, rate / (2 * sp.pi), fixed=odd)).status == expected

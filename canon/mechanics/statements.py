@@ -4,11 +4,13 @@ Claims about transformations and generating functions are methods of these.
 """
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import sympy as sp
 
 from canon.claim import Claim
-from canon.mechanics.formulas import Expression, as_formula, as_formulas
+from canon.errors import InputError
+from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.subject import Subject
 
@@ -52,7 +54,7 @@ def identity(space: PhaseSpace, lhs: Expression, rhs: Expression) -> Claim:
 def lie_series(
     space: PhaseSpace,
     generator: Expression,
-    parameter: sp.Symbol,
+    parameter: sp.Symbol | str,
     f: Expression,
     equals: Expression,
     *,
@@ -61,7 +63,7 @@ def lie_series(
     """exp(parameter {., generator}) f = equals; with `order`, the polynomial of that degree in the parameter."""
     keys: dict[str, object] = {
         "generator": as_formula(generator),
-        "parameter": parameter,
+        "parameter": _symbol(space, parameter, "parameter"),
         "f": as_formula(f),
         "equals": as_formula(equals),
     }
@@ -103,7 +105,8 @@ def hamiltonian_field(
 def legendre(space: PhaseSpace, H: Expression, L: Expression, velocities: sp.Symbol | Sequence[sp.Symbol]) -> Claim:
     """H is the Legendre transform of L, with momenta dL/dv and a Hessian in the velocities that is not singular."""
     names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
-    return _about(space, H).claim("legendre", {"L": as_formula(L), "velocities": names})
+    speeds = tuple(_symbol(space, name, "velocities") for name in names)
+    return _about(space, H).claim("legendre", {"L": as_formula(L), "velocities": speeds})
 
 
 def normal_form(space: PhaseSpace, H: Expression, order: int, N: Mapping[int, Expression]) -> Claim:
@@ -115,52 +118,68 @@ def normal_form(space: PhaseSpace, H: Expression, order: int, N: Mapping[int, Ex
 def action(
     space: PhaseSpace,
     H: Expression,
-    coordinate: sp.Symbol,
-    energy: sp.Symbol,
+    coordinate: sp.Symbol | str,
+    energy: sp.Symbol | str,
     equals: Expression,
     *,
     branch: str | None = None,
     period: Expression | None = None,
     well: Expression | None = None,
-    fixed: Mapping[sp.Symbol, Expression] | None = None,
+    fixed: Mapping[Any, Expression] | None = None,
 ) -> Claim:
     """∮ p d(coordinate) over one period of the motion at that energy is `equals`; options as in claim files."""
-    keys = _of_orbit(coordinate, energy, equals, branch, period, well, fixed)
+    keys = _of_orbit(space, coordinate, energy, equals, branch, period, well, fixed)
     return _about(space, H).claim("action", keys)
 
 
 def frequency(
     space: PhaseSpace,
     H: Expression,
-    coordinate: sp.Symbol,
-    energy: sp.Symbol,
+    coordinate: sp.Symbol | str,
+    energy: sp.Symbol | str,
     equals: Expression,
     *,
     branch: str | None = None,
     period: Expression | None = None,
     well: Expression | None = None,
-    fixed: Mapping[sp.Symbol, Expression] | None = None,
+    fixed: Mapping[Any, Expression] | None = None,
 ) -> Claim:
     """dE/dJ of that motion, in cycles in unit time, is `equals`."""
-    keys = _of_orbit(coordinate, energy, equals, branch, period, well, fixed)
+    keys = _of_orbit(space, coordinate, energy, equals, branch, period, well, fixed)
     return _about(space, H).claim("frequency", keys)
 
 
 def _of_orbit(
-    coordinate: sp.Symbol,
-    energy: sp.Symbol,
+    space: PhaseSpace,
+    coordinate: sp.Symbol | str,
+    energy: sp.Symbol | str,
     equals: Expression,
     branch: str | None,
     period: Expression | None,
     well: Expression | None,
-    fixed: Mapping[sp.Symbol, Expression] | None,
+    fixed: Mapping[Any, Expression] | None,
 ) -> dict[str, object]:
-    keys: dict[str, object] = {"coordinate": coordinate, "energy": energy, "equals": as_formula(equals, "equals")}
+    keys: dict[str, object] = {
+        "coordinate": _symbol(space, coordinate, "coordinate"),
+        "energy": _symbol(space, energy, "energy"),
+        "equals": as_formula(equals, "equals"),
+    }
     if branch is not None:
         keys["branch"] = branch
     for name, value in (("period", period), ("well", well)):
         if value is not None:
             keys[name] = as_formula(value, name)
     if fixed:
-        keys["fixed"] = {symbol: as_formula(value, f"fixed, {symbol}") for symbol, value in fixed.items()}
+        keys["fixed"] = {
+            _symbol(space, symbol, "fixed"): as_formula(value, f"fixed, {symbol}") for symbol, value in fixed.items()
+        }
     return keys
+
+
+def _symbol(space: PhaseSpace, name: Any, where: str) -> sp.Symbol:
+    """The symbol that is meant; **raises** `InputError` where the space has none of that name, or another one."""
+    symbol = space.symbol(name) if isinstance(name, str) else name
+    if not isinstance(symbol, sp.Symbol):
+        raise InputError(f"a symbol is expected, not {name!r}", where)
+    check_symbols([symbol], space.vocabulary, where)
+    return symbol

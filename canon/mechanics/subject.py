@@ -1,8 +1,8 @@
 """What a claim is about: the phase space and whatever lives on it."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 from canon.claim import Claim
 from canon.domain import Domain
@@ -10,6 +10,7 @@ from canon.expression import Formula
 from canon.mechanics.admissible import check_calls, check_namesakes
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.phase_space import PhaseSpace
+from canon.substitution import QUOTIENTS, are_beside_integers, with_quotients
 
 if TYPE_CHECKING:
     from canon.mechanics.generating_function import GeneratingFunction
@@ -52,7 +53,12 @@ class Subject:
         written = [*shared, *self._shared_formulas(), *_formulas(list(keys.values()))]
         check_namesakes(written)
         check_calls(written)
-        return Claim(kind=kind, subject=self, keys=dict(keys), **options)  # pyright: ignore[reportArgumentType]
+        symbols = (*self.space.vocabulary.values(), *(formula.expr for formula in written))
+        if not are_beside_integers(symbols):
+            return Claim(kind=kind, subject=self, keys=dict(keys), **options)  # pyright: ignore[reportArgumentType]
+        form = None if self.hamiltonian is None else _with_quotients(self.hamiltonian)
+        subject, table = replace(self, hamiltonian=form), {name: _with_quotients(value) for name, value in keys.items()}
+        return Claim(kind=kind, subject=subject, keys=table, **options)  # pyright: ignore[reportArgumentType]
 
     def _shared_formulas(self) -> Iterator[Formula]:
         """The formulas of the map."""
@@ -60,6 +66,15 @@ class Subject:
             yield from self.transformation.formulas
         if self.generating_function is not None:
             yield self.generating_function.F
+
+
+def _with_quotients(value: Any) -> Any:
+    """A key's value with tangents as quotients, as a file's reader writes them beside integers."""
+    if isinstance(value, Formula):
+        return replace(value, expr=with_quotients(value.expr)) if value.expr.has(*QUOTIENTS) else value
+    if isinstance(value, (tuple, list)):
+        return type(value)(_with_quotients(item) for item in value)
+    return {name: _with_quotients(item) for name, item in value.items()} if isinstance(value, Mapping) else value
 
 
 def _formulas(value: object) -> Iterator[Formula]:

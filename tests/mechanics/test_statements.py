@@ -1,4 +1,5 @@
 import pickle
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -120,3 +121,16 @@ def test_the_domain_of_the_space_comes_along():
     space = SPACE.where(q > 0)
     assert canon.bracket(space, q, p, 1).subject.domain == space.domain
     assert Transformation(space, Q=p, P=-q).volume().subject.domain == space.domain
+
+
+def test_symbols_may_be_named_and_what_is_none_is_refused():
+    space = PhaseSpace("q", "p", positive="E b")
+    q, p, E, b = (space.symbol(name) for name in ("q", "p", "E", "b"))
+    named = canon.frequency(space, p**2 / 2 + b**2 * q**2 / 2, "q", "E", b / (2 * sp.pi), fixed={"E": E})
+    assert named.keys["coordinate"] == q
+    assert named.keys["fixed"].keys() == {E}
+    assert canon.verify(canon.lie_series(space, p, "b", q, q + b)).status == "proved"
+    others: tuple[Any, ...] = (3, "z", sp.Symbol("q"), q + 1)
+    for other in others:
+        with pytest.raises(InputError):
+            canon.action(space, p**2 / 2 + q**2 / 2, other, E, 2 * sp.pi * E)

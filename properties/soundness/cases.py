@@ -150,8 +150,7 @@ def equation_file(found: Equation, on: tuple[Formula, ...] = ()) -> str:
     used |= set(found.box)
     lines = ["[phase_space]", 'q = ["Z1"]', 'p = ["Z2"]', "[symbols]"]
     lines += [f"{name} = {words.split()}" for name, words in found.words.items() if name in used]
-    if any(head in str((found.lhs, found.rhs)) for head in ("V(",)) or "V(" in f"{found.lhs}{found.rhs}":
-        lines.append("V = 'function'")
+    lines += [f"{name} = 'function'" for name in ("V", "W") if f"{name}(" in f"{found.lhs}{found.rhs}"]
     where = []
     for name, (low, high) in found.box.items():
         where += [f"{_end(low)} < {name}"] if low is not None else []

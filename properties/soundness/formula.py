@@ -219,6 +219,30 @@ def _inside(a: Any) -> bool:
     return 1 - a * a > tiny()
 
 
+def _beside_poles(a: Any) -> bool:
+    if abs(a) > LARGEST:
+        raise TooLarge
+    return a > tiny() or abs(a - mp.nint(a)) > tiny()
+
+
+def _regular(*arguments: Any) -> bool:
+    """Whether an elliptic integral is regular at its parameter, and from 0 to its angle."""
+    *angles, m = arguments
+    far = not angles or abs(_bounded(angles[0])) >= mp.pi / 2
+    return 1 - m * (1 if far else mp.sin(angles[0]) ** 2) > tiny()
+
+
+def _jacobi(name: str) -> Callable[[Any, Any], Any]:
+    return lambda u, m: mp.ellipfun(name, u, m=m)
+
+
+def _between(u: Any, m: Any) -> bool:
+    _bounded(u)
+    if not 0 < m < 1:
+        raise TooLarge
+    return True
+
+
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "sqrt": lambda a: mp.sqrt(_positive(a)), "cbrt": lambda a: mp.exp(mp.log(_positive(a)) / 3),
     "exp": lambda a: mp.exp(_small(a)), "log": lambda a: mp.log(_positive(a)), "sin": lambda a: mp.sin(_bounded(a)),
@@ -227,5 +251,12 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "asin": _real(mp.asin, _inside), "acos": _real(mp.acos, _inside), "atan": _real(mp.atan),
     "atan2": _real(mp.atan2, lambda y, x: x > tiny() or abs(y) > tiny()), "asinh": _real(mp.asinh),
     "acosh": _real(mp.acosh, lambda a: a > 1 + tiny()), "atanh": _real(mp.atanh, _inside),
+    "cot": _real(mp.cot, _away(mp.sin)), "sec": _real(mp.sec, _away(mp.cos)), "csc": _real(mp.csc, _away(mp.sin)),
+    "coth": _real(mp.coth, lambda a: abs(a) > tiny()), "gamma": _real(mp.gamma, _beside_poles),
+    "lambertw": _real(mp.lambertw, lambda a: a + mp.exp(-1) > tiny()),
+    "elliptic_k": _real(mp.ellipk, lambda m: 1 - m > tiny()), "elliptic_e": _real(mp.ellipe, _regular),
+    "elliptic_f": _real(mp.ellipf, _regular), "elliptic_pi": _real(mp.ellippi, lambda n, m: min(1 - n, 1 - m) > tiny()),
+    "jacobi_sn": _real(_jacobi("sn"), _between), "jacobi_cn": _real(_jacobi("cn"), _between),
+    "jacobi_dn": _real(_jacobi("dn"), _between),
     "abs": _real(abs, lambda a: abs(a) > tiny()), "sign": _real(mp.sign, lambda a: abs(a) > tiny()),
 }  # fmt: skip

@@ -16,7 +16,7 @@ from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.closed_actions import closed, constant
-from canon.checker.defined import is_unbound, unseen
+from canon.checker.defined import has_values, is_unbound, unseen
 from canon.checker.followed import at_random, is_identity
 from canon.checker.formulas import ONE, ZERO
 from canon.checker.forward_angles import advance, advances, unmeasured
@@ -56,6 +56,7 @@ def action(s: Statement) -> Case:
     s.declared |= {E}
     s.without(s.H, [E])
     H = f.substitute(s.H, {n: v for n, v in fixed.items() if n != E})
+    s.written += f.at(s.H, fixed)
     if claim["kind"] == "frequency" and any(f.ops[b] == ("s", E) for a in fixed.values() for b in f.reach(a)):
         raise Unreadable(f"what is held fixed doesn't change with {E}")
     level, claimed = fixed.get(E, f.node("s", E)), s.key("equals")
@@ -64,13 +65,14 @@ def action(s: Statement) -> Case:
     if claim["kind"] == "frequency" and "period" in claim and any(f.ops[b] == ("s", E) for b in f.reach(asked[0])):
         raise Unreadable(f"a period doesn't change with {E}")
     equals, *given = (f.substitute(a, fixed) for a in (claimed, *asked))  # what is held fixed is so everywhere
+    s.written += [b for a in (claimed, *asked) for b in f.at(a, fixed)]
     period = given[0] if "period" in claim else f.read("2*pi", s.names)
     if has_complex(s, H) or any(f.ops[b] == ("s", s.time) for b in f.reach(H)):
         raise Unreadable("an action is one of a real Hamiltonian without time")
     s.without(H, {*s.q} - {x})  # else the coordinate alone has no action
     for a in (equals, *given):
         s.without(a, (x, p, s.time))  # an action is a function of energy and constants
-    free = is_unbound(s, (x, p))
+    free = is_unbound(s, (x, p)) and all(has_values(s, name, [H]) for name in (x, p))
     form = Form.of(s, H, x, p)
     rate, rotates = claim["kind"] == "frequency", claim.get("branch") == "rotation"
     if rotates and not form.quadratic:
@@ -163,7 +165,7 @@ def action_angle(s: Statement) -> Case:
     s.written.append(period)
     once = "that each angle advances by its period once round its cycle"
     if s.direction == "forward":
-        free = is_unbound(s, (*s.q, *s.p))
+        free = is_unbound(s, (*s.q, *s.p)) and all(has_values(s, name, [s.H]) for name in (*s.q, *s.p))
         if s.verdict == "refuted" and (len(s.q) > 1 or not free):
             raise Unknown("a refutation of several angles of a map that is given forward, or of orbits with bounds")
         if s.verdict == "refuted":

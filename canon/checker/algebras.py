@@ -12,11 +12,13 @@ from typing import Any
 
 from canon.checker.at_zero import evaluated
 from canon.checker.case import Case
+from canon.checker.defined import unseen
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.lie import Algebra, is_named, is_simple
 from canon.checker.linear import rank, solved
 from canon.checker.motion import unused
 from canon.checker.poisson import bracketed
+from canon.checker.regular import is_regular
 from canon.checker.scaled import scaled
 from canon.checker.shapes import is_rational
 from canon.checker.statement import Statement
@@ -65,14 +67,17 @@ def stated(s: Statement, names: Sequence[str]) -> Table | None:
         return None
     marks = {name: s.f.node("s", f"#{name}") for name in names}  # a name of the basis may be an abbreviation too
     own = {name: value for name, value in s.names.items() if name not in marks}
+    moving = {*s.q, *s.p, *s.Q, *s.P, s.time, *s.bracketed, *s.claim.get("first", ()), *s.claim.get("second", ())}
     table: Table = {}
     for words, text in given.items():
         a, b = (list(names).index(word.strip()) for word in words.split(","))
-        value = s.f.read(text, {**own, **marks})
+        value = (s.f.read if "structure" in s.claim else s.f.apart)(text, {**own, **marks})
         row = {k: s.f.slope(value, f"#{name}") for k, name in enumerate(names)}
         zeros = {f"#{name}": s.f.number(0) for name in names}
         if s.f.value(s.f.substitute(value, zeros)) != 0 or any(_has(s, c, marks) for c in row.values()):
             raise Unreadable(f"{text[:40]!r} is no combination of the basis")
+        if found := {s.f.ops[x][1] for x in s.f.reach(*row.values()) if s.f.ops[x][0] == "s"} & moving:
+            raise Unreadable(f"{min(found)[:40]!r} moves: [e, f] = q e with a coordinate q is no algebra's bracket")
         (s.written if "structure" in s.claim else s.added).extend(row.values())
         table[min(a, b), max(a, b)] = {k: c if a < b else s.f.mul(s.f.number(-1), c) for k, c in row.items() if c}
     return table
@@ -219,6 +224,8 @@ def group(s: Statement) -> Case:
     nothing = [f.number(0)] * len(a)
     zeros = [f.sub(x, y) for x, y in zip([*of(A, nothing), *of(nothing, B)], [*A, *B], strict=True)]
     zeros += [f.sub(x, y) for x, y in zip(of(of(A, B), C), of(A, of(B, C)), strict=True)]
+    if not is_regular(s, [*theta, *unseen(s)], zero, own=False):
+        raise Unknown("a composition that isn't seen to be smooth where all parameters are 0")
     second: Callable[[int, str, str], int] = lambda t, x, y: f.substitute(f.slope(f.slope(t, x), y), zero)
     table = {
         (j, k): {i: f.sub(second(t, a[k], b[j]), second(t, a[j], b[k])) for i, t in enumerate(theta)}

@@ -94,9 +94,10 @@ def average(s: Statement) -> Case:
     moved = {name: f.read(text, s.names) for name, text in claim["motion"].items()}
     if not moved.keys() <= {*s.q, *s.p, s.time}:
         raise Unreadable("what moves along a motion are coordinates, momenta and time")
-    stays = _stays(s, moved, s.written)
+    there = [b for a in (*s.written, *unseen(s)) for b in f.at(a, moved)]
+    stays = _stays(s, moved, s.written) and all(is_smooth(s, a, u) for a in there)
     clock = moved.get(s.time, f.node("s", s.time))
-    s.written.clear()  # its formulas have values along the motion, for all of the stretch
+    s.written[:] = there  # its formulas have values along the motion, for all of the stretch
     ends = [f.read(claim[word], s.names) for word in ("from", "to")]
     pace = f.slope(clock, u)
     stretch = f.sub(f.substitute(clock, {u: ends[1]}), f.substitute(clock, {u: ends[0]}))

@@ -57,7 +57,7 @@ def by_antiderivative(s: Statement, inside: int, x: str, ends: Sequence[int | st
     f, text = s.f, s.claim.get("antiderivative", s.known.get("antiderivative"))
     if text is None:
         return None
-    F = f.read(text, s.names)
+    F = f.apart(text, s.names)
     finite = [end for end in ends if isinstance(end, int)]
     if len(finite) == 2 and _is_free(s, x) and is_smooth(s, F, x):
         low, high = (f.substitute(F, {x: end}) for end in finite)

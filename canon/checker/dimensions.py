@@ -67,7 +67,11 @@ def _scaled(s: Statement, values: list[int], names: Mapping[str, Dimension], wan
 def _read(text: Any) -> Dimension:
     """The exponents of "M*L**2/T**2"; of "1" there are none."""
     f = Formulas()
-    return _of(f, f.read(text, {}), None, {})
+    target = f.read(text, {})
+    for a in f.reach(target):
+        if f.ops[a][0] == "+" or (f.ops[a][0] == "*" and any(f.ops[b][0] == "n" for b in f.parts(a))):
+            raise Unreadable(f"a product of powers is expected, not {str(text)[:40]!r}")
+    return _of(f, target, None, {})
 
 
 def _of(

@@ -135,6 +135,10 @@ class Formulas:
             new[a] = images.get(self.ops[a][1], a) if named else self.rebuilt(a, [new[b] for b in self.parts(a)])
         return new.get(target, target)
 
+    def at(self, target: int, images: Mapping[str, int]) -> list[int]:
+        """The functions that a formula is made of, with names replaced: of x·log x at 0 it is log 0, which 0 is not."""
+        return [self.substitute(a, images) for a in self.reach(target) if self.ops[a][0] == "f"]
+
     def rebuilt(self, a: int, parts: Sequence[int]) -> int:
         """The operation of a node, applied to other nodes."""
         op = self.ops[a]
@@ -240,6 +244,13 @@ class Formulas:
     def read(self, text: Any, names: Mapping[str, int]) -> int:
         """The formula of a text; `names` are abbreviations, any other name stands for itself."""
         return language.read(self, text, names)
+
+    def apart(self, text: Any, names: Mapping[str, int]) -> int:
+        """A formula that the claim doesn't state: what stands unseen in it bounds no domain of the claim's."""
+        before = len(self.unseen)
+        found = self.read(text, names)
+        del self.unseen[before:]
+        return found
 
     def behind(self, name: str) -> list[int]:
         """What stands unseen in an abbreviation."""

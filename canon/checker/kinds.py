@@ -162,8 +162,12 @@ def solves(s: Statement) -> Case:
         s.conditions += _as_declared(s, op[1], s.pull(solution[op[1]][1]))
     if any(f.ops[a][0] == "f" and f.ops[a][1] in solution for _, body in solution.values() for a in f.reach(body)):
         raise Unreadable("a solution that contains what is to be solved for")
-    equations = [f.read(text, s.names) for text in s.claim["equations"]]
-    return Case([f.put_in(s.pull(a), solution) for a in equations])
+    equations = [s.pull(f.read(text, s.names)) for text in s.claim["equations"]]
+    for op in (f.ops[a] for a in f.reach(*equations, *(s.pull(a) for a in f.unseen))):
+        if op[0] == "f" and op[1] in solution:
+            names, body = solution[op[1]]
+            s.written += f.at(body, dict(zip(names, (f.put_in(x, solution) for x in op[3]), strict=True)))
+    return Case([f.put_in(a, solution) for a in equations])
 
 
 def _as_declared(s: Statement, name: str, body: int) -> Iterator[tuple[int, str]]:

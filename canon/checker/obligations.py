@@ -169,7 +169,7 @@ def cartan_invariant(s: Statement) -> Case:
         moved = f.sub(K, H) if u == s.time else f.number(0)
         slopes.append(f.add(moved, f.sub(f.add(*terms[:half]), f.add(*terms[half:]))))
     if isinstance(s.known.get("potential"), str):
-        W = f.read(s.known["potential"], {})
+        W = f.apart(s.known["potential"], {})
         s.added.append(W)
         trusted = "" if is_smooth_there(s, W) else "that the potential is smooth throughout the domain"
         zeros = [f.sub(slope, f.slope(W, u)) for u, slope in zip(names, slopes, strict=True)]

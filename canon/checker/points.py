@@ -255,7 +255,9 @@ def value_of(a: Polynomial, of: Mapping[str, Any], number_of: Callable[[Fraction
 
 def domain_of(s: Statement) -> list[int]:
     """The formulas that have a value throughout the domain."""
-    return [s.pull(a) for a in (*s.written, *s.f.unseen, *s.images.values())]
+    own = [*s.written, *s.f.unseen, *s.images.values()]
+    still = {name: a for name, a in s.images.items() if s.f.value(a) is not None}
+    return [*(s.pull(a) for a in own), *(s.pull(b) for a in (own if still else ()) for b in s.f.at(a, still))]
 
 
 def allowed(words: Sequence[str], value: Any, numbers: Numbers) -> bool:

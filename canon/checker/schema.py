@@ -110,6 +110,8 @@ def check_tables(tables: Any) -> None:
         raise Unreadable(f"{min(taken)[:40]!r} is a function or an abbreviation, no name of the claim's own")
     if "tensor" in claim and len(claim["tensor"]) != len(claim.get("coordinates", ())):
         raise Unreadable("a tensor has a row for each of its coordinates")
+    if {*_NAMED} <= forms.keys() and not {*_NAMED} & claim.keys():
+        raise Unreadable(f"a claim of kind {kind[:40]!r} names an algebra, or its structure constants")
     if {"structure", "tensor"} <= claim.keys() and "basis" not in claim:
         raise Unreadable("a bracket is stated by a tensor or by structure constants, not by both")
     names = claim.get("basis", claim.get("first", claim.get("coordinates")))

@@ -56,7 +56,7 @@ class Shown:
             raise Rejected(f"{len(data['residuals'])} residuals, but the claim has {len(case.zeros)}")
         if not (case.zeros or case.nonzeros or case.independent or case.positive or case.measured):
             return [*trusted, *self.is_somewhere(case)]
-        kernels = {str(k["name"]): f.read(k["stands for"], {}) for k in data["kernels"]}
+        kernels = {str(k["name"]): f.apart(k["stands for"], {}) for k in data["kernels"]}
         targets = [*case.zeros, *s.surface, *chain(*case.nonzeros), *case.independent, *(a for a, _ in case.positive)]
         targets += case.somewhere
         images = [s.pull(a) for a in case.images.values()]

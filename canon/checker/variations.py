@@ -45,12 +45,13 @@ def stationary(s: Statement) -> Case:
         for x in own:
             s.without(x, others)  # a path is a function of time alone, and its ends are numbers
     along = dict(zip((*s.q, *v), (*path, *(f.slope(x, t) for x in path)), strict=True))
+    s.written += f.at(L, along)
     zeros = []
     for q, w in zip(s.q, v, strict=True):
         momentum = f.substitute(f.slope(L, w), along)
         zeros.append(f.sub(f.slope(momentum, t), f.substitute(f.slope(L, q), along)))
     hidden = [f.substitute(a, along) for a in unseen(s)]
-    smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along), *hidden))
+    smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along), *f.at(L, along), *hidden))
     trusted = "" if smooth else "that the path, and L along it, are smooth between its ends"
     touched = _restricted(s, {*s.q, *v, t}, places[0])
     trusted = trusted or (f"that {touched[0]} stays along the path where it is said to be" if touched else "")

@@ -89,6 +89,25 @@ class Raiser:
         raise KeyboardInterrupt
 
 
+class _Continued:
+    """A handler that counts how often this program was stopped, as by Ctrl-Z, and continued."""
+
+    def __init__(self) -> None:
+        self.times = 0
+
+    def __call__(self, *_: object) -> None:
+        self.times += 1
+
+
+_CONTINUED: Final = _Continued()
+
+
+def continued() -> int:
+    """How often this program was stopped and continued while `raising` listened: what was asked meanwhile has lost
+    time."""
+    return _CONTINUED.times
+
+
 def raising(work: Callable[[], T]) -> T:
     """What `work` returns; SIGTERM and SIGHUP raise `KeyboardInterrupt` in it, as Ctrl-C does. Called in the main
     thread, for work that is done in other processes and is never long in one step of Python's."""
@@ -98,6 +117,8 @@ def raising(work: Callable[[], T]) -> T:
         for number, handler in before.items():
             if handler is not signal.SIG_IGN:
                 signal.signal(number, raiser)
+        if hasattr(signal, "SIGCONT"):
+            before[signal.SIGCONT] = signal.signal(signal.SIGCONT, _CONTINUED)
         return work()
     finally:
         for number, handler in before.items():

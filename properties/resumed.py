@@ -1,15 +1,18 @@
 """A campaign that is interrupted at random and resumed, beside one that isn't: `python -m properties.resumed`.
 
 Claims are written into files at random (brackets, canonical maps, constants of the motion, with mutants of them), and
-verified by the command as a user would. The second time the command is stopped after a random time, by Ctrl-C or by
-SIGKILL in turn, and started again with `--resume`, as often as is asked, and then until it comes to its end. It is
-stopped when the journal has grown by a random part of what is left to do, so that each stop costs something.
+verified by the command as a user would. The second time the command is stopped after a random time, by one signal after
+another (to the command, to its whole group, to a worker), and started again with `--resume`, as often as is asked, and
+then until it comes to its end. It is stopped when the journal has grown by a random part of what is left to do, so that
+each stop costs something.
 """
 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import json
+import os
 import random
 import signal
 import subprocess
@@ -17,7 +20,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 HEAD = """[phase_space]
 q = ["q"]
@@ -31,6 +34,12 @@ k = "positive"
 H = "p**2/(2*m) + k*q**2/2"
 """
 PER_FILE = 50
+STOPS: Final = (
+    ("command", signal.SIGINT), ("command", signal.SIGKILL), ("group", signal.SIGTERM), ("worker", signal.SIGKILL),
+    ("group", signal.SIGSTOP), ("command", signal.SIGHUP), ("worker", signal.SIGTERM), ("group", signal.SIGKILL),
+    ("command", signal.SIGSTOP), ("group", signal.SIGINT), ("command", signal.SIGQUIT), ("command", signal.SIGTERM),
+)  # fmt: skip
+"""Who is sent what, in turn."""
 
 
 def file_text(rng: random.Random) -> str:
@@ -60,15 +69,40 @@ def command(folder: Path, jobs: int, *more: str) -> list[str]:
     return [sys.executable, "-m", "canon", "verify", str(folder), "--json", "--jobs", str(jobs), *more]
 
 
-def verdicts(output: str) -> list[tuple[Any, ...]]:
+def verdicts(output: str) -> list[dict[str, Any]]:
     """What a run found, but for the time that it took."""
-    claims = json.loads(output)["claims"]
-    return [(c["file"], c["index"], c["kind"], c["verdict"], c["method"], str(c["witness"])) for c in claims]
+    return [{**claim, "seconds": 0} for claim in json.loads(output)["claims"]]
 
 
 def heard() -> None:
     """A background job begins with Ctrl-C ignored; this one is to hear it."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    os.setsid()
+
+
+def workers_of(process: int) -> list[int]:
+    """The processes that a process has started; none where the system doesn't tell."""
+    try:
+        return [int(word) for word in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
+    except OSError:
+        return []
+
+
+def send(process: int, whom: str, number: int) -> None:
+    """Send a signal; after it, where the command goes on, continue it, and send it Ctrl-C a moment later."""
+    with contextlib.suppress(ProcessLookupError):
+        if whom == "worker":
+            for worker in workers_of(process)[:1]:
+                os.kill(worker, number)
+        elif whom == "group":
+            os.killpg(process, number)
+        else:
+            os.kill(process, number)
+        if whom == "worker" or number == signal.SIGSTOP:
+            time.sleep(2.0 if number == signal.SIGSTOP else 0.2)
+            os.killpg(process, signal.SIGCONT)
+            time.sleep(0.2)
+            os.kill(process, signal.SIGINT)
 
 
 def lines_of(journal: Path) -> int:
@@ -76,12 +110,12 @@ def lines_of(journal: Path) -> int:
     return journal.read_bytes().count(b"\n") if journal.exists() else 0
 
 
-def stopped(line: list[str], journal: Path, lines: int, number: int) -> None:
-    """Run a command until its journal has so many lines, and send it a signal then; if it ends before, it has ended."""
+def stopped(line: list[str], journal: Path, lines: int, whom: str, number: int) -> None:
+    """Run a command until its journal has so many lines, and send a signal then; if it ends before, it has ended."""
     process = subprocess.Popen(line, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=heard)
     while process.poll() is None and lines_of(journal) < lines:
         time.sleep(0.02)
-    process.send_signal(number)
+    send(process.pid, whom, number)
     process.wait()
 
 
@@ -106,7 +140,7 @@ def main() -> int:
         resumed = command(folder, options.jobs, "--resume", str(kept))
         for stop in range(stops):
             wanted = lines_of(kept) + int((len(whole) - lines_of(kept)) * rng.uniform(0.02, 0.6)) + rng.randint(0, 3)
-            stopped(resumed, kept, wanted, signal.SIGKILL if stop % 2 else signal.SIGINT)
+            stopped(resumed, kept, wanted, *STOPS[(stop + options.seed) % len(STOPS)])
             at.append(lines_of(kept))
         again = verdicts(subprocess.run(resumed, capture_output=True, text=True).stdout)
         lines = lines_of(kept)

@@ -36,17 +36,24 @@ DAMAGED: Final = 10_000
 class Journal:
     """The file at `path`, and the state of the deciders and the settings (`words`).
 
-    `fault` says why nothing is written any more, where that is so.
+    `fault` says why nothing is written any more, where that is so; `others`, how many of the answers that were read
+    are of another state of the deciders, or were given with other options.
     """
 
     path: Path
     words: str
     fault: str = ""
+    others: int = 0
 
     def name(self, entry: Entry) -> str:
         """What a claim's answer is called: by what its file said when it was read, whatever it says now."""
         said = f"{self.words}\0{entry.digest or entry.path}"
         return f"{hashlib.sha256(said.encode('utf-8', 'surrogatepass')).hexdigest()[:32]} {entry.index}"
+
+    @property
+    def by(self) -> str:
+        """A name for what answers: the deciders and the settings."""
+        return hashlib.sha256(self.words.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
 def journal(path: str | os.PathLike[str], settings: Settings) -> Journal:
@@ -80,6 +87,8 @@ def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
                 raise InputError(f"more than {DAMAGED} lines of this journal are damaged", f"--resume {kept.path}")
             continue
         sound += 1
+        if body["name"] not in places:
+            kept.others += body.get("by") != kept.by
         for position in places.get(body["name"], ()):
             entry, kind = entries[position], body["kind"]
             record = {**body["record"], "file": entry.file}
@@ -144,7 +153,7 @@ def write(kept: Journal, entry: Entry, answer: Record) -> None:
     if kept.fault:
         return
     kind = "claim" if "claim" in answer else "error"
-    body = {"name": kept.name(entry), "kind": kind, "record": answer[kind]}
+    body = {"name": kept.name(entry), "kind": kind, "record": answer[kind], "by": kept.by}
     line = json.dumps({"check": _checksum(body), "body": body}).encode()
     try:
         handle = os.open(kept.path, os.O_RDWR | os.O_APPEND)

@@ -1,7 +1,8 @@
 """Many claims at once: worker processes that are fed one claim at a time and killed when one overstays its budget.
 
 A claim that hangs, exhausts its memory or crashes a library in C costs its own answer only: it is `undecided`, with
-a note that says what happened, and its worker is replaced.
+a note that says what happened, and its worker is replaced. What a worker had that was ended by somebody else, or whose
+time was over while nobody ran (Ctrl-Z), is asked again.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from multiprocessing.process import BaseProcess
 from typing import Any
 
 from canon.claims.worker import Entry, Record, Recorder, Settings, cause_of_death, serve, without_verdict
-from canon.interruption import held, raise_again
+from canon.interruption import continued, held, raise_again
 
 Watcher = Callable[[int, Sequence[int]], None]
 GIB = 1 << 30
@@ -39,6 +40,8 @@ class _Worker:
     position: int | None = None
     started: float = 0.0
     deadline: float = float("inf")
+    stops: int = 0
+    """How often this program had been stopped and continued when the claim was handed over."""
 
 
 def run(
@@ -84,6 +87,7 @@ def run(
             for position, reply in team.answers(until=time.monotonic() + 0.25 if watch else float("inf")):
                 done += 1
                 yield position, reply
+            waiting.extendleft(team.to_ask_again())
             raise_again()
             if watch:
                 watch(done, [worker.position for worker in team.workers if worker.position is not None])
@@ -101,6 +105,8 @@ class _Team:
         self.forked = start_method == "fork"
         self.context: Any = multiprocessing.get_context(start_method)
         self.workers: list[_Worker] = []
+        self.again: list[int] = []
+        self.lost: set[int] = set()
         if self.forked:
             import canon.claims.verify  # noqa: F401  imported once, before the forks share it
 
@@ -134,6 +140,7 @@ class _Team:
         """Hand a claim to an idle worker."""
         entry = self.entries[position]
         worker.position = position
+        worker.stops = continued()
         worker.started = time.monotonic()
         worker.deadline = worker.started + self.settings.seconds(entry) + self.settings.grace(entry)
         if not self.forked:
@@ -156,20 +163,38 @@ class _Team:
                 try:
                     reply = json.loads(worker.connection.recv_bytes())
                 except (EOFError, OSError):
-                    found.append((position, self._lost(worker, self._cause_of_death(worker))))
+                    cause = self._cause_of_death(worker)
+                    if position in self.lost:
+                        found.append((position, self._lost(worker, cause)))
+                    else:  # whoever ended it may not have meant the claim
+                        self.lost.add(position)
+                        self.again.append(position)
                     self._drop(worker)
                     continue
-                found.append((position, reply))
+                if worker.stops != continued() and _is_open(reply):
+                    self.again.append(position)
+                else:
+                    found.append((position, reply))
                 worker.position, worker.deadline = None, float("inf")
                 if reply["retire"]:
                     self._drop(worker)
-            elif time.monotonic() >= worker.deadline:
+            # a wait that is interrupted may be over without a look at what has come
+            elif time.monotonic() >= worker.deadline and not worker.connection.poll():
+                if worker.stops != continued():
+                    self.again.append(position)
+                    self._drop(worker)
+                    continue
                 budget = self.settings.seconds(self.entries[position])
                 found.append(
                     (position, self._lost(worker, f"stopped: still busy well past its budget of {budget:g} s"))
                 )
                 self._drop(worker)
         return found
+
+    def to_ask_again(self) -> list[int]:
+        """The positions to which nobody has had the time to answer; they are forgotten here."""
+        positions, self.again = self.again, []
+        return positions
 
     def dismiss(self) -> None:
         """End all workers at once."""
@@ -196,6 +221,11 @@ class _Team:
     def _cause_of_death(self, worker: _Worker) -> str:
         worker.process.join(10.0)  # it has closed its pipe; what the system writes down of its end may take a while
         return cause_of_death(worker.process.exitcode)
+
+
+def _is_open(reply: Record) -> bool:
+    """Whether more time might have brought another answer."""
+    return "claim" in reply and reply["claim"]["verdict"] not in ("proved", "refuted")
 
 
 def _start_method() -> str:

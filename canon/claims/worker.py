@@ -23,6 +23,8 @@ from canon.interruption import let_go
 from canon.verdict import Verdict
 
 Record = dict[str, Any]
+ENDED = "stopped: its worker process "
+"""How it is said of a claim whose worker ended, not of its own accord: nobody has answered it, another run may."""
 CERTIFICATE_SECONDS = 10.0
 """What the identities of one certificate may take."""
 
@@ -176,10 +178,10 @@ def text_of(entry: Entry) -> str:
 def cause_of_death(code: int | None) -> str:
     """Return what is said of a claim whose worker ended with this status (negative: by that signal)."""
     if code is None or code >= 0:
-        return f"stopped: its worker process ended with status {code}"
+        return f"{ENDED}ended with status {code}"
     name = signal.Signals(-code).name if -code in {s.value for s in signal.Signals} else f"signal {-code}"
     likely = " (out of memory, most likely)" if name in {"SIGABRT", "SIGKILL", "SIGSEGV"} else ""
-    return f"stopped: its worker process was ended by {name}{likely}"
+    return f"{ENDED}was ended by {name}{likely}"
 
 
 def isolate(memory: int | None) -> None:

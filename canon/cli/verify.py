@@ -125,6 +125,9 @@ def execute(arguments: argparse.Namespace) -> int:
         _read(arguments.files, entries, errors, order, results, kept, recalled, arguments.cluster)
         if diary is not None:
             results |= answered(diary, entries)
+            if diary.others:
+                reason = f"{diary.others} of its answers are of another version of canon or other options, and not used"
+                complain(f"canon verify: --resume {arguments.resume}: {reason}")
         quiet = arguments.json or arguments.coverage
         told = None if diary is None else partial(_write_down, diary, entries)
         where = {"jobs": arguments.jobs, "cluster": arguments.cluster}
@@ -171,9 +174,10 @@ def execute(arguments: argparse.Namespace) -> int:
 def _write_down(diary: Journal, entries: list[Entry], position: int, answer: Record) -> None:
     from canon.claims.journal import write
     from canon.claims.many import LOST
+    from canon.claims.worker import ENDED
 
-    note = answer["claim"]["detail"].get("note") if "claim" in answer else None
-    if not (isinstance(note, str) and note.startswith(LOST)):  # nobody has answered: another run asks again
+    note = str(answer["claim"]["detail"].get("note")) if "claim" in answer else ""
+    if not note.startswith((LOST, ENDED)):  # nobody has answered: another run asks again
         write(diary, entries[position], answer)
 
 

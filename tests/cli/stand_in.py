@@ -26,6 +26,14 @@ def verify(claim: Claim, *, budget: float, seed: int, method: str, accuracy: flo
             pass
     if kind == "die":
         os.abort()
+    if kind == "victim" and not _asked_before():
+        os.kill(os.getpid(), signal.SIGKILL)
+    if kind == "late":
+        first = not _asked_before()
+        while not Path(os.environ["GATE"]).exists():
+            time.sleep(0.02)
+        if first:
+            return Verdict("undecided", kind, detail={"note": "the budget is spent"})
     if kind == "devour":
         raise MemoryError
     if kind == "ill":
@@ -55,6 +63,13 @@ def verify(claim: Claim, *, budget: float, seed: int, method: str, accuracy: flo
     if kind == "false":
         return Verdict("refuted", kind, claim.title, "ball", witness={"q": Fraction(3, 2)}, detail={"value": "2"})
     return Verdict("proved", kind, claim.title, "normal form", 0.0123)
+
+
+def _asked_before() -> bool:
+    mark = Path(os.environ["MARK"])
+    known = mark.exists()
+    mark.touch()
+    return known
 
 
 def read_text(text: str) -> tuple[list[Claim], list[Any]]:

@@ -102,6 +102,23 @@ def test_what_the_answer_depends_on_is_asked_again(tmp_path: Path, asked: list[i
     assert len(asked) == 3
 
 
+def test_answers_of_another_version_or_other_options_are_counted(
+    tmp_path: Path, asked: list[int], capsys, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file, kept = tmp_path / "claims.toml", tmp_path / "journal"
+    file.write_text(claims(3))
+    words = "of its answers are of another version of canon or other options, and not used"
+    for options, others in ([], 0), ([], 0), (["--seed", "1"], 3), ([], 3):
+        assert main(["verify", "--json", str(file), "--resume", str(kept), *options]) == 0
+        said = capsys.readouterr().err
+        assert said == (f"canon verify: --resume {kept}: {others} {words}\n" if others else "")
+    asked.clear()
+    monkeypatch.setattr("canon.claims.journal.fingerprint", lambda: "another")
+    assert main(["verify", "--json", str(file), "--resume", str(kept)]) == 0
+    assert f"6 {words}" in capsys.readouterr().err
+    assert len(asked) == 3
+
+
 def test_lines_that_are_damaged_are_none(tmp_path: Path, asked: list[int], capsys) -> None:
     file, kept = tmp_path / "claims.toml", tmp_path / "journal"
     file.write_text(claims(6))

@@ -182,3 +182,33 @@ def _running(word: str) -> list[str]:
             if word in command:
                 found.append(process)
     return found
+
+
+def test_what_a_killed_worker_had_is_asked_again(tmp_path: Path) -> None:
+    """Whoever killed it, as a system short of memory, may not have meant the claim."""
+    file, kept = tmp_path / "claims.toml", tmp_path / "journal"
+    file.write_text("fine victim fine die")
+    command = [sys.executable, str(STAND_IN), "verify", "--json", str(file), "--jobs", "1", "--resume", str(kept)]
+    surroundings = {**os.environ, "MARK": str(tmp_path / "mark")}
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, env=surroundings, timeout=60)
+    verdicts = [claim["verdict"] for claim in json.loads(done.stdout)["claims"]]
+    assert verdicts == ["proved", "proved", "proved", "undecided"]
+    assert kept.read_bytes().count(b"\n") == 3  # nobody has answered the last: another run asks again
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGCONT"), reason="needs SIGSTOP and SIGCONT")
+def test_what_lost_its_time_while_the_run_was_stopped_is_asked_again(tmp_path: Path) -> None:
+    file, mark, gate = tmp_path / "claims.toml", tmp_path / "mark", tmp_path / "gate"
+    file.write_text("late fine")
+    command = [sys.executable, str(STAND_IN), "verify", "--json", str(file), "--jobs", "1", "--budget", "60"]
+    surroundings = {**os.environ, "MARK": str(mark), "GATE": str(gate)}
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=surroundings)
+    deadline = time.monotonic() + 60
+    while not mark.exists() and time.monotonic() < deadline:
+        time.sleep(0.01)
+    process.send_signal(signal.SIGSTOP)
+    process.send_signal(signal.SIGCONT)
+    time.sleep(0.2)
+    gate.touch()
+    out, _ = process.communicate(timeout=60)
+    assert [claim["verdict"] for claim in json.loads(out)["claims"]] == ["proved", "proved"]

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from canon.budget import BudgetExceeded
 from canon.claims.outcome import Outcome, Residual
 from canon.decide.answer import Witness
+from canon.decide.positive_by_cases import positive_at_whole_numbers, positive_by_cases
 from canon.decide.positive_by_slopes import positive_by_slopes
 from canon.decide.positivity import first_points, is_below, point_below, positive_by_boxes, positive_by_signs
 from canon.decide.sample import Sample
@@ -74,6 +75,18 @@ def _proved(question: Question, gap: Node, region: Region, *, strict: bool) -> O
     if positive_by_signs(tape, gap, region, budget, strict=strict):
         step = {"positive": question.show(gap), "argument": "the signs of the factors of its normal form"}
         return Outcome("proved", "signs of factors", arguments=(step,))
+    if positive_at_whole_numbers(tape, gap, strict=strict):
+        argument = "a polynomial in a whole number, tried within the bound of its roots; its leading term beyond"
+        return Outcome("proved", "whole numbers", arguments=({"positive": question.show(gap), "argument": argument},))
+    split: Sequence[Node] = ()
+    with contextlib.suppress(BudgetExceeded):
+        split = positive_by_cases(tape, gap, region, budget.share(0.2), strict=strict)
+    if split:
+        named = ", ".join(question.show(n) for n in split)
+        argument = f"the signs of the factors of its normal form, in each case of the signs of {named}"
+        return Outcome(
+            "proved", "signs of factors", arguments=({"positive": question.show(gap), "argument": argument},)
+        )
     along = None
     with contextlib.suppress(BudgetExceeded, Unsupported):
         along = positive_by_slopes(tape, gap, region, budget.share(0.3), strict=strict)

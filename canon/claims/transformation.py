@@ -6,7 +6,7 @@ A map given backward is canonical with a scale exactly when the brackets of q, p
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,7 @@ from canon.claims.truncated import checked_order, truncated
 from canon.decide.cells import cells_of
 from canon.decide.region import Region
 from canon.decide.tape import Node, Tape
+from canon.domain import Condition
 from canon.errors import InputError
 from canon.mechanics.formulas import replaced
 
@@ -99,7 +100,9 @@ def canonical_when(question: Question) -> Outcome:
             shown = {str(name): str(value.expr) for name, value in values.items()}
             return replace(outcome, witness=_completed(tape, outcome.failed, images)).with_detail(at=shown)
         parts.append(outcome)
-    return combined([*parts, _fails_generically(question, {symbol for table in solutions for symbol in table})])
+    written = [value for table in solutions for value in dict(table).values()]
+    names = {symbol for table in solutions for symbol in table}
+    return combined([*parts, _fails_generically(question, names, written)])
 
 
 def _completed(tape: Tape, failed: Finding, images: Mapping[Node, Node]) -> dict[str, Any] | None:
@@ -111,22 +114,22 @@ def _completed(tape: Tape, failed: Finding, images: Mapping[Node, Node]) -> dict
     return {**{name: value for name, value in values.items() if value is not None}, **witness.as_table()}
 
 
-def _fails_generically(question: Question, names: set[sp.Symbol]) -> Outcome:
-    """The map isn't canonical at generic values of these parameters.
+def _fails_generically(question: Question, names: set[sp.Symbol], written: Sequence[Formula]) -> Outcome:
+    """The map isn't canonical at generic values of these parameters, where what is written of the solutions is defined.
 
     One failure is enough where the bracket is an analytic function of them on a connected domain: not if they occur
     in absolute values. It must not hang on special values of the other parameters, nor on the choice of a function.
     """
     tape = question.tape
     named = ", ".join(sorted(map(str, names)))
-    region = question.region()
+    region = question.region(*written)
     generic = question.decide(Brackets(question).residuals(tape.one), region)
     if generic.status == "proved":
         return question.refuted_exactly(region, f"the map is canonical at all values of {named}", canonical="always")
     if generic.status != "refuted" or generic.failed is None:
         return Outcome("undecided", note=f"not shown to fail at generic values of {named}")
     residual = generic.failed.residual
-    shown = _shown_generically(question, residual.node, region, names)
+    shown = _shown_generically(question, residual.node, region, names, question.domain(*written).conditions)
     return Outcome(
         "proved" if shown else "supported",
         method=generic.method,
@@ -136,13 +139,15 @@ def _fails_generically(question: Question, names: set[sp.Symbol]) -> Outcome:
     )
 
 
-def _shown_generically(question: Question, node: Node, region: Region, names: set[sp.Symbol]) -> bool:
+def _shown_generically(
+    question: Question, node: Node, region: Region, names: set[sp.Symbol], conditions: Sequence[Condition]
+) -> bool:
     """A node that isn't 0 at one point isn't 0 at almost all values of these parameters, whatever the others are."""
     tape = question.tape
     if tape.functions_of([node]):
         return False
     others = frozenset(tape.symbol(s) for s in question.space.parameters if s not in names) & tape.support(node)
-    if not_zero_for_any_parameters(tape, node, others, question.domain().conditions):
+    if not_zero_for_any_parameters(tape, node, others, conditions):
         return True
     if others:
         return False
@@ -185,7 +190,8 @@ def checked_solution(question: Question, table: Any, where: str) -> dict[Any, Fo
                 raise InputError(f"{name} is {word}, so {name} = {value.expr} is not allowed", where)
         if name.is_integer and not value.expr.is_integer:
             raise InputError(f"{name} is an integer, and {value.expr} is not seen to be one", where)
-        if name.is_real and not value.expr.is_real:
+        # a quotient of real names is real wherever the solution is defined, and its conditions restrict the domain
+        if name.is_real and not value.expr.is_real and question.tape.is_complex(question.load(value)):
             raise InputError(f"{name} is real, and {value.expr} is not seen to be", where)
     return values
 

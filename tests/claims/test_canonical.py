@@ -108,6 +108,22 @@ def test_canonical_at_values_of_parameters(status, a, b, expected):
     assert status(f'kind = "canonical_when"\nsolutions = [{{a = "{a}", b = "{b}"}}]', **GOLDSTEIN) == expected
 
 
+@pytest.mark.parametrize(
+    ("d", "expected"),
+    [
+        ("(1 + b*c)/a", "proved"),
+        ("(1 - b*c)/a", "refuted"),
+        ("(1 + b*c)/a + 1/1000", "refuted"),
+        ("(1 + b*c)/sqrt(a**2)", "refuted"),  # a may be negative
+    ],
+)
+def test_a_quotient_of_real_names_is_real_where_it_is_defined(status, d, expected):
+    """Goldstein, Poole and Safko (2002), exercise 9.3, of linear maps: the solution restricts the domain to a != 0."""
+    claim = f'kind = "canonical_when"\nsolutions = [{{d = "{d}"}}]'
+    names = 'a = "real"\nb = "real"\nc = "real"\nd = "real"'
+    assert status(claim, symbols=names, transformation=forward("a*q + b*p", "c*q + d*p")) == expected
+
+
 def test_canonical_when_is_refuted_where_every_value_will_do(ask):
     (verdict,) = ask(
         'kind = "canonical_when"\nsolutions = [{a = "1"}]',

@@ -32,7 +32,11 @@ def _claim(lhs: str, relation: str, rhs: str) -> str:
         ("V(y)", ">=", "0", "refuted"),
         ("1/x**2", ">", "0", "proved"),
         ("exp(x)", ">", "1 + x", "refuted"),  # equal at 0
-        ("k**2", ">=", "k", "supported"),
+        ("k**2", ">=", "k", "proved"),
+        ("k**2", ">", "k", "refuted"),  # equal at 0 and 1
+        ("4*k**2 + 1", ">", "4*k", "proved"),  # 0 at 1/2, which is no whole number
+        ("k**3", ">=", "k", "refuted"),
+        ("1001/1000*k**2", ">=", "k**2 + k/900", "refuted"),  # at 1
     ],
 )
 def test_on_the_plane(status, lhs, relation, rhs, expected):
@@ -169,3 +173,39 @@ def test_numeric_only_supports_or_refutes(ask):
 def test_faults(ask, lhs, relation, message):
     with pytest.raises((InputError, AssertionError), match=message):
         ask(_claim(lhs, relation, "0"), space=PLANE)
+
+
+@pytest.mark.parametrize(
+    ("where", "lhs", "relation", "rhs", "expected"),
+    [
+        ("x != 0", "x**2", ">", "0", "proved"),
+        ("x != 0", "abs(x)", ">", "0", "proved"),
+        ("x != 0", "x**2 + y**2", ">", "0", "proved"),
+        ("x != 0", "x**2*(1 + y**2)", ">", "0", "proved"),
+        ("x != y", "(x - y)**2", ">", "0", "proved"),
+        ("x != y", "x**2 + y**2", ">", "2*x*y", "proved"),
+        ("x*y != 0", "x**2*y**2", ">", "0", "proved"),
+        ("x != 0", "x**2*y**2", ">", "0", "refuted"),
+        ("x != 0", "x**3", ">", "0", "refuted"),
+        ("x != 0", "y**2", ">", "0", "refuted"),
+        ("x != 1", "x**2", ">", "0", "refuted"),
+        ("x != 0", "x**2*n", ">", "0", "refuted"),  # n may be 0
+    ],
+)
+def test_what_is_not_zero_has_a_sign(status, where, lhs, relation, rhs, expected):
+    domain = f'where = ["{where}"]'
+    assert status(_claim(lhs, relation, rhs), space=PLANE, symbols=SYMBOLS, domain=domain) == expected
+
+
+@pytest.mark.parametrize(
+    ("words", "rhs", "expected"),
+    [
+        ('["integer", "positive"]', "k", "proved"),
+        ('["integer", "negative"]', "k", "refuted"),
+        ('["integer", "nonnegative"]', "k", "proved"),
+        ('["integer", "positive"]', "k + 1", "refuted"),
+        ('["integer", "nonzero", "nonnegative"]', "1", "proved"),
+    ],
+)
+def test_whole_numbers_of_one_sign(status, words, rhs, expected):
+    assert status(_claim("k**3", ">=", rhs), space=PLANE, symbols=f"k = {words}") == expected

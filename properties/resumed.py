@@ -144,9 +144,8 @@ def main() -> int:
             at.append(lines_of(kept))
         again = verdicts(subprocess.run(resumed, capture_output=True, text=True).stdout)
         lines = lines_of(kept)
-    counts = {
-        word: sum(verdict[3] == word for verdict in whole) for word in ("proved", "refuted", "supported", "undecided")
-    }
+    words = ("proved", "refuted", "supported", "undecided")
+    counts = {word: sum(claim["verdict"] == word for claim in whole) for word in words}
     found = {"claims": len(whole), **counts, "interruptions": len(at), "answered_by_then": at}
     print(json.dumps({**found, "lines_of_journal": lines, "same": again == whole, "seconds": round(seconds, 1)}))
     return 0 if again == whole else 1

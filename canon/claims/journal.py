@@ -28,6 +28,8 @@ DEEPEST: Final = 40
 """The most levels of tables in tables that a record has."""
 LONGEST: Final = 4_000_000
 """The most bytes of a line."""
+BEGINNING: Final = b'{"check": "'
+"""How every line begins; where the disk was full, a part of the first one may be all that there is of a journal."""
 DAMAGED: Final = 10_000
 """The most lines that may be damaged: of what has more, not every line is looked at."""
 
@@ -37,13 +39,15 @@ class Journal:
     """The file at `path`, and the state of the deciders and the settings (`words`).
 
     `fault` says why nothing is written any more, where that is so; `others`, how many of the answers that were read
-    are of another state of the deciders, or were given with other options.
+    are of another state of the deciders, or were given with other options; `certificates`, the folder in which a
+    certificate of each proof and refutation has to be.
     """
 
     path: Path
     words: str
     fault: str = ""
     others: int = 0
+    certificates: str | None = None
 
     def name(self, entry: Entry) -> str:
         """What a claim's answer is called: by what its file said when it was read, whatever it says now."""
@@ -70,7 +74,7 @@ def journal(path: str | os.PathLike[str], settings: Settings) -> Journal:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise InputError(f"can't be used as a journal: {reason}", f"--resume {path}") from None
-    return Journal(Path(path), words)
+    return Journal(Path(path), words, certificates=settings.certificates)
 
 
 def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
@@ -79,10 +83,11 @@ def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
     for position, entry in enumerate(entries):
         places.setdefault(kept.name(entry), []).append(position)
     found: dict[int, Record] = {}
-    lines = sound = 0
+    lines = sound = begun = 0
     for line in _lines(kept.path):
         lines += 1
         if (body := _body(line)) is None:
+            begun += line.startswith(BEGINNING[: len(line)]) and not line.endswith(b"\n")
             if lines - sound > DAMAGED:
                 raise InputError(f"more than {DAMAGED} lines of this journal are damaged", f"--resume {kept.path}")
             continue
@@ -92,9 +97,9 @@ def answered(kept: Journal, entries: Sequence[Entry]) -> dict[int, Record]:
         for position in places.get(body["name"], ()):
             entry, kind = entries[position], body["kind"]
             record = {**body["record"], "file": entry.file}
-            if fits(kind, record, entry):
+            if fits(kind, record, entry) and _is_whole(kept, record, entry):
                 found[position] = {kind: record}
-    if lines and not sound:
+    if lines and not (sound or begun):
         raise InputError("this file is no journal of `canon verify --resume`", f"--resume {kept.path}")
     return found
 
@@ -130,6 +135,16 @@ def fits(kind: str, record: Record, entry: Entry) -> bool:
         and _levels(record) <= DEEPEST
         and (record.get("certificate", 0) is None or isinstance(record.get("certificate"), str))
     )
+
+
+def _is_whole(kept: Journal, record: Record, entry: Entry) -> bool:
+    """Whether the certificate that goes with an answer is there, where one is asked for: under this claim's name."""
+    from canon.report.certificate_file import certificate_path
+
+    if kept.certificates is None or record.get("verdict") not in ("proved", "refuted"):
+        return True
+    path = certificate_path(kept.certificates, entry)
+    return record["certificate"] == str(path) and path.is_file() and path.stat().st_size > 0
 
 
 def _is_evidence(numeric: Record) -> bool:

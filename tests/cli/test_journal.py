@@ -242,3 +242,42 @@ def test_what_is_damaged_all_over_is_not_read_to_its_end(line: bytes, tmp_path: 
         file.write(line * 2_000)
     with pytest.raises(InputError, match="more than 10000 lines of this journal are damaged"):
         answered(kept, [entry])
+
+
+def test_a_certificate_that_is_missing_is_made_again(tmp_path: Path, asked: list[int], capsys) -> None:
+    """Its folder was removed, or the disk was full; and of two files that say the same each has its own."""
+    first, second, kept, folder = (tmp_path / name for name in ("a.toml", "b.toml", "journal", "certificates"))
+    for file in (first, second):
+        file.write_text(claims(3))
+    command = ["verify", "--json", str(first), str(second), "--resume", str(kept), "--certificate", str(folder)]
+
+    def again() -> int:
+        asked.clear()
+        assert main(command) == 0
+        found = [claim["certificate"] for claim in json.loads(capsys.readouterr().out)["claims"]]
+        assert sorted(found) == sorted(map(str, folder.iterdir()))
+        assert len(set(found)) == 6
+        return len(asked)
+
+    folder.mkdir()
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (10, hard))  # neither the journal nor a certificate fits
+    try:
+        assert main(command) == 74
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    capsys.readouterr()
+    assert [again(), again()] == [6, 0]
+    sorted(folder.iterdir())[1].unlink()
+    assert [again(), again()] == [1, 0]
+    for file in folder.iterdir():
+        file.unlink()
+    folder.rmdir()
+    folder.write_text("")  # in the place of the folder, while the run goes on
+    monkey = pytest.MonkeyPatch()
+    monkey.setattr("canon.cli.verify.not_a_folder", lambda _: "")
+    assert main(command) == 74
+    monkey.undo()
+    capsys.readouterr()
+    folder.unlink()
+    assert [again(), again()] == [6, 0]

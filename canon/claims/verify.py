@@ -14,6 +14,7 @@ from canon.claims.confined import unconfined
 from canon.claims.kinds import Kind, kind_named
 from canon.claims.matters import mattering
 from canon.claims.no_numbers import sampled_only
+from canon.claims.on_image import on_image
 from canon.claims.outcome import Outcome
 from canon.claims.own_names import are_continuous
 from canon.claims.question import Question
@@ -133,7 +134,7 @@ def _apart(claim: Claim, settings: Settings) -> Verdict:
 def _answer(decide: Kind, question: Question) -> Outcome:
     """What the kind says; a budget spent, or what the deciders don't know, is `undecided` and says so."""
     try:
-        outcome = unconfined(question, decide(question))
+        outcome = on_image(question, unconfined(question, decide(question)))
     except BudgetExceeded as reason:
         return Outcome("undecided", note=str(reason))
     except Unsupported as reason:

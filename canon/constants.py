@@ -8,18 +8,23 @@ acosh(1 + 1e-6) and acos(tanh(9)) are zero. Such values are written with the fun
 
 from __future__ import annotations
 
-from typing import Any, Final
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Final
 
 import sympy as sp
 
-from canon.domain import Condition
 from canon.errors import InputError
 from canon.special import EllipticPi
+
+if TYPE_CHECKING:
+    from canon.domain import Condition
 
 HUGE: Final = 1e100
 """The largest constant that a function is applied to."""
 STEEP: Final = 700.0
 """The largest constant in an exponent, times the logarithm of the base."""
+FRAGILE: Final = (sp.tan, sp.cot, sp.sec, sp.csc, sp.asin, sp.acos, sp.acosh, sp.atanh)
+"""Functions whose values at constants sympy misjudges near a pole, or at the end of their range."""
 _NEAR: Final = 0.9
 _ELLIPTIC: Final = (sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, EllipticPi)
 
@@ -62,6 +67,35 @@ def constant(function: Any, c: Any, *more: Any) -> Any:
     if function in _ELLIPTIC and sp.Rational(99, 100) < (more or (c,))[-1]:
         raise InputError("an elliptic integral of a constant near its pole")
     return value
+
+
+def reliable(expression: Any) -> Any:
+    """`expression` with such functions of real constants in it written so that sympy's evaluation can be trusted.
+
+    **Raises:** `InputError` as `constant` does.
+    """
+    if not any(isinstance(part, FRAGILE) and is_constant(part.args) for part in expression.atoms(*FRAGILE)):
+        return expression
+    return expression.replace(
+        lambda part: isinstance(part, FRAGILE) and is_constant(part.args), lambda part: constant(part.func, *part.args)
+    )
+
+
+def put_in(expression: Any, mapping: Mapping[Any, Any]) -> Any:
+    """`expression` with what `mapping` says put in, where that may make functions of real constants."""
+    known: dict[Any, Any] = {key: sp.sympify(value) for key, value in mapping.items()}
+
+    def image(part: Any) -> Any:
+        if part in known or not part.args:
+            return known.get(part, part)
+        arguments = [image(argument) for argument in part.args]
+        if isinstance(part, FRAGILE) and is_constant(arguments):
+            known[part] = constant(part.func, *arguments)
+        else:
+            known[part] = part if tuple(arguments) == part.args else part.func(*arguments)
+        return known[part]
+
+    return image(expression)
 
 
 def check_constant_power(base: Any, exponent: Any) -> None:

@@ -6,6 +6,7 @@ from typing import Any, Final
 import sympy as sp
 
 from canon.calls import at_places, derivative_of
+from canon.constants import FRAGILE, constant, is_constant, put_in
 
 QUOTIENTS: Final[dict[Any, tuple[Any, Any]]] = {
     sp.tan: (sp.sin, sp.cos), sp.cot: (sp.cos, sp.sin), sp.tanh: (sp.sinh, sp.cosh), sp.coth: (sp.cosh, sp.sinh),
@@ -22,7 +23,7 @@ def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     if expression.has(*QUOTIENTS) and are_beside_integers((expression, *mapping.values())):
         expression = with_quotients(expression)
     if not expression.has(sp.Derivative, sp.Subs):
-        return expression.xreplace(dict(mapping))
+        return put_in(expression, mapping) if expression.has(*FRAGILE) else expression.xreplace(dict(mapping))
     if (found := at_places(expression)) is not None:
         call, orders, arguments = found
         return derivative_of(call, orders, [sp.sympify(replaced(argument, mapping)) for argument in arguments])
@@ -35,7 +36,9 @@ def replaced(expression: Any, mapping: Mapping[Any, Any]) -> Any:
         values: Any = expression.point
         point = tuple(replaced(at, mapping) for at in values)
         return sp.Subs(inner, tuple(fresh.values()), point)
-    return expression.func(*(replaced(part, mapping) for part in expression.args))
+    arguments = [replaced(part, mapping) for part in expression.args]
+    fragile = isinstance(expression, FRAGILE) and is_constant(arguments)
+    return constant(expression.func, *arguments) if fragile else expression.func(*arguments)
 
 
 def are_beside_integers(expressions: Iterable[Any]) -> bool:

@@ -23,6 +23,7 @@ from typing import Any
 
 import mpmath as mp
 import sympy as sp
+from mpmath.libmp import NoConvergence
 
 from canon import PhaseSpace, identity, verify
 from canon.claims.reader import read_text
@@ -43,7 +44,7 @@ SEEN = 6
 ALIKE = ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "log", "sqrt", "cbrt", "asin", "acos", "atan", "sinh", "cosh",
          "tanh", "coth", "asinh", "acosh", "atanh", "abs", "sign", "gamma", "lambertw", "V")  # fmt: skip
 WORDS = {"x": "real", "y": "real", "a": "positive", "n": "integer", "m": "real"}
-UNDEFINED = (Outside, ZeroDivisionError, OverflowError, ValueError, ArithmeticError, mp.libmp.NoConvergence)
+UNDEFINED = (Outside, ZeroDivisionError, OverflowError, ValueError, ArithmeticError, NoConvergence)
 Pair = tuple[Formula, Formula]
 
 

@@ -11,7 +11,7 @@ from properties.soundness import oracle
 from properties.soundness.identities import Equation
 
 UNIT = (Fraction(0), Fraction(1))
-BOX = dict.fromkeys(("x", "y", "a", "m"), UNIT)
+BOX: oracle.Box = dict.fromkeys(("x", "y", "a", "m"), UNIT)
 
 
 @pytest.mark.parametrize("family", sorted(RULES))

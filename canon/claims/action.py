@@ -43,6 +43,7 @@ from canon.mechanics.solved_momentum import solved_momentum
 from canon.mechanics.standard_actions import cosine, rotation
 from canon.mechanics.substitutions import integrands
 from canon.sign import declared
+from canon.substitution import replaced
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -180,7 +181,7 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     period, well = (question.key(word) for word in ("period", "well"))
     if question.claim.kind == "frequency" and period is not None and named in period.expr.free_symbols:
         raise InputError(f"a frequency differentiates by {named}, and a period doesn't change with it", "key 'period'")
-    moved: Any = H.expr.xreplace(rules)
+    moved: Any = replaced(H.expr, rules)
     for symbol in sorted(moved.free_symbols & ({*space.q, space.t} - {q}), key=str):
         raise InputError(
             f"H depends on {symbol}, so that {q} alone has no action: separate the variables first, or fix {symbol}",
@@ -211,14 +212,14 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     here = tuple(dict.fromkeys((*(c.substitute(rules) for c in conditions), *held, *stated)))
     if question.key("branch") == "rotation":  # has p > 0 by convention
         here = tuple(c for c in here if c.kind not in ("positive", "nonzero") or c.terms[0] != p)
-    others_too = tuple(formula.expr.xreplace(rules) for formula in also)
+    others_too = tuple(replaced(formula.expr, rules) for formula in also)
     try:
         motion, solved = within(question.budget.share(0.5), lambda: one_degree(moved, q, p, energy, here)), None
     except NotQuadratic:
         solved = solved_momentum(moved, q, p, energy, here)
         motion = solved.motion
-    length, inside = (None if given is None else given.expr.xreplace(rules) for given in (period, well))
-    value = equals.expr.xreplace(rules)
+    length, inside = (None if given is None else replaced(given.expr, rules) for given in (period, well))
+    value = replaced(equals.expr, rules)
     return Setting(q, p, moved, energy, value, here, motion, level, solved, others_too, length, inside)
 
 
@@ -259,7 +260,7 @@ def _check_period(question: Question, setting: Setting) -> None:
     stated = setting.period
     if stated is None:
         return
-    moved: Any = setting.H.xreplace({setting.q: setting.q + stated})
+    moved: Any = replaced(setting.H, {setting.q: setting.q + stated})
     region = question.region(domain=Domain(setting.conditions), chart=chart_of(question.tape, question.space, None))
     if question.decide([Residual("H after a period", question.load(moved - setting.H))], region).status == "refuted":
         raise InputError(f"{stated} is not a period of H in {setting.q}", "key 'period'")

@@ -25,6 +25,7 @@ from canon.decide.region import Region, admits
 from canon.decide.search import samples
 from canon.decide.tape import Node, Unsupported
 from canon.domain import Domain
+from canon.substitution import replaced
 
 if TYPE_CHECKING:
     from canon.claims.action_region import Setting
@@ -147,7 +148,7 @@ class _Builder:
     def _fixed_level(self, values: Mapping[Node, Fraction]) -> Fraction | None:
         tape = self.question.tape
         rules: Any = {tape.symbol_at(n): sp.Rational(v.numerator, v.denominator) for n, v in values.items()}
-        value = self.setting.level.xreplace(rules)
+        value = replaced(self.setting.level, rules)
         return Fraction(int(value.p), int(value.q)) if isinstance(value, sp.Rational) else None
 
 

@@ -20,6 +20,7 @@ from canon.errors import InputError
 from canon.mechanics.action_angle import NOT_NEGATIVE, ClosedAction, OneDegree, at_most, linear_edge
 from canon.mechanics.solved_momentum import SolvedMomentum
 from canon.sign import known_sign
+from canon.substitution import replaced
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -53,7 +54,7 @@ class Setting:
 
     def at_level(self, expression: Any) -> Any:
         """A formula in the energy at the value that is fixed, if there is one."""
-        return expression if self.level is None else expression.xreplace({self.energy: self.level})
+        return expression if self.level is None else replaced(expression, {self.energy: self.level})
 
 
 def assumed(name: sp.Symbol, *, sign: bool) -> tuple[Condition, ...]:
@@ -83,7 +84,7 @@ def existing(question: Question, setting: Setting, closed: ClosedAction) -> Regi
     square = setting.at_level(setting.motion.square)
     wanted = [(e, "such a motion exists") for e in closed.exists if known_sign(e) != "positive"]
     if setting.well is not None:
-        inside: Any = square.xreplace({setting.q: setting.well})
+        inside: Any = replaced(square, {setting.q: setting.well})
         wanted.append((inside, f"{setting.well} lies inside"))
         ends = (setting.well - setting.motion.low, setting.motion.high - setting.well)
         wanted += [(e, f"{setting.well} is in the domain") for e in ends if not e.is_infinite and not e.is_positive]

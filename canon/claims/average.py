@@ -144,7 +144,7 @@ def _along(question: Question) -> Outcome:
     integrand = as_formula(replaced(f.expr, images) * sp.diff(clock, u))
     if any(isinstance(end, str) for end in ends):
         raise InputError("an average is one over a bounded stretch", "key 'to'")
-    stretch = clock.subs(u, ends[1].expr) - clock.subs(u, ends[0].expr)
+    stretch = replaced(clock, {u: ends[1].expr}) - replaced(clock, {u: ends[0].expr})
     total = question.tape.times(question.load(claimed), question.load(stretch))
     outcome = integral_is(question, span, integrand, question.load(integrand), total, question.key("antiderivative"))
     if solved is None:

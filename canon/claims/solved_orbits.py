@@ -23,6 +23,7 @@ from canon.decide.enclosure import Ball, certainly_positive
 from canon.decide.libration import Integrand
 from canon.decide.region import Region, Requirement
 from canon.mechanics.action_angle import ClosedAction
+from canon.substitution import replaced
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -39,12 +40,12 @@ def square_is_right(question: Question, setting: Setting, region: Region) -> Out
     p, whole = setting.p, along(question, setting, region)
     moving = replace(whole, symbols=(*whole.symbols, tape.symbol(p)))
     back: Any = {solved.level: setting.H}
-    only: Any = solved.of_level.xreplace(back) - p**2
+    only: Any = replaced(solved.of_level, back) - p**2
     turning = moving.also(Requirement("nonzero", (tape.symbol(p),), f"{p} is not 0"))
     first = question.decide([Residual("p**2 on its own level", question.load(only))], turning)
     square = setting.at_level(setting.motion.square)
     put: Any = {p: sp.sqrt(square)}
-    there: Any = setting.H.xreplace(put) - setting.at_level(setting.energy)
+    there: Any = replaced(setting.H, put) - setting.at_level(setting.energy)
     inside = [square, *(setting.at_level(guard) for guard in solved.guards)]
     between = whole.also(*(Requirement("positive", (tape.load(e),), f"{e} > 0") for e in inside))
     return combined([first, question.decide([Residual("H at this momentum", question.load(there))], between)])
@@ -55,7 +56,7 @@ def where_it_exists(setting: Setting, closed: ClosedAction) -> tuple[Any, ...]:
     if setting.solved is None or closed.inside is None:
         return ()
     put: Any = {setting.q: closed.inside}
-    return tuple(guard.xreplace(put) for guard in setting.solved.guards)
+    return tuple(replaced(guard, put) for guard in setting.solved.guards)
 
 
 def grounds(question: Question, setting: Setting, closed: ClosedAction, region: Region) -> Outcome | None:
@@ -67,7 +68,7 @@ def grounds(question: Question, setting: Setting, closed: ClosedAction, region: 
     if solved is None or closed.inside is None:
         return None
     put: Any = {setting.q: closed.inside}
-    rate = setting.at_level(_rate(setting)).xreplace(put)
+    rate = replaced(setting.at_level(_rate(setting)), put)
     return square_is_right(question, setting, region) if is_positive(question, region, rate) else None
 
 

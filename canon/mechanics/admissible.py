@@ -48,6 +48,20 @@ def check_symbol(symbol: sp.Symbol, where: str = "") -> None:
     raise InputError(f"the symbol {symbol} has assumptions that no claim can state ({said}): {_WORDS}", where)
 
 
+def check_leak(symbol: sp.Symbol, expression: Any, where: str = "") -> None:
+    """**Raises** `InputError` for a name that sympy 1.14 has left in a derivative of its own of an unknown function.
+
+    It makes the name `_s + t` for the place s + t of a second derivative, and doesn't put the place in again. What
+    `PhaseSpace.function` makes has no such derivatives (`canon.calls`).
+    """
+    if symbol.name.startswith("_") and not symbol.is_Dummy and expression.has(sp.Subs):
+        raise InputError(
+            f"sympy has put {symbol.name!r} in a derivative of an unknown function, where a place should be: make the "
+            "function by space.function(...), whose derivatives are by their places",
+            where,
+        )
+
+
 def check_calls(formulas: Iterable[Formula | sp.Expr], where: str = "") -> None:
     """**Raises** `InputError` where an arbitrary function has assumptions of its own, or is called in two ways."""
     counts: dict[str, int] = {}

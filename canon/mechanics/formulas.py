@@ -6,10 +6,11 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from canon.constants import reliable
 from canon.domain import Condition, Domain, Smoothness, nonzero, positive
 from canon.errors import InputError
 from canon.expression import Formula
-from canon.mechanics.admissible import check_calls, check_symbol
+from canon.mechanics.admissible import check_calls, check_leak, check_symbol
 from canon.special import EllipticPi
 from canon.substitution import replaced
 
@@ -36,7 +37,7 @@ def as_expression(value: Expression, where: str = "") -> sp.Expr:
             raise InputError(f"{value} contains a floating-point number; write it as a Rational", where)
         if not value.is_commutative:
             raise InputError(f"{value} contains symbols that do not commute", where)
-        plain: Any = value
+        plain: Any = reliable(value)
         return plain.replace(sp.elliptic_pi, EllipticPi) if plain.has(sp.elliptic_pi) else plain
     return sp.Integer(value) if isinstance(value, int) else sp.Rational(value.numerator, value.denominator)
 
@@ -85,6 +86,8 @@ def check_symbols(formulas: Iterable[Formula | sp.Expr], known: Mapping[str, sp.
                     where,
                 )
             check_symbol(symbol, where)
+            if name not in known:
+                check_leak(symbol, expression, where)
     check_calls(formulas, where)
 
 

@@ -148,3 +148,12 @@ def test_a_derivative_of_a_solution_by_what_its_function_does_not_depend_on(ask,
 def test_derivatives_of_a_solution_by_its_arguments(status, solution, equation):
     claim = f'kind = "solves"\nsolution = {{{solution}}}\nequations = ["{equation}"]'
     assert status(claim, space=LINE, symbols='a = "real"\nf = "function"') == "proved"
+
+
+def test_a_constant_put_in_keeps_its_sign(ask):
+    """sympy 1.14 takes |acos(tanh 9)|, which is 0.000247, for 0."""
+    kind = 'kind = "frequency"\ncoordinate = "q"\nenergy = "E"\nfixed = {d = "tanh(9)"}\nequals = '
+    sections = {"symbols": 'E = "positive"\nb = "positive"\nd = "real"',
+                "hamiltonian": 'H = "p**2/2 + (abs(acos(d)) + b)**2*q**2/2"'}  # fmt: skip
+    assert ask(kind + '"b/(2*pi)"', space=LINE, **sections)[0].status == "refuted"
+    assert ask(kind + '"(b + acos(tanh(9)))/(2*pi)"', space=LINE, **sections)[0].status in ("supported", "proved")

@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from canon import InputError, PhaseSpace, Transformation, conserved, identity, verify
+from canon import InputError, PhaseSpace, Transformation, conserved, frequency, identity, verify
 
 SPACE = PhaseSpace("q", "p")
 q, p = SPACE.old
@@ -78,3 +78,34 @@ def test_other_branches_and_functions_without_arguments_are_refused():
     assert "only the principal one" in refusal(lambda: identity(SPACE, sp.LambertW(q, -1), q))
     x = sp.Symbol("x")
     assert "is a function: call it" in refusal(lambda: identity(SPACE, sp.Lambda(x, x), q))
+
+
+def test_derivatives_in_which_sympy_has_left_a_name_are_refused():
+    space = PhaseSpace("x", "y", real="a s", functions="F")
+    x, y, a, s = (space.symbol(name) for name in ("x", "y", "a", "s"))
+    own, sympys = space.function("F"), sp.Function("G")
+    for f in (own, sympys):
+        first, second = f(x * a, a * s, x + a).diff(a).diff(x), f(x * a, a * s, x + a).diff(x).diff(a)
+        if f is own:
+            assert verify(identity(space, first, second)).status == "proved"
+        else:
+            assert "space.function(...)" in refusal(lambda u=first, v=second: identity(space, u, v))
+    assert verify(identity(space, sympys(x * y).diff(x), y * sympys(x * y).diff(y) / x)).status == "proved"
+
+
+@pytest.mark.parametrize(
+    "c",
+    [
+        sp.acos(sp.tanh(9)),
+        sp.sec(sp.Rational(288865, 7)),
+        sp.acosh(1 + sp.Rational(1, 10**6)),
+        sp.tan(sp.Rational(11, 7)),
+    ],
+)
+def test_constants_whose_sign_sympy_misjudges(c):
+    space = PhaseSpace("x", "y", positive="E b", real="d")
+    x, y, E, b, d = (space.symbol(name) for name in ("x", "y", "E", "b", "d"))
+    H, value = y**2 / 2 + (abs(d) + b) ** 2 * x**2 / 2, sp.N(c, 30)
+    for rate, expected in ((b + (c if value > 0 else -c), "proved"), (b, "refuted")):
+        status = verify(frequency(space, H, x, E, rate / (2 * sp.pi), fixed={d: c})).status
+        assert status in (expected, "supported")

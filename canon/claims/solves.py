@@ -87,6 +87,7 @@ class _Replaced:
 
     def __init__(self, question: Question, solution: Mapping[sp.Expr, Formula]) -> None:
         self.tape = question.tape
+        self.images = question.chart.images
         self.values: dict[Node, Node] = {}
         self.requirements: list[Requirement] = []
         self.functions = {
@@ -114,12 +115,13 @@ class _Replaced:
         for x, order in zip(function.arguments, orders, strict=True):
             for _ in range(order):
                 slope = derivative(self.tape, slope, x)
-        images = dict(zip(function.arguments, (self.values[a] for a in arguments), strict=True))
+        own_images = dict(zip(function.arguments, (self.values[a] for a in arguments), strict=True))
+        images = {**self.images, **own_images}  # what else stands in the solution is related to the rest by the map
         own: list[Requirement] = []
         for r in function.region.requirements:
             nodes = tuple(substitute(self.tape, n, images) for n in r.nodes)
             own.append(r if nodes == r.nodes else Requirement(r.kind, nodes, r.said, f" (of {name} at its argument)"))
-        for x, image in images.items():
+        for x, image in own_images.items():
             own += required_in_place_of(self.tape, self.tape.symbol_at(x), image, "key 'equations'")
         self.requirements += [r for r in dict.fromkeys(own) if r not in self.requirements]
         return substitute(self.tape, slope, images)

@@ -85,3 +85,34 @@ def test_a_range_leaves_what_a_generating_function_demands(equals: str):
 def test_a_limit_is_taken_where_a_generating_function_has_values(equals: str):
     text = GENERATED + f'[[claim]]\nkind = "limit"\nvariable = "q"\nf = "q"\nto = "-1"\nequals = "{equals}"'
     assert _status(text) == "undecided"
+
+
+@pytest.mark.parametrize(
+    ("map_of_the_file", "solution", "equation", "expected"),
+    [
+        ('Q = ["2*q"]\nP = ["p/2"]', "Q*t", "D(x(t), t) - 2*q", "proved"),
+        ('Q = ["2*q"]\nP = ["p/2"]', "q*t", "D(x(t), t) - Q/2", "proved"),
+        ('Q = ["2*q"]\nP = ["p/2"]', "Q*t", "D(x(t), t) - q", "refuted"),
+        ('q = ["exp(Q)"]\np = ["P*exp(-Q)"]', "abs(q)*t", "D(x(t), t) - q", "proved"),
+        ('q = ["exp(Q)"]\np = ["P*exp(-Q)"]', "log(q)*t", "D(x(t), t) - Q", "proved"),
+        ('q = ["exp(Q)"]\np = ["P*exp(-Q)"]', "log(q)*t", "D(x(t), t) - 2*Q", "refuted"),
+    ],
+)
+def test_a_solution_is_in_variables_related_by_the_map(
+    map_of_the_file: str, solution: str, equation: str, expected: str
+):
+    text = f"""[phase_space]
+q = ["q"]
+p = ["p"]
+Q = ["Q"]
+P = ["P"]
+[symbols]
+x = "function"
+[transformation]
+{map_of_the_file}
+[[claim]]
+kind = "solves"
+solution = {{ "x(t)" = "{solution}" }}
+equations = ["{equation}"]
+"""
+    assert _status(text) == expected

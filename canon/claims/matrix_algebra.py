@@ -22,6 +22,7 @@ from canon.claims.matrix_numbers import bracket_evidence
 from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.scale import never_zero
 from canon.claims.scaled_matrices import scaled_matrices, unscaled
+from canon.domain import Condition
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.algebra import linear
@@ -182,7 +183,7 @@ def closings(
     names = tuple(matrices)
     basis = [sp.Matrix(rows) for rows in matrices.values()]
     entries = [[entry for row in rows for entry in row] for rows in matrices.values()]
-    columns = independent_entries(entries)
+    columns = independent_entries(entries, question.domain().conditions)
     if columns is None:
         return
     inverse = sp.Matrix([[row[k] for k in columns] for row in entries]).inv()
@@ -207,15 +208,15 @@ def _short(value: Any) -> Any:
     return value if value.free_symbols else sp.expand(sp.radsimp(value))
 
 
-def independent_entries(entries: list[list[Any]]) -> list[int] | None:
-    """Positions at which the matrices' entries have a determinant that is never 0; None where none were found."""
+def independent_entries(entries: list[list[Any]], conditions: Sequence[Condition] = ()) -> list[int] | None:
+    """Positions at which the entries' determinant is nowhere 0 where conditions hold; None where none were found."""
     size, width = len(entries), len(entries[0])
     filled = [k for k in range(width) if any(row[k] != 0 for row in entries)]
     first = [tuple(pivots)] if len(pivots := _pivots(entries)) == size else []
     for columns in (*first, *_some(combinations(filled, size))):
         determinant: Any = sp.Matrix([[row[k] for k in columns] for row in entries]).det(method="berkowitz")
         factored: Any = sp.factor(determinant)
-        if determinant != 0 and never_zero(factored):
+        if determinant != 0 and never_zero(factored, conditions):
             return list(columns)
     return None
 

@@ -181,3 +181,22 @@ def test_rotations_about_three_corners_of_an_icosahedron(ask, name, status):
     (found,) = ask(claim, space='q = ["q"]\np = ["p"]\n')
     assert found.status == status, found
     assert found.detail["algebra"] == "so(3)"
+
+
+@pytest.mark.parametrize(
+    ("where", "coefficient", "expected"),
+    [
+        ("a > 1", "C/(a - 1)", "proved"),
+        ("a != 1", "C/(a - 1)", "proved"),
+        ("a > 1", "C/(1 - a)", "refuted"),
+        ("a > 1", "1001*C/(1000*(a - 1))", "refuted"),
+    ],
+)
+def test_matrices_that_the_domain_keeps_independent(status, where, coefficient, expected):
+    matrices = (
+        'A = [["0","0","0"],["0","0","-1"],["0","1","0"]], B = [["0","0","1"],["0","0","0"],["-1","0","0"]], '
+        'C = [["0","1 - a","0"],["a - 1","0","0"],["0","0","0"]]'
+    )
+    structure = f'"A,B" = "{coefficient}", "B,C" = "(a - 1)*A", "C,A" = "(a - 1)*B"'
+    claim = f'kind = "matrix_algebra"\nbasis = {{ {matrices} }}\nstructure = {{ {structure} }}'
+    assert status(claim, symbols='a = "real"', domain=f'where = ["{where}"]') == expected

@@ -11,7 +11,7 @@ from canon.checker.case import Case
 from canon.checker.defined import unseen
 from canon.checker.followed import at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
-from canon.checker.positive import is_positive
+from canon.checker.positive import is_nowhere_zero, is_positive
 from canon.checker.shapes import is_smooth
 from canon.checker.statement import Statement
 
@@ -116,6 +116,7 @@ def average(s: Statement) -> Case:
     if s.verdict == "refuted":
         return replace(case, zeros=zeros, against=against)
     trusted = "that the motion stays in the domain" if not stays else "" if smooth else "that the motion has no pole"
+    trusted = trusted or ("" if is_nowhere_zero(s, stretch) else "that the stretch of time isn't empty")
     return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)], trusted=trusted)
 
 

@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from canon.checker.case import Case
-from canon.checker.everywhere import is_somewhere
+from canon.checker.everywhere import is_nearly
 from canon.checker.functions import Unknown
 from canon.checker.motion import Motion, formulas
 from canon.checker.positive import is_nowhere_zero
-from canon.checker.shapes import is_rational
 from canon.checker.statement import Statement
 
 Form = list[int]
@@ -35,7 +34,7 @@ def constraint(s: Statement) -> list[Case]:
     found += [_of_forms(s, m, forms, word) for word in ON_FORMS if word in asked]
     if "holonomic" in asked or "integrals" in asked:
         minors = _minors(s, forms)
-        sure = _is_sure(s, minors, (*m.q, m.t))
+        sure = is_nearly(s, minors, (*m.q, m.t))
         found.append(Case([], [minors], trusted="" if sure else "that the forms are independent nearly everywhere"))
     if "determined" in asked:
         found.append(_determined(s, m, forms))
@@ -49,13 +48,6 @@ def constraint(s: Statement) -> list[Case]:
     return found
 
 
-def _is_sure(s: Statement, minors: Sequence[int], names: Sequence[str]) -> bool:
-    """Whether minors of which one isn't 0 at a point are so nearly everywhere, whatever the parameters are."""
-    if all(is_rational(s, a, names) for a in minors):
-        return True
-    return any(is_nowhere_zero(s, a) or is_somewhere(s, a) for a in minors)
-
-
 def _of_forms(s: Statement, m: Motion, forms: Sequence[Form], word: str) -> Case:
     f, names = s.f, [*m.q, m.t]
     if word == "integrals":
@@ -63,7 +55,7 @@ def _of_forms(s: Statement, m: Motion, forms: Sequence[Form], word: str) -> Case
         own = [[f.slope(a, x) for x in names] for a in s.keys("integrals")]
         if len(own) != len(forms):
             raise Unknown("more or fewer integrals than forms")
-        trusted = "" if _is_sure(s, _minors(s, own), names) else "that the integrals are independent nearly everywhere"
+        trusted = "" if is_nearly(s, _minors(s, own), names) else "that the integrals are independent nearly everywhere"
         return Case([a for rows in stacked for a in _minors(s, rows)], [_minors(s, own)], trusted=trusted)
     if word == "holonomic":
         found = [a for form in forms for a in _wedge(s, form, forms, names)]
@@ -71,8 +63,7 @@ def _of_forms(s: Statement, m: Motion, forms: Sequence[Form], word: str) -> Case
         found = [x for form in forms for x in (form[-1], *(f.slope(a, m.t) for a in form[:-1]))]
     if s.claim[word] is True:
         return Case(found)
-    sure = word != "holonomic" or _is_sure(s, found, names)
-    trusted = "" if sure else "that the forms are integrable on no open part of the domain"
+    trusted = "" if is_nearly(s, found, names) else f"that the forms are {word} on no open part of the domain"
     return Case([], [found or [f.number(0)]], trusted=trusted)
 
 

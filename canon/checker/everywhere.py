@@ -7,15 +7,16 @@ values is 0 on an open set only if it is 0 everywhere: one value that isn't 0 sp
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import product
 
 from canon.checker.followed import FAILURES
 from canon.checker.functions import Unreadable
 from canon.checker.positive import is_nowhere_zero, is_positive
-from canon.checker.shapes import ENTIRE, has_complex, is_smooth
+from canon.checker.shapes import ENTIRE, has_complex, is_rational, is_smooth
 from canon.checker.statement import Statement
 
 TRIED = 6
-"""At so many points a formula is looked at."""
+"""At so many points, beside 0, a formula is looked at: whole numbers, and whole right angles."""
 SIDES = {"real", "positive", "negative", "nonnegative", "nonpositive"}
 
 
@@ -45,9 +46,17 @@ def is_exact(s: Statement, written: Sequence[int]) -> bool:
     return all(is_smooth(s, a, name, anywhere=False) for a in written for name in names)
 
 
-def is_somewhere(s: Statement, a: int) -> bool:
-    """Whether a quotient of entire functions of the coordinates isn't 0 at some point, whatever the parameters are."""
-    f, own = s.f, {*s.coordinates}
+def is_nearly(s: Statement, minors: Sequence[int], names: Sequence[str]) -> bool:
+    """Whether what isn't 0 at a point, one of these, is so nearly everywhere, whatever the parameters are."""
+    if all(is_rational(s, a, names) for a in minors):
+        return True
+    return any(is_nowhere_zero(s, a) or is_somewhere(s, a, names) for a in minors)
+
+
+def is_somewhere(s: Statement, a: int, names: Sequence[str] = ()) -> bool:
+    """Whether a quotient of entire functions of these names, or the coordinates, isn't 0 at some point, whatever the
+    parameters are."""
+    f, own = s.f, {*(names or s.coordinates)}
     if s.surface or has_complex(s, a):
         return False
     moving = [b for b in f.reach(a) if _moves(s, b, own)]
@@ -57,8 +66,9 @@ def is_somewhere(s: Statement, a: int) -> bool:
     if any(f.ops[c][0] == "^" and f.ops[c][2] < 0 and _moves(s, c, own) for c in f.reach(*inside)):
         return False
     under = [f.ops[b][1] for b in moving if f.ops[b][0] == "^" and f.ops[b][2] < 0]
-    for k in range(TRIED):
-        at = {name: f.number((7 * i * i + 3 * i + k * (i + 2)) % 11 + 1) for i, name in enumerate(s.coordinates, 1)}
+    for unit, k in product((f.number(1), f.mul(f.number("1/2"), f.node("s", "pi"))), range(-1, TRIED)):
+        places = (0 if k < 0 else (7 * i * i + 3 * i + k * (i + 2)) % 11 + 1 for i in range(1, len(own) + 1))
+        at = {name: f.mul(f.number(n), unit) for name, n in zip(names or s.coordinates, places, strict=True)}
         try:
             if all(_is_apart(s, f.substitute(b, at)) for b in (*under, a)):
                 return True

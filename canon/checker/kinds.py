@@ -17,6 +17,7 @@ from canon.checker import (
 )
 from canon.checker import obligations as mechanics
 from canon.checker.case import Case
+from canon.checker.everywhere import is_nearly
 from canon.checker.followed import at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.motion import Motion, formulas
@@ -74,7 +75,8 @@ def euler_lagrange(s: Statement) -> Case:
         return Case([f.sub(x, y) for x, y in zip(left, formulas(s, "equations"), strict=True)])
     images = dict(zip(m.a, formulas(s, "qddot"), strict=True))
     hessian = s.determinant([[f.slope(f.slope(L, x), y) for y in m.v] for x in m.v])
-    return Case([f.substitute(x, images) for x in left], [[hessian]])
+    trusted = "" if is_nearly(s, [hessian], [*m.q, *m.v, m.t]) else mechanics.FLAT
+    return Case([f.substitute(x, images) for x in left], [[hessian]], trusted=trusted)
 
 
 def noether(s: Statement) -> Case:

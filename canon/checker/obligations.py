@@ -8,7 +8,7 @@ from math import factorial
 
 from canon.checker.case import Case, whole
 from canon.checker.defined import unseen
-from canon.checker.everywhere import is_exact, is_somewhere
+from canon.checker.everywhere import is_exact, is_nearly
 from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.poisson import brackets
@@ -17,6 +17,8 @@ from canon.checker.ratios import multiple
 from canon.checker.regular import is_regular
 from canon.checker.shapes import is_rational, is_smooth, is_smooth_there
 from canon.checker.statement import Statement
+
+FLAT = "that the Hessian of L isn't 0 on a part of the domain, nor at any values of the parameters"
 
 
 def canonical(s: Statement) -> Case:
@@ -102,7 +104,8 @@ def new_hamiltonian(s: Statement) -> Case:
         zeros.append(f.add(f.slope(difference, u), f.sub(moved[0], f.mul(c, moved[1]))))
     labels = [*(bracket_labels(s) if s.direction != "implicit" else [f"b_{k}" for k in range(len(s.lagrange(s.new)))])]
     labels += [*(f"D(c, {u})" for u in (*s.coordinates, s.time)), *(f"residual_{u}" for u in s.coordinates)]
-    constant = s.direction == "implicit" or is_nowhere_zero(s, c) or _is_one_number(s, c) or _is_one(s, K)
+    apart = is_nowhere_zero(s, c) and (s.direction == "forward" or is_nowhere_zero(s, f.over(f.number(1), c)))
+    constant = s.direction == "implicit" or apart or _is_one_number(s, c) or _is_one(s, K)
     trusted = "" if constant else "that the scale vanishes nowhere"
     return Case(zeros, [[hessian(s) if s.direction == "implicit" else c]], labels=labels, trusted=trusted)
 
@@ -216,10 +219,8 @@ def independent(s: Statement) -> Case:
     rows = [[s.pull(s.f.slope(a, x)) for x in variables] for a in s.keys("functions")]
     columns = combinations(range(len(variables)), len(rows))
     minors = [s.determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
-    everywhere = all(is_rational(s, a, s.coordinates) for a in minors)
-    everywhere = everywhere or any(is_nowhere_zero(s, a) or is_somewhere(s, a) for a in minors)
     trusted = "that a minor, which is not 0 at some points, is not 0 on any component of the domain"
-    trusted = "" if everywhere else trusted
+    trusted = "" if is_nearly(s, minors, s.coordinates) else trusted
     return Case([], [minors or [s.f.number(0)]], trusted=trusted)
 
 
@@ -280,7 +281,9 @@ def legendre(s: Statement) -> Case:
     momenta = {p: f.slope(L, x) for p, x in zip(s.p, v, strict=True)}
     energy = f.sub(f.add(*(f.mul(f.node("s", x), y) for x, y in zip(v, momenta.values(), strict=True))), L)
     rows = [[f.slope(y, x) for x in v] for y in momenta.values()]
-    return Case([f.sub(f.substitute(s.H, momenta), energy)], [[s.determinant(rows)]], momenta)
+    hessian_of = s.determinant(rows)
+    trusted = "" if is_nearly(s, [hessian_of], [*s.q, *v, s.time]) else FLAT
+    return Case([f.sub(f.substitute(s.H, momenta), energy)], [[hessian_of]], momenta, trusted)
 
 
 KINDS: dict[str, Callable[[Statement], Case | list[Case]]] = {

@@ -144,6 +144,8 @@ class Values:
                 found = self._exp(x[0], op[3][0])
             elif name in ("jacobi_sn", "jacobi_cn", "jacobi_dn"):
                 found = self._jacobi(name, x)
+                if self.real and self.roots.is_above(self.f.sub(ONE, op[3][1])):  # dn is 0 nowhere where m is below 1
+                    self.roots.is_root(self._functions["jacobi_dn", (), *map(_frozen, x)], positive=True)
             else:
                 found = self._other(op, x, claimed)
             self._functions[key] = found

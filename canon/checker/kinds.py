@@ -168,8 +168,9 @@ def solves(s: Statement) -> Case:
     for op in (f.ops[a] for a in f.reach(*equations, *(s.pull(a) for a in f.unseen))):
         if op[0] == "f" and op[1] in solution:
             names, body = solution[op[1]]
-            s.written += f.at(body, dict(zip(names, (f.put_in(x, solution) for x in op[3]), strict=True)))
-    return Case([f.put_in(a, solution) for a in equations])
+            places = dict(zip(names, (f.put_in(x, solution) for x in op[3]), strict=True))
+            s.written += [s.pull(a) for a in f.at(body, places)]
+    return Case([s.pull(f.put_in(a, solution)) for a in equations])
 
 
 def _as_declared(s: Statement, name: str, body: int) -> Iterator[tuple[int, str]]:

@@ -1,7 +1,11 @@
 """Claims in old variables beside a map given backward, or by a generating function: its image is their domain."""
 
+import tomllib
+
 import pytest
 
+from canon.checker.check import check
+from canon.claims.certificate_data import certificate, statement_tables
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
 
@@ -116,3 +120,5 @@ solution = {{ "x(t)" = "{solution}" }}
 equations = ["{equation}"]
 """
     assert _status(text) == expected
+    (claim,) = read_text(text).claims
+    assert check(certificate(claim, verify(claim), statement_tables(tomllib.loads(text), 0))).status != "rejected"

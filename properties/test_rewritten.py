@@ -47,6 +47,13 @@ def test_a_wrong_verdict_would_be_noticed():
     assert {in_a_file(case, 1)[0], in_python(case, 1)[0]} == {"proved"}
 
 
+def test_a_witness_out_of_what_was_written_is_not_judged():
+    case = made(40011113)
+    assert case is not None
+    assert wrong(case, "refuted", {"x": "-9/2", "y": "-6/13"}, python=True) == ""
+    assert wrong(case, "refuted", {"x": "-9/2", "y": "-6/13"}, python=False) == "wrong witness: outside"
+
+
 def test_a_witness_is_evaluated():
     lhs, rhs = TURNS["tangent by an eighth"](x, y)
     equation = Equation(lhs, rhs, {}, {"x": (Fraction(0), None)})

@@ -16,6 +16,8 @@ from typing import Any, Final
 
 from canon.checker.functions import Unknown
 from canon.checker.statement import Statement
+from canon.decide.ring import TooCostly
+from canon.errors import BudgetExceeded
 from canon.report.coq_field import Fractions, Table
 from canon.report.coq_kernels import Kernel
 from canon.report.coq_text import RESERVED, operation, polynomial
@@ -105,6 +107,8 @@ def theorem(
     equal = [_relation(data["name"], data["relation"]) for data, k in zip(kernels, made, strict=True) if k.relation]
     fractions = Fractions(s.f, list(words), atoms, equal)
     shared = Definitions(fractions, words, atoms, targets)
+    if not all(_may_vanish(fractions, a) for a in targets):
+        raise Unknown("a residual that is 0 for some signs of its roots or moduli only, which the relations don't tell")
     factors = sorted(shared.factors)
     known = {*free, *(kernel.name for kernel in made if kernel.positive)}
     radicands = [_monic(fractions, fractions.polynomial(dict(kernel.radicand))) for kernel in made if kernel.radicand]
@@ -152,6 +156,14 @@ def theorem(
         "Qed.",
         "",
     ])  # fmt: skip
+
+
+def _may_vanish(fractions: Fractions, target: int) -> bool:
+    """Whether a residual is 0 by the relations alone, all that the theorem has; what is too long to tell is for Coq."""
+    try:
+        return not fractions.table(fractions.value(target)[0])
+    except (TooCostly, BudgetExceeded):
+        return True
 
 
 def _monic(fractions: Fractions, p: Any) -> Any:

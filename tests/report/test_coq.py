@@ -19,6 +19,7 @@ from canon.claims.verify import verify
 from canon.errors import InputError
 from canon.report.coq import HEAD, LIBRARY, coq_of
 from canon.report.coq_text import identifiers, polynomial, term, wrapped
+from tests.checker.certified import certified
 
 COQC = shutil.which("coqc")
 needs_coqc = pytest.mark.skipif(COQC is None, reason="coqc is not installed: apt-get install coq")
@@ -334,3 +335,13 @@ def test_an_inverse_that_is_written_otherwise_is_multiplied_by() -> None:
     leaves = {a: f.ops[a][1] for a in f.rational([product])[1]}
     assert term(f, product, leaves) == "x / y"
     assert term(f, product, {**leaves, inverse: "- 1 * z"}) == "x * (- 1 * z)"
+
+
+def test_what_is_0_for_some_signs_only_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A file that `coqc` would refuse: |q| q = q^2 doesn't follow from |q|^2 = q^2."""
+    monkeypatch.setattr("canon.report.coq.LONG", 0)
+    data = certified('[phase_space]\nq = ["q"]\np = ["p"]\n', "kind = 'identity'\nlhs = 'abs(q)*q'\nrhs = 'q**3/abs(q)'")
+    assert "all_vanish" in coq_of(data)
+    data["tables"]["claim"]["rhs"] = "q**2"
+    with pytest.raises(InputError, match="some signs of its roots or moduli only"):
+        coq_of(data)

@@ -89,5 +89,8 @@ class _Call(AppliedUndef):
 
 
 def function(name: str) -> Any:
-    """The function of this name, to be called with any arguments."""
-    return UndefinedFunction(name, bases=(_Call,))
+    """The function of this name, to be called with any arguments. It isn't equal to sympy's own of this name.
+
+    Equal ones would be one in sympy's cache: what it answers for the derivative of the other would come back here.
+    """
+    return UndefinedFunction(name, bases=(_Call,), by_places=True)

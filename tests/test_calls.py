@@ -87,3 +87,13 @@ def test_claims_of_mixed_derivatives(left, right, expected):
     verdict = verify(read_text(text).claims[0])
     assert verdict.status == expected
     assert "_" not in str(verdict.witness or "")
+
+
+def test_a_function_of_sympys_with_the_same_name_does_not_change_its_derivatives() -> None:
+    """Equal functions would share what sympy's cache holds: derivatives with names that sympy has left in them."""
+    x, a, s = sp.symbols("x a s", real=True)
+    places = (x * a, a * s, x + a)
+    assert sp.Function("shared")(*places).diff(x).diff(a).has(sp.Subs)
+    first, second = function("shared")(*places).diff(a).diff(x), function("shared")(*places).diff(x).diff(a)
+    assert not (first - second).expand().free_symbols - {x, a, s}
+    assert function("shared") != sp.Function("shared")

@@ -340,7 +340,9 @@ def test_an_inverse_that_is_written_otherwise_is_multiplied_by() -> None:
 def test_what_is_0_for_some_signs_only_is_not_written(monkeypatch: pytest.MonkeyPatch) -> None:
     """A file that `coqc` would refuse: |q| q = q^2 doesn't follow from |q|^2 = q^2."""
     monkeypatch.setattr("canon.report.coq.LONG", 0)
-    data = certified('[phase_space]\nq = ["q"]\np = ["p"]\n', "kind = 'identity'\nlhs = 'abs(q)*q'\nrhs = 'q**3/abs(q)'")
+    data = certified(
+        '[phase_space]\nq = ["q"]\np = ["p"]\n', "kind = 'identity'\nlhs = 'abs(q)*q'\nrhs = 'q**3/abs(q)'"
+    )
     assert "all_vanish" in coq_of(data)
     data["tables"]["claim"]["rhs"] = "q**2"
     with pytest.raises(InputError, match="some signs of its roots or moduli only"):

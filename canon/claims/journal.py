@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
+from canon.claims.certificate_path import certificate_path
 from canon.claims.remembered import fingerprint
 from canon.claims.worker import Entry, Settings
 from canon.errors import InputError
@@ -139,8 +140,6 @@ def fits(kind: str, record: Record, entry: Entry) -> bool:
 
 def _is_whole(kept: Journal, record: Record, entry: Entry) -> bool:
     """Whether the certificate that goes with an answer is there, where one is asked for: under this claim's name."""
-    from canon.report.certificate_file import certificate_path
-
     if kept.certificates is None or record.get("verdict") not in ("proved", "refuted"):
         return True
     path = certificate_path(kept.certificates, entry)

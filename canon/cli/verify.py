@@ -115,8 +115,7 @@ def execute(arguments: argparse.Namespace) -> int:
         return _refuse(error)
     results: dict[int, Record] = {}
     entries: list[Entry] = []
-    errors: list[Record] = []
-    order: dict[str, int] = {}
+    errors, order = list[Record](), dict[str, int]()
     terminal = not arguments.json and sys.stdout.isatty()
     interrupted, unasked = False, ""
     kept = memory(settings) if not (arguments.files or arguments.fresh) else None

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
-import re
 import tempfile
 from pathlib import Path
 from typing import Any
 
 from canon.claim import Claim
+from canon.claims.certificate_path import certificate_path
 from canon.claims.worker import Entry, text_of
 from canon.errors import InputError
 from canon.report.record import claim_record
 from canon.verdict import Verdict
-
-PLAIN = re.compile(r"(?:[\w][\w .-]*/)*[\w][\w .-]*")
 
 
 def certified(
@@ -48,18 +45,6 @@ def certified(
         except OSError as error:
             record["detail"]["certificate_error"] = f"{path} can't be written: {error.strerror or error}"
     return record, tables, data
-
-
-def certificate_path(folder: str, entry: Entry) -> Path:
-    """Where a claim's certificate goes: as its file is called, with the claim's number, below `folder`.
-
-    Of a file that isn't named by plain words below the working folder, the last word, and a hash of the whole name.
-    """
-    name = entry.file.removesuffix(".toml")
-    if not PLAIN.fullmatch(name) or ".." in name.split("/"):
-        mark = hashlib.sha256(entry.file.encode()).hexdigest()[:8]
-        name = f"{re.sub(r'[^A-Za-z0-9_.-]', '-', os.path.basename(name))[:80].lstrip('.')}-{mark}"
-    return Path(folder) / f"{name}.{entry.index + 1}.json"
 
 
 def write_certificate(path: Path, data: dict[str, Any]) -> None:

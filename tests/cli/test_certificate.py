@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from canon.claims.certificate_path import certificate_path
 from canon.claims.worker import Entry
 from canon.cli.main import main
-from canon.report.certificate_file import certificate_path
 
 FILE = """\
 [phase_space]

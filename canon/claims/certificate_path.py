@@ -1,0 +1,25 @@
+"""What the file of a claim's certificate is called."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+from pathlib import Path
+from typing import Final
+
+from canon.claims.worker import Entry
+
+PLAIN: Final = re.compile(r"(?:[\w][\w .-]*/)*[\w][\w .-]*")
+
+
+def certificate_path(folder: str, entry: Entry) -> Path:
+    """Where a claim's certificate goes: as its file is called, with the claim's number, below `folder`.
+
+    Of a file that isn't named by plain words below the working folder, the last word, and a hash of the whole name.
+    """
+    name = entry.file.removesuffix(".toml")
+    if not PLAIN.fullmatch(name) or ".." in name.split("/"):
+        mark = hashlib.sha256(entry.file.encode()).hexdigest()[:8]
+        name = f"{re.sub(r'[^A-Za-z0-9_.-]', '-', os.path.basename(name))[:80].lstrip('.')}-{mark}"
+    return Path(folder) / f"{name}.{entry.index + 1}.json"

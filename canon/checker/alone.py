@@ -215,7 +215,7 @@ class Claim:
             name = at.id[1:]
             if name in own or (name in self.texts and name not in self.variables):
                 return own[name] if name in own else self.known(self.texts[name])
-            if name[0] == "_" or "function" in self.words.get(name, ()):
+            if "function" in self.words.get(name, ()) or name not in {*self.names, *self.words, "pi"}:
                 raise Stop("not shown", f"what {name.strip('_')[:40]} is")
             return Formula(".", (name,))
         of, orders, x = at.func, (), [self.built(item, text, own) for item in at.args]

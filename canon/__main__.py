@@ -9,12 +9,21 @@ ROOM = 64 << 20
 CUT_SHORT = (
     ": a file that Python has compiled is cut short, as where the disk was full when it was written: remove the "
     f"folders __pycache__ below {os.path.dirname(os.path.abspath(__file__))!r}"
+    if sys.pycache_prefix is None
+    else f": a file that Python has compiled is cut short: remove the folder {sys.pycache_prefix!r}"
 )
+
+UNHEEDED = ("SYMPY_", "MPMATH_", "JAX_", "XLA_FLAGS", "MPLBACKEND", "MATPLOTLIBRC")
+"""How the variables begin by which libraries are made to compute otherwise, or to fail: a verdict depends on none."""
+HEEDED = ("JAX_PLATFORM", "JAX_COMPILATION_CACHE_", "JAX_PERSISTENT_CACHE_")
+"""Those that say where jax computes, and where it keeps what it has compiled."""
 
 
 def entry() -> None:
     """Run as a program. Ctrl-C, and an end that the system asks for, are heard while it is still being loaded, too."""
     _drop_the_working_folder()
+    for name in [name for name in os.environ if name.startswith(UNHEEDED) and not name.startswith(HEEDED)]:
+        del os.environ[name]
     import signal
 
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
@@ -63,11 +72,18 @@ def _is_short_of_room() -> bool:
     try:
         import resource
 
-        place = os.statvfs(os.path.dirname(__file__))
         limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+        place = os.statvfs(_nearest_folder(sys.pycache_prefix or os.path.dirname(os.path.abspath(__file__))))
     except (ImportError, OSError):
         return False
     return place.f_bavail * place.f_frsize < ROOM or limits[0] != resource.RLIM_INFINITY
+
+
+def _nearest_folder(path: str) -> str:
+    """The folder, or the nearest one above it that there is."""
+    while not os.path.isdir(path) and os.path.dirname(path) != path:
+        path = os.path.dirname(path)
+    return path or os.curdir
 
 
 if __name__ == "__main__":

@@ -217,9 +217,9 @@ def main() -> int:
             wrong.append({"attack": what[:200], "wrong": found})
             print(f"{what[:200]}: {found}", file=sys.stderr)
 
-    os.environ["PYTHONPATH"] = os.pathsep.join(
-        [str(Path(__file__).resolve().parents[1]), os.environ.get("PYTHONPATH", "")]
-    )
+    asked_for = os.environ.get("PYTHONPATH")  # an empty part of it would be the working folder, as one that is gone
+    home = str(Path(__file__).resolve().parents[1])
+    os.environ["PYTHONPATH"] = os.pathsep.join([home, asked_for]) if asked_for else home
     with (
         tempfile.TemporaryDirectory(prefix="attacks-") as place,
         chdir(place),

@@ -26,7 +26,7 @@ from canon.claims.worker import Entry, Settings
 from canon.errors import InputError
 
 Record = dict[str, Any]
-FORMAT: Final = 1
+FORMAT: Final = 2
 LARGEST: Final = 4_000_000
 KEPT: Final = 3
 """So many states of the deciders have their verdicts kept."""
@@ -44,6 +44,11 @@ class Memory:
     def entry(self, digest: str) -> Path:
         """The place of the verdicts about a file that says this."""
         return self.folder / (hashlib.sha256(f"{self.settings}\0{digest}".encode()).hexdigest() + ".json")
+
+    def name(self, digest: str) -> str:
+        """What the verdicts about such a file are called within the entry, too: one that lies in another's place is
+        none."""
+        return f"{self.folder.name}/{self.entry(digest).stem}"
 
 
 def memory(settings: Settings) -> Memory | None:
@@ -82,12 +87,13 @@ def recall(kept: Memory, path: str | os.PathLike[str], name: str) -> tuple[list[
     from canon.claims.journal import fits  # which names its answers by the same fingerprint
 
     try:
-        data = _content(kept.entry(document.digest(document.content(path))))
+        digest = document.digest(document.content(path))
+        data = _content(kept.entry(digest))
         if data is None:
             return None
         whole = json.loads(data)
         body = whole["body"]
-        if whole["checksum"] != _checksum(body) or body["format"] != FORMAT:
+        if whole["checksum"] != _checksum(body) or (body["format"], body["name"]) != (FORMAT, kept.name(digest)):
             return None
         claims = [
             Claim(c["kind"], None, title=c["title"], source=c["source"], expect=c["expect"], index=c["index"])
@@ -122,7 +128,7 @@ def remember(kept: Memory, digest: str, claims: Sequence[Claim], records: Sequen
     shown = [
         {"kind": c.kind, "title": c.title, "source": c.source, "expect": c.expect, "index": c.index} for c in claims
     ]
-    body = {"format": FORMAT, "claims": shown, "records": list(records)}
+    body = {"format": FORMAT, "name": kept.name(digest), "claims": shown, "records": list(records)}
     text = json.dumps({"checksum": _checksum(body), "body": body}, allow_nan=False)
     with contextlib.suppress(OSError, ValueError):
         place = kept.entry(digest)

@@ -8,6 +8,7 @@ import re
 import sys
 from typing import Final
 
+from canon.cli.files import files_below
 from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, Parser
 from canon.cli.spoken import complain, notation, shown
 
@@ -124,14 +125,11 @@ def cut(text: str) -> str:
 
 
 def _files(names: list[str]) -> list[str]:
-    """The files named, and every *.json below the folders named; a folder without one stands for itself."""
+    """The files named, and every *.json below the folders named; a folder without one stands for itself, and so does
+    one that can't be read."""
     found: list[str] = []
     for name in names:
-        below = [
-            os.path.join(parent, file)
-            for parent, _, files in sorted(os.walk(name))
-            for file in sorted(files)
-            if file.endswith(".json")
-        ]
-        found += below or [name]
+        unread: list[str] = []
+        below = list(files_below(name, ".json", lambda error, unread=unread: unread.append(str(error.filename))))
+        found += below + unread if os.path.isdir(name) and (below or unread) else [name]
     return found

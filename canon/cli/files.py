@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -52,6 +52,11 @@ def same_file(path: str, others: Iterable[str | None]) -> bool:
     return any(other is not None and os.path.realpath(path) == os.path.realpath(other) for other in others)
 
 
+def is_protected(path: str) -> bool:
+    """Whether there is such a file that may not be written, though its folder may: it could be replaced by another."""
+    return os.path.exists(path) and not os.access(path, os.W_OK)
+
+
 def _refused(name: str) -> bool:
     """Whether something is in the way of even looking: the reader says what."""
     try:
@@ -72,19 +77,40 @@ def _once(files: list[ClaimFile]) -> list[ClaimFile]:
 
 def _below(folder: str) -> tuple[list[ClaimFile], list[Missing]]:
     """Return the claim files below a folder, and the folders that could not be read. Links to folders are left out."""
-    found: list[ClaimFile] = []
     missing: list[Missing] = []
 
     def unreadable(error: OSError) -> None:
         missing.append(Missing(str(error.filename), f"this folder can't be read: {error.strerror}"))
 
-    for parent, folders, files in os.walk(folder, onerror=unreadable):
-        folders.sort()
-        for file in sorted(files):
-            if file.endswith(".toml"):
-                path = os.path.join(parent, file)
-                found.append(ClaimFile(path, Path(path)))
+    found = [ClaimFile(path, Path(path)) for path in files_below(folder, ".toml", unreadable)]
     return found, missing
+
+
+def files_below(folder: str, ending: str, unreadable: Callable[[OSError], object]) -> Iterator[str]:
+    """The files below a folder whose names end so, each folder's in alphabetical order before those of the folders in
+    it; links to folders are left out. Folders that can't be read are told to `unreadable`.
+
+    However deep folders lie in folders: `os.walk` of Python 3.11 calls itself for each.
+    """
+    waiting = [folder]
+    while waiting:
+        parent = waiting.pop()
+        try:
+            with os.scandir(parent) as entries:
+                inside = sorted(entries, key=lambda entry: entry.name)
+        except OSError as error:
+            error.filename = parent
+            unreadable(error)
+            continue
+        yield from (entry.path for entry in inside if entry.name.endswith(ending) and not _is_folder(entry, True))
+        waiting += [entry.path for entry in reversed(inside) if _is_folder(entry, False)]
+
+
+def _is_folder(entry: os.DirEntry[str], through_links: bool) -> bool:
+    try:
+        return entry.is_dir(follow_symlinks=through_links)
+    except OSError:
+        return False
 
 
 def _nearest(name: str) -> str:

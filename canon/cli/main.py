@@ -17,9 +17,10 @@ from functools import partial
 from typing import Final
 
 import canon
-from canon.__main__ import CUT_SHORT
+from canon.__main__ import CUT_SHORT, HEEDED
 from canon.cli import actions, algebra, certificate, cost, hard, scenes, simulate, verify
-from canon.cli.parser import NO_RESOURCES, NOT_WRITTEN, Parser
+from canon.cli.parser import FLAW, NO_RESOURCES, NOT_WRITTEN, Parser
+from canon.cli.spoken import shown
 from canon.interruption import Left, heeding, left_behind, raising
 
 COMMANDS: Final = {
@@ -122,6 +123,21 @@ def _open_what_is_closed() -> None:
             setattr(sys, name, open(number, mode, encoding="utf-8", closefd=False))  # noqa: SIM115
 
 
+def _flaw(error: Exception) -> str:
+    """What is said of an error that nobody has foreseen: on one line, with the place in canon that it came from, and
+    the variables that libraries heed; where `CANON_TRACEBACK` is set, as Python says it."""
+    if os.environ.get("CANON_TRACEBACK"):
+        return "".join(traceback.format_exception(error)).rstrip()
+    home = os.path.dirname(os.path.abspath(canon.__file__))
+    frames = traceback.extract_tb(error.__traceback__)
+    ours = [frame for frame in frames if frame.filename.startswith(home)] or list(frames)
+    place = f" ({os.path.relpath(ours[-1].filename, home)}, line {ours[-1].lineno})" if ours else ""
+    heeded = ", ".join(f"{name}={value}" for name, value in os.environ.items() if name.startswith(HEEDED))
+    cause = shown(f"It may be for {heeded}")[:300] if heeded else "It is a flaw of canon's, or of a library's"
+    words = shown(f"{type(error).__name__}: {error}")[:500]
+    return f"canon: stopped by an internal error, {words}{place}. {cause}: CANON_TRACEBACK=1 says more"
+
+
 def entry() -> None:
     """Run as a program: the exit status goes to the shell; Ctrl-C, and a reader that hangs up, are no errors."""
     _open_what_is_closed()
@@ -150,22 +166,26 @@ def entry() -> None:
             print(f"canon: {error}{CUT_SHORT}", file=sys.stderr, flush=True)
         os._exit(NO_RESOURCES)
     except (MemoryError, RuntimeError, ImportError) as error:
-        if isinstance(error, RuntimeError) and str(error) != "can't start new thread":
-            raise
         words = " ".join(str(error).split())[:300]
+        refused = not isinstance(error, RuntimeError) or words.startswith(
+            ("can't start new thread", "RESOURCE_EXHAUSTED")
+        )
+        said = f"canon: the system gave no more: {words or 'out of memory'}" if refused else _flaw(error)
         with contextlib.suppress(OSError):
-            print(f"canon: the system gave no more: {words or 'out of memory'}", file=sys.stderr, flush=True)
-        os._exit(NO_RESOURCES)
+            sys.stdout.flush()
+        with contextlib.suppress(OSError):
+            print(said, file=sys.stderr, flush=True)
+        os._exit(NO_RESOURCES if refused else FLAW)
     except (KeyboardInterrupt, Left):
         with contextlib.suppress(OSError):
             print("canon: interrupted", file=sys.stderr, flush=True)
         os._exit(verify.INTERRUPTED)  # an orderly end of large libraries takes half a second
-    except Exception:
-        if not left_behind():
-            raise
-        # Python's orderly end takes the interpreter from compiled code that is still running, which then aborts
-        traceback.print_exc()
-        os._exit(1)
+    except Exception as error:
+        with contextlib.suppress(OSError):
+            sys.stdout.flush()
+        with contextlib.suppress(OSError):
+            print(_flaw(error), file=sys.stderr, flush=True)
+        os._exit(FLAW)  # Python's own status is that of a refuted claim
     # compiled code that nobody waits for would be in the way of an orderly end; and Python has a status of its own
     # where an interruption met a text that is executed, as for a namedtuple
     if left_behind() or status == verify.INTERRUPTED:

@@ -12,6 +12,8 @@ from typing import Any, NoReturn
 from canon.cli.spoken import shown
 
 BAD_INPUT = 3
+FLAW = 70
+"""The exit status of an error that nobody has foreseen (EX_SOFTWARE of sysexits)."""
 NO_RESOURCES = 71
 """The exit status where the system gives no more memory, files or processes (EX_OSERR of sysexits)."""
 NOT_WRITTEN = 74

@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
-from canon.cli.files import same_file
+from canon.cli.files import is_protected, same_file
 from canon.cli.parser import NOT_WRITTEN, positive, seconds
 from canon.cli.refusal import refused
 from canon.cli.spoken import complain, notation, shown
@@ -198,6 +198,8 @@ def check_folder(option: str, path: str | None, *others: str | None) -> None:
         raise InputError(f"there is no folder {folder!r} to write to", option)
     if not os.access(folder, os.W_OK) or (os.path.exists(path) and not os.path.isfile(path)):
         raise InputError(f"{path!r} can't be written, or is no regular file", option)
+    if is_protected(path):
+        raise InputError(f"{path!r} is there, and is protected against being written over", option)
 
 
 class _watched:  # noqa: N801 - a context manager that reads as a word

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable
 from typing import Any, Final
 
-from canon.cli.files import same_file
+from canon.cli.files import is_protected, same_file
 from canon.cli.spoken import notation
 
 Record = dict[str, Any]
@@ -29,6 +29,8 @@ def no_proof_file(name: str, others: Iterable[str | None] = ()) -> str:
         return f"{name!r} is a folder" if os.path.isdir(name) else f"there is no folder {folder!r}"
     if os.path.exists(name) and not os.path.isfile(name):
         return f"{name!r} is no regular file"
+    if is_protected(name):
+        return f"{name!r} is there, and is protected against being written over"
     return "" if os.access(folder, os.W_OK) else f"{folder!r} can't be written to"
 
 

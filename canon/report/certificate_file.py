@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import tempfile
@@ -58,7 +59,8 @@ def write_certificate(path: Path, data: dict[str, Any]) -> None:
         os.chmod(temporary, 0o666 & ~_mask())
         os.replace(temporary, path)
     except BaseException:
-        os.unlink(temporary)
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)
         raise
 
 

@@ -32,11 +32,18 @@ def recorder(settings: Settings) -> Recorder:
 
 
 def _record(folder: str | None, notation: str | None, entry: Entry, claim: Claim, verdict: Verdict) -> Record:
+    """The record. A verdict is worth more than what is written of it, and stands whatever happens meanwhile."""
     from canon.report.certificate_file import certified
 
-    record, tables, data = certified(folder, entry, claim, verdict)
-    if notation is not None and tables:
-        record["proof"] = rendered(notation, record, tables, data)
+    record = None
+    try:
+        record, tables, data = certified(folder, entry, claim, verdict)
+        if notation is not None and tables:
+            record["proof"] = rendered(notation, record, tables, data)
+    except Exception as error:
+        record = claim_record(entry, claim, verdict) if record is None else record
+        words = f"{type(error).__name__}: {' '.join(str(error).split())[:300]}"
+        record["detail"]["certificate_error"] = f"{entry.file}: stopped by an internal error, {words}"
     return record
 
 

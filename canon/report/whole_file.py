@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import os
 import tempfile
 from collections.abc import Callable
@@ -24,7 +26,8 @@ def atomically(path: str | os.PathLike[str], write: Callable[[IO[bytes]], object
         os.chmod(name, 0o666 & ~umask)
         os.replace(name, target)
     except BaseException:
-        os.unlink(name)
+        with contextlib.suppress(OSError):  # it may be in its place already
+            os.unlink(name)
         raise
 
 
@@ -34,6 +37,11 @@ def written(path: str | os.PathLike[str], text: str) -> None:
 
 
 def figure_written(path: str | os.PathLike[str], figure: Any) -> None:
-    """Write matplotlib's figure as a whole, in the format that the ending of its name says. **Raises:** `OSError`."""
+    """Write matplotlib's figure as a whole, in the format that the ending of its name says. **Raises:** `OSError`.
+
+    It is drawn in memory first: where the disk is full in the middle of a PDF, its compressor has an error of its own.
+    """
     ending = os.path.splitext(path)[1].removeprefix(".").lower()
-    atomically(path, lambda file: figure.savefig(file, dpi=150, format=ending))
+    drawn = io.BytesIO()
+    figure.savefig(drawn, dpi=150, format=ending)
+    atomically(path, lambda file: file.write(drawn.getbuffer()))

@@ -128,7 +128,7 @@ def test_a_monitor_is_left_and_the_run_reported(
     assert states.exists()
 
 
-def test_an_error_beside_work_that_was_left_ends_the_process_by_itself(
+def test_an_unforeseen_error_ends_the_process_by_itself(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """An orderly end would take the interpreter from compiled code that still runs, and abort with status 134."""
@@ -141,13 +141,12 @@ def test_an_error_beside_work_that_was_left_ends_the_process_by_itself(
 
     monkeypatch.setattr(command, "main", fails)
     monkeypatch.setattr(os, "_exit", ended)
-    with pytest.raises(ZeroDivisionError):
-        command.entry()
-    monkeypatch.setattr(command, "left_behind", lambda: True)
-    with pytest.raises(SystemExit) as end:
-        command.entry()
-    assert end.value.code == 1
-    assert "ZeroDivisionError: as it was" in capsys.readouterr().err
+    for left in (False, True):
+        monkeypatch.setattr(command, "left_behind", lambda left=left: left)
+        with pytest.raises(SystemExit) as end:
+            command.entry()
+        assert end.value.code == 70
+        assert "ZeroDivisionError: as it was" in capsys.readouterr().err
 
 
 def test_a_closed_terminal_is_heard_as_ctrl_c(release: threading.Event) -> None:

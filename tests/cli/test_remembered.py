@@ -119,6 +119,25 @@ def test_a_tampered_verdict_is_ignored(catalogue, asked, capsys, tmp_path, one, 
     assert asked == [2, 2]
 
 
+def test_an_entry_in_the_place_of_another_is_none(catalogue, asked, capsys, tmp_path, monkeypatch) -> None:
+    """It is whole, and has the right checksum, but is about another file, or of another state of the deciders."""
+    first = _answers(capsys)
+    (old,) = (tmp_path / "cache/canon/verdicts/this state").iterdir()
+    kept = old.read_text()
+    catalogue.write_text(CLAIMS.replace('"false"', '"wrong"'))
+    second = _answers(capsys)
+    (new,) = set(old.parent.iterdir()) - {old}
+    new.write_text(kept)
+    assert _answers(capsys) == second != first
+    monkeypatch.setattr(remembered, "fingerprint", lambda: "another state")
+    catalogue.write_text(CLAIMS)
+    there = tmp_path / "cache/canon/verdicts/another state"
+    there.mkdir()
+    (there / old.name).write_text(kept)
+    assert _answers(capsys) == first
+    assert asked == [2, 2, 2, 2]
+
+
 def test_without_a_folder_nothing_is_lost(catalogue, asked, capsys, tmp_path) -> None:
     (tmp_path / "cache").write_text("no folder")
     first = _answers(capsys)

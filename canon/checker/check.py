@@ -83,7 +83,8 @@ class _Check:
 
     def run(self) -> list[str]:
         """What has to be taken on trust. Raises Rejected."""
-        return [*(f"what the key {key!r} says, which there is no rule for" for key in self.unread), *self._run()]
+        unread = (f"what the key {key!r} says, which there is no rule for" for key in self.unread)
+        return [*unread, *self._run(), *self.s.trusted]
 
     def _run(self) -> list[str]:
         witness = self.data.get("witness")

@@ -26,6 +26,9 @@ from canon.checker.shapes import SMOOTH, is_rational
 from canon.checker.stated import BOTH, MAPPED, SQUARE
 from canon.checker.statement import Statement
 
+ALONG = ("action", "average", "frequency", "stationary")
+"""Kinds about paths and orbits: beside a map given backward, or a generating function, those in its image."""
+ON_ITS_IMAGE = "that what the claim speaks of lies in the image of the file's map"
 FEW = 3
 """Of so many degrees of freedom a determinant is written down."""
 
@@ -35,7 +38,10 @@ def obligations(s: Statement) -> list[Case]:
     kind = str(s.claim["kind"])
     if kind not in KINDS:
         raise Unknown(f"claims of kind {kind[:40]!r} are not known to the checker")
+    beside = s.direction in ("implicit", "backward") and (kind in ALONG or _varies(s, kind))
     found = KINDS[kind](s)
+    if beside:
+        s.trusted.append(ON_ITS_IMAGE)
     found = found if isinstance(found, list) else [found]
     if kind not in (*MAPPED, *SQUARE):
         regular = _regular(s)
@@ -47,6 +53,16 @@ def obligations(s: Statement) -> list[Case]:
                 for case in found:
                     case.against = case.against or "that the map has an inverse near the point"
     return found
+
+
+def _varies(s: Statement, kind: str) -> bool:
+    """Whether a claim varies an old variable, or a name that occurs in what all claims of the file share."""
+    if kind not in ("integral", "limit"):
+        return False
+    shared = [*s.written, *s.old, *s.new, *s.images.values(), *(a for a, _ in s.conditions)]
+    shared += [s.generating[1]] if s.direction == "implicit" else []
+    name = str(s.claim["variable"])
+    return name in {*s.q, *s.p} or any(s.f.ops[b] == ("s", name) for b in s.f.reach(*shared))
 
 
 def _regular(s: Statement) -> list[list[int]]:

@@ -71,6 +71,7 @@ class Statement:
         self.declared = {*self.words, *self.q, *self.p, *self.Q, *self.P}
         self.time, self.names, self.written = space.get("time", "t"), dict[str, int](), list[int]()
         self.added: list[int] = []  # formulas that the certificate says of what the claim leaves open
+        self.trusted: list[str] = []  # what the claim's place beside a map takes on trust, whatever its verdict
         self.bracketed: list[str] = []  # coordinates of a bracket that isn't the canonical one
         later = {*tables.get("definitions", {})}
         for name, text in tables.get("definitions", {}).items():

@@ -2,15 +2,23 @@
 
 What the map demands is said in new or mixed variables: with q = exp(Q) a claim is one about q > 0. Local claims are
 decided in the old variables all over, so that what holds everywhere holds on the image, and what fails has to fail
-there too. Limits, ranges, paths and orbits may leave the image, and then there is nothing to claim.
+there too. Limits, ranges, paths and orbits may leave the image, and then there is nothing to claim. Where the image is
+all of the domain (`canon.claims.whole_image`), or all but places that the claim doesn't come to, they are claims
+without the map.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
+import sympy as sp
+
+from canon.claims.off_the_centre import stays_off
 from canon.claims.outcome import Outcome
+from canon.claims.whole_image import WholeImage, whole_image, without_map
+from canon.decide.tape import Tape
 from canon.expression import Formula
 
 if TYPE_CHECKING:
@@ -30,10 +38,52 @@ NOTE: Final = (
     "the file's map has only its image for a domain in the old variables, and it isn't seen that this claim is one "
     "about points of it. Leave the map out of this claim's file"
 )
+LEFT_OUT: Final = (
+    "the image of the file's map leaves out {places}, and it isn't seen that the claim doesn't come there. Leave the "
+    "map out of this claim's file"
+)
+WHOLE: Final = "the map's image is the whole domain in the old variables"
 
 
-def on_image(question: Question, outcome: Outcome) -> Outcome:
-    """The outcome; undecided where it isn't seen to be one about the image of the file's map."""
+def without_its_map(question: Question) -> tuple[Question | None, WholeImage | None]:
+    """The question without the file's map, where it is seen to be the same, and what is seen of the image.
+
+    None for claims that say something at each point, or of new variables.
+    """
+    claim = question.claim
+    along = claim.kind in ALONG or (claim.kind in VARYING and _is_of_the_map(question))
+    if not along or question.chart.direction not in ("backward", "implicit") or question.key("virial") is not None:
+        return None, None
+    if _names(claim.keys) & {*question.space.new}:
+        return None, None
+    seen = whole_image(question)
+    if seen is None or not stays_off(question, seen.left_out):
+        return None, seen
+    return replace(question, claim=replace(claim, subject=without_map(question)), tape=Tape()), seen
+
+
+def grounds(seen: WholeImage, outcome: Outcome) -> Outcome:
+    """The outcome of a claim without its map, with what that rests on."""
+    if outcome.status not in ("proved", "refuted"):
+        return outcome
+    left = tuple(f"{place}, where the claim doesn't come" for place in seen.left_out)
+    step = {"theorem": WHOLE, "inverse": seen.inverse, **({"but for": left} if left else {})}
+    return replace(outcome, arguments=(*outcome.arguments, step))
+
+
+def _names(value: Any) -> set[Any]:
+    """The names in a key's value."""
+    if isinstance(value, Mapping):
+        return {name for item in (*value.keys(), *value.values()) for name in _names(item)}
+    if isinstance(value, (list, tuple)):
+        return {name for item in value for name in _names(item)}
+    expression = value.expr if isinstance(value, Formula) else value
+    return {*expression.free_symbols} if isinstance(expression, sp.Basic) else set()
+
+
+def on_image(question: Question, outcome: Outcome, seen: WholeImage | None = None) -> Outcome:
+    """The outcome; undecided where it isn't seen to be one about the image of the file's map, of which so much is
+    `seen`."""
     kind = question.claim.kind
     if (
         outcome.status not in ("proved", "refuted")
@@ -44,7 +94,9 @@ def on_image(question: Question, outcome: Outcome) -> Outcome:
     if kind in LOCAL and outcome.status == "proved":
         return outcome
     if kind in ALONG or (kind in VARYING and _is_of_the_map(question)):
-        return Outcome("undecided", note=NOTE)
+        places = () if seen is None else seen.left_out
+        left_out = LEFT_OUT.format(places=" and ".join(map(str, places)))
+        return Outcome("undecided", note=left_out if places else NOTE)
     return outcome if outcome.status == "proved" or _fails_there(question, outcome) else Outcome("undecided", note=NOTE)
 
 

@@ -14,7 +14,7 @@ from canon.claims.confined import unconfined
 from canon.claims.kinds import Kind, kind_named
 from canon.claims.matters import mattering
 from canon.claims.no_numbers import sampled_only
-from canon.claims.on_image import on_image
+from canon.claims.on_image import grounds, on_image, without_its_map
 from canon.claims.outcome import Outcome
 from canon.claims.own_names import are_continuous
 from canon.claims.question import Question
@@ -134,7 +134,7 @@ def _apart(claim: Claim, settings: Settings) -> Verdict:
 def _answer(decide: Kind, question: Question) -> Outcome:
     """What the kind says; a budget spent, or what the deciders don't know, is `undecided` and says so."""
     try:
-        outcome = on_image(question, unconfined(question, decide(question)))
+        outcome = _decided(decide, question)
     except BudgetExceeded as reason:
         return Outcome("undecided", note=str(reason))
     except Unsupported as reason:
@@ -144,6 +144,14 @@ def _answer(decide: Kind, question: Question) -> Outcome:
     except Contradiction as reason:
         return alarm_within(str(reason))
     return sampled_only(outcome) if question.method == "numeric" else outcome
+
+
+def _decided(decide: Kind, question: Question) -> Outcome:
+    """What the kind says, of a claim without the file's map where its domain is the same."""
+    alone, seen = without_its_map(question)
+    if alone is None or seen is None:
+        return on_image(question, unconfined(question, decide(question)), seen)
+    return grounds(seen, decide(alone))
 
 
 def _verdict(question: Question, outcome: Outcome, seconds: float) -> Verdict:

@@ -42,7 +42,7 @@ H = "L**2/2 - cos(a)"
 ALONE = (
     OSCILLATOR.partition("[transformation]")[0].replace('Q = ["w"]\nP = ["J"]\n', "").replace('J = "positive"\n', "")
 )
-"""Without the map given backward: of orbits beside one nothing is decided."""
+"""Without the map given backward, of whose image the checker knows nothing."""
 KEYS = 'coordinate = "q"\nenergy = "E"\n'
 CLAIMS = {
     "action": (ALONE, f'kind = "action"\n{KEYS}equals = "2*pi*E*sqrt(m)/k"'),
@@ -76,6 +76,15 @@ def test_what_is_measured_is_evidence(name: str) -> None:
         return
     # in closed form, or by elliptic integrals; an angle's period is an identity
     assert (data["verdict"], answer.status) == ("proved", "confirmed")
+
+
+@pytest.mark.parametrize("name", ["action", "wrong action", "frequency"])
+def test_beside_the_map_its_image_is_taken_on_trust(name: str) -> None:
+    data = certified(OSCILLATOR, CLAIMS[name][1])
+    assert data["verdict"] == ("refuted" if name.startswith("wrong") else "proved")
+    answer = check(data)
+    assert answer.status == "confirmed in part"
+    assert answer.reasons == ("that what the claim speaks of lies in the image of the file's map",)
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,7 @@ import sympy as sp
 
 from canon.budget import BudgetExceeded
 from canon.claims.approach import approaching, limit_of, signs_on
+from canon.claims.some_function import bare_call, some_function_has
 from canon.claims.velocities import region_in_velocities
 from canon.decide.derivative import derivative, substitute
 from canon.decide.enclosure import evaluate, precision
@@ -71,6 +72,7 @@ def range_of(question: Question, x: sp.Symbol, low: End, high: End, formulas: Se
     _ordered(question, found)
     _assumed(question, found)
     stays_in_domain(question, found, found.demanded, formulas)
+    functions_exist(question, found, found.demanded)
     return found
 
 
@@ -84,6 +86,16 @@ def stays_in_domain(
     for requirement in demanded:
         if (requirement.kind, requirement.nodes) not in known and not holds(question, requirement, span.inside, span):
             raise Unproved(f"it isn't shown that {requirement.text} all along the range, as the file demands")
+
+
+def functions_exist(question: Question, span: Range, demanded: Sequence[Requirement]) -> None:
+    """There must be functions with the values that are demanded along the range. **Raises:** `Unproved`."""
+
+    def shown(requirement: Requirement) -> bool:
+        return holds(question, requirement, span.inside)
+
+    if not some_function_has(question.tape, demanded, span.others.requirements, shown):
+        raise Unproved("no function was found that has all the values demanded of it along the range")
 
 
 def _ordered(question: Question, span: Range) -> None:
@@ -161,9 +173,8 @@ def _affine_in_wave(question: Question, node: Node, region: Region, *, strict: b
 def holds(question: Question, requirement: Requirement, region: Region, span: Range | None = None) -> bool:
     """Whether a condition is shown to hold throughout a region, that inside of a range where one is given."""
     tape, first = question.tape, requirement.nodes[0]
-    bare = tape.ops[first][2][0][0] if tape.ops[first][0] == "+" and len(tape.ops[first][2]) == 1 else first
-    if tape.ops[bare][0] == "u" and requirement.kind in ("positive", "nonzero"):
-        return tape.ops[first][0] == "u" or not tape.ops[first][1]  # the claim is one of functions with such values
+    if requirement.kind in ("positive", "nonzero") and bare_call(tape, first) is not None:
+        return True  # the claim is one of functions with such values: `functions_exist`
 
     def positive(node: Node) -> bool:
         if tape.is_complex(node):

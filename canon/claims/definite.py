@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from dataclasses import replace
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from canon.budget import Budget, BudgetExceeded
@@ -16,10 +17,11 @@ from canon.decide.ball_quadrature import BITS, FAILURES, enclosed
 from canon.decide.derivative import derivative
 from canon.decide.enclosure import evaluate, excludes_zero, precision
 from canon.decide.power_series import Unexpanded
-from canon.decide.region import Region
+from canon.decide.region import Region, Requirement
 from canon.decide.sample import ball_point
 from canon.decide.search import samples
-from canon.decide.tape import Node, Unsupported
+from canon.decide.tape import Node, Tape, Unsupported
+from canon.domain import Domain, conditions_of
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.verdict import Evidence
@@ -70,11 +72,41 @@ def exact_value(question: Question, span: Range, f: Node, F: Formula) -> tuple[L
     return ends[0], ends[1], outcome
 
 
+def _unseen(question: Question, span: Range, f: Node) -> Requirement | None:
+    """What is demanded along the range, isn't shown there, and has gone from the integrand, as u > 0 from √u².
+
+    At points of the other names where it fails there is no integral; a quadrature of what is left has a value all the
+    same.
+    """
+    tape = question.tape
+    met = {_unscaled(tape, r) for r in Region.of(tape, Domain(conditions_of(tape.to_sympy(f)))).requirements}
+    for requirement in span.demanded:
+        if _unscaled(tape, requirement) not in met and not holds(question, requirement, span.inside, span):
+            return requirement
+    return None
+
+
+def _unscaled(tape: Tape, r: Requirement) -> tuple[str, tuple[Node, ...]]:
+    """The condition's kind and nodes, sums without a common factor: 4 − 4u² > 0 says what 1 − u² > 0 does."""
+    nodes = []
+    for node in r.nodes:
+        kind, *parts = tape.ops[node]
+        if kind == "+" and parts[1]:
+            first = Fraction(parts[1][0][1])
+            factor = first if r.kind == "nonzero" else abs(first)
+            node = tape.add([(inner, c / factor) for inner, c in parts[1]], parts[0] / factor)
+        nodes.append(node)
+    return r.kind, tuple(nodes)
+
+
 def at_points(question: Question, span: Range, f: Node, equals: Node, budget: Budget) -> Outcome:
     """The integral enclosed at points of the other names: refuted by one of them, else supported."""
     tape = question.tape
     if tape.functions_of([f, equals]):
         return Outcome("undecided", note="arbitrary functions have no quadrature")
+    unseen = _unseen(question, span, f)
+    if unseen is not None:
+        return Outcome("undecided", note=f"it isn't shown that {unseen.text}, and no quadrature meets it")
     ends = [question.load(end) for end in (span.low, span.high) if not isinstance(end, str)]
     x = tape.symbol(span.x)
     names = sorted(set().union(*(tape.support(n) for n in (f, equals, *ends))) - {x})

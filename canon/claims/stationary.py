@@ -13,7 +13,15 @@ from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from canon.budget import BudgetExceeded
-from canon.claims.along_a_range import Range, Unproved, holds, is_positive, range_of, stays_in_domain
+from canon.claims.along_a_range import (
+    Range,
+    Unproved,
+    functions_exist,
+    holds,
+    is_positive,
+    range_of,
+    stays_in_domain,
+)
 from canon.claims.determinant import determinant
 from canon.claims.jacobi_fields import Accessory, Fields, classified_by_fields
 from canon.claims.outcome import Outcome, Residual, combined
@@ -115,6 +123,7 @@ def _span(question: Question, L: Formula, path: Sequence[Formula], jets: Motion,
     for r in question.region(L, images=images).requirements:  # what is assumed of the names that the path replaces
         if (r.kind, r.nodes) not in known and not holds(question, r, span.inside, span):
             raise Unproved(f"it isn't shown that {r.text} all along the path")
+    functions_exist(question, span, (*pulled, *there))
     return replace(span, demanded=(*pulled, *there))
 
 

@@ -121,6 +121,11 @@ def test_the_kepler_ellipse_in_the_eccentric_anomaly(status, f, equals, expected
     assert found == expected
 
 
+def test_a_clock_that_jumps_is_none(status):
+    back = 'q = "u", p = "0", t = "atan2(sin(u), cos(u))"'  # from pi back to -pi
+    assert status(_motion("q", "pi", back, "u")) == "undecided"
+
+
 def test_a_motion_there_and_back_has_no_average(status):
     back = 'q = "A*sin(w*sin(u))", p = "m*A*w*cos(w*sin(u))", t = "sin(u)"'  # 0 = equals * 0, whatever is claimed
     claim = _motion("q", "7", back, "u", "pi")

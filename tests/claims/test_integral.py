@@ -175,6 +175,47 @@ def test_arbitrary_functions(status):
     assert status(claim, symbols=SYMBOLS, domain='where = ["a < b"]') == "proved"
 
 
+@pytest.mark.parametrize(
+    ("f", "equals"),
+    [
+        ("sqrt(1 - k*q)**2", "abs(1 - k/2)"),  # true: for k > 1 there is no integrand all along the range
+        ("exp(log(q - k))", "abs(1/2 - k)"),
+        ("1 + 0*elliptic_k(k*q)", "sign(1 - k)"),
+        ("1 + 0*log(q - 1/2)", "7"),
+        ("q/q", "7"),
+    ],
+)
+@pytest.mark.parametrize("method", ["all", "numeric"])
+def test_what_is_demanded_and_has_gone_from_the_integrand_is_shown_before_a_quadrature(ask, f, equals, method):
+    (verdict,) = ask(
+        _claim(f, "q", "-1/4" if f == "q/q" else "0", "1", equals), symbols=SYMBOLS, options={"method": method}
+    )
+    assert verdict.status == "undecided"
+    assert "no quadrature meets it" in verdict.detail["note"]
+
+
+def test_what_is_demanded_and_stands_in_the_integrand_is_met_by_a_quadrature(status):
+    claim = _claim("sqrt(4 - 4*k**2*q**2)*exp(-q**2)", "q", "0", "1", "7")
+    assert status(claim, symbols=SYMBOLS) == "refuted"
+    assert status(_claim("abs(q - k)*exp(q**2)", "q", "0", "1", "1"), symbols=SYMBOLS) == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("f", "equals", "expected"),
+    [
+        ("sqrt(V(q))**2/V(q)", "1", "proved"),
+        ("sqrt(V(q))**2/V(q) + sqrt(-V(q))**2/V(q)", "0", "undecided"),  # no function is both
+        ("sqrt(V(q))**2/V(q) + sqrt(-V(1-q))**2/V(1-q)", "0", "undecided"),
+        ("sqrt(V(q))**2/V(q)", "1 + 0*sqrt(-V(1/2))", "undecided"),
+        ("sqrt(V(q))**2/V(q) + 0*sqrt(-D(V(q), q)) + 0/D(V(q), q, 2)", "1", "proved"),  # exp(-q)
+        ("sqrt(-D(V(q), q))**2/D(V(q), q)", "-1 + 0*sqrt(V(1) - V(0))", "undecided"),  # it falls, and would grow
+        ("sqrt(-D(V(q), q))**2/D(V(q), q)", "-1 + 0*sqrt(V(0) - V(1))", "proved"),
+    ],
+)
+def test_a_claim_of_functions_with_values_is_one_of_functions_that_there_are(status, f, equals, expected):
+    assert status(_claim(f, "q", "0", "1", equals), symbols=SYMBOLS) == expected
+
+
 def test_the_answer_names_the_antiderivative_and_the_value(ask):
     (verdict,) = ask(_claim("q**2", "q", "0", "a", "a**3/4"), symbols=SYMBOLS)
     assert verdict.detail["antiderivative"] == "q**3/3"

@@ -59,3 +59,12 @@ class Budget:
         if not 0 <= fraction <= 1:
             raise ValueError(f"a share is between 0 and 1, not {fraction!r}")
         return Budget(self.left() * fraction if fraction else 0.0, self._look)
+
+
+def is_budget(seconds: object) -> bool:
+    """Whether a `Budget` of so many seconds can be made."""
+    try:
+        Budget(seconds)  # pyright: ignore[reportArgumentType] - that is asked here
+    except (TypeError, ValueError, OverflowError):
+        return False
+    return True

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final
 
+from canon.errors import InputError
+
 EXPECTATIONS: Final = ("holds", "fails", "proved", "refuted", "supported", "undecided")
 """The words of `expect`: a verdict, or `holds` (proved or supported), or `fails` (refuted)."""
 
@@ -21,6 +23,8 @@ class Claim:
     transformation, generating function, domain: `canon.mechanics.Subject`); `keys`, the kind's own keys
     with typed values; `title` and `source`, free text; `expect`, one of `EXPECTATIONS`; `budget`
     in seconds, which wins over the caller's; `index`, the claim's place in its file, from 0.
+
+    **Raises:** `InputError` for another word in `expect`, a kind that is no text, or keys that are no table.
     """
 
     kind: str
@@ -34,7 +38,9 @@ class Claim:
 
     def __post_init__(self) -> None:
         if self.expect not in EXPECTATIONS:
-            raise ValueError(f"expect is one of {', '.join(EXPECTATIONS)}, not {self.expect!r}")
+            raise InputError(f"expect is one of {', '.join(EXPECTATIONS)}, not {self.expect!r}")
+        if not isinstance(self.kind, str) or not isinstance(self.keys, Mapping):
+            raise InputError(f"a claim has a kind and a table of keys, not {self.kind!r} and {self.keys!r}")
         object.__setattr__(self, "keys", MappingProxyType(dict(self.keys)))
 
     def __repr__(self) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, get_args
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -22,6 +22,7 @@ from canon.substitution import replaced
 
 Test = Callable[[Any], bool]
 ConditionKind = Literal["positive", "nonzero", "uncut", "slit", "regular"]
+_KINDS: Final = get_args(ConditionKind)
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,14 @@ class Condition:
     terms: tuple[sp.Expr, ...]
     text: str = field(default="", compare=False)
 
+    def __post_init__(self) -> None:
+        if self.kind not in _KINDS:
+            raise InputError(f"a condition is one of {', '.join(_KINDS)}, not {self.kind!r}")
+        terms = self.terms if type(self.terms) is tuple else _listed(self.terms)
+        if len(terms) != 1 + (self.kind == "uncut") or not all(isinstance(term, sp.Expr) for term in terms):
+            raise InputError(f"the terms of a condition are expressions of sympy's in a tuple, not {self.terms!r}")
+        object.__setattr__(self, "terms", terms)
+
     def __str__(self) -> str:
         return self.text or describe(self.kind, *(str(term) for term in self.terms))
 
@@ -60,6 +69,13 @@ class Domain:
     conditions: tuple[Condition, ...] = ()
     surface: tuple[sp.Expr, ...] = ()
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "conditions", checked_conditions(self.conditions))
+        surface = _listed(self.surface)
+        if not all(isinstance(expression, sp.Expr) for expression in surface):
+            raise InputError(f"a surface is where expressions of sympy's vanish, not {self.surface!r}", "domain")
+        object.__setattr__(self, "surface", surface)
+
     def __and__(self, other: Domain | Iterable[Condition]) -> Domain:
         conditions, surface = (other.conditions, other.surface) if isinstance(other, Domain) else (tuple(other), ())
         return Domain(unique(self.conditions, conditions), tuple(dict.fromkeys(self.surface + surface)))
@@ -68,6 +84,21 @@ class Domain:
         """The domain pulled back: every key of `mapping` replaced by its value, all at once."""
         surface: tuple[Any, ...] = tuple(replaced(expression, mapping) for expression in self.surface)
         return Domain(unique(condition.substitute(mapping) for condition in self.conditions), surface)
+
+
+def checked_conditions(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
+    """The conditions as a tuple, which nobody changes any more. **Raises** `InputError` where something else is."""
+    found = _listed(conditions)
+    for condition in found:
+        if not isinstance(condition, Condition):
+            raise InputError(f"a Condition is expected, not {condition!r}: relations are read by space.where(...)")
+    return found
+
+
+def _listed(values: Any) -> tuple[Any, ...]:
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise InputError(f"a tuple is expected, not {values!r}")
+    return tuple(values)
 
 
 def unique(*groups: Iterable[Condition]) -> tuple[Condition, ...]:
@@ -244,8 +275,24 @@ def conditions_of(*expressions: Any) -> tuple[Condition, ...]:
 def _parts(node: Any) -> tuple[Any, ...]:
     """The subexpressions that are evaluated where the node is, bound variables of derivatives left out."""
     if isinstance(node, sp.Subs):
+        _check_order(node)
         return (*node.args[2].args, *_nodes_to_substitute(node))
     return (node.expr,) if isinstance(node, sp.Derivative) else node.args
+
+
+def _check_order(node: Any) -> None:
+    """**Raises** `InputError` where it matters in which order the values of a `Subs` are put in.
+
+    sympy makes one of nested ones, Subs(x q, (x, q), (q, p)), and puts them in one after the other, which gives p²; in
+    all other uses of it they are put in at once.
+    """
+    names: Any = node.variables
+    for k, at in enumerate(node.point):
+        if later := sorted(at.free_symbols & {*names[k + 1 :]}, key=str):
+            raise InputError(
+                f"in {node}, {at} is put in for {names[k]} and then something for {later[0]}: write what is meant, as "
+                "by its .doit()"
+            )
 
 
 def _nodes_to_substitute(node: Any) -> list[Any]:

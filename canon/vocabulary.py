@@ -12,7 +12,7 @@ from typing import Final
 import sympy as sp
 
 from canon.display import latex
-from canon.domain import Condition
+from canon.domain import Condition, checked_conditions
 from canon.errors import InputError
 
 CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
@@ -47,6 +47,8 @@ class Formula:
     where x ≠ 0); `text`, as its author wrote it; `names`, those that were written, abbreviations followed;
     `has_bracket`, whether a Poisson bracket was; `calls`, the arbitrary functions with their numbers of arguments;
     `slopes`, the names by which a derivative or a bracket is taken, each with an arbitrary function inside of it.
+
+    **Raises:** `InputError` where `expr` isn't sympy's, or a condition isn't a `Condition`.
     """
 
     expr: sp.Expr
@@ -56,6 +58,11 @@ class Formula:
     has_bracket: bool = field(default=False, compare=False)
     calls: frozenset[tuple[str, int]] = field(default=frozenset(), compare=False)
     slopes: frozenset[tuple[str, str]] = field(default=frozenset(), compare=False)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.expr, sp.Expr):
+            raise InputError(f"a formula holds an expression of sympy's, not {self.expr!r}")
+        object.__setattr__(self, "conditions", checked_conditions(self.conditions))
 
     def __str__(self) -> str:
         return self.text or str(self.expr)

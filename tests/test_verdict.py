@@ -47,7 +47,7 @@ def test_a_claim_knows_what_meets_it():
     assert pickle.loads(pickle.dumps(claim)) == claim  # noqa: S301 - our own
     with pytest.raises(TypeError):
         claim.keys["f"] = 2  # pyright: ignore[reportIndexIssue]
-    with pytest.raises(ValueError, match="expect is one of"):
+    with pytest.raises(InputError, match="expect is one of"):
         Claim("bracket", None, expect="yes")
 
 

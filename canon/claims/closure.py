@@ -28,7 +28,7 @@ from canon.errors import BudgetExceeded, InputError
 from canon.expression import Formula
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, as_declared
 from canon.mechanics.subject import Subject
 from canon.verdict import Status
 
@@ -180,10 +180,10 @@ def _with_parameters(
     for name in added:
         if name in space.vocabulary or name in space.functions:
             raise InputError(f"{name!r} is a variable or a function, not the value of one", "over")
-    new = (space.Q, space.P) if space.Q else None
+    new, kept = (space.Q, space.P) if space.Q else None, as_declared(space.parameters)
     return PhaseSpace(
         space.q, space.p, new=new, time=space.t, positive=positive, negative=negative,
-        real=[*space.parameters, *(name for name in added if name not in (*positive, *negative))],
+        real=[*kept["real"], *(name for name in added if name not in (*positive, *negative))], complex=kept["complex"],
         functions=space.functions, domain=space.domain,
     )  # fmt: skip
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from canon.claims.chart import chart_of
+from canon.claims.key_tables import HIGHEST_DEGREE
 from canon.claims.outcome import Outcome, Residual
 from canon.claims.reached import THEOREM, Comparison, compared
 from canon.claims.scale import never_zero
@@ -73,6 +74,8 @@ def _table(question: Question) -> dict[int, Formula]:
     """`N` by degree; **raises** `InputError` for degrees above the order, and parts that aren't of their degree."""
     order, table = question.key("order"), question.key("N") or {}
     space = question.space
+    if order > HIGHEST_DEGREE:
+        raise InputError(f"an order up to {HIGHEST_DEGREE} is expected, not {order}", "key 'order'")
     if space.t in question.hamiltonian().expr.free_symbols:
         raise InputError(f"H depends on {space.t}: a normal form is one of an H without time")
     for degree, formula in table.items():

@@ -10,7 +10,7 @@ from canon.claims.verify import verify
 from canon.display import text_in_html
 from canon.domain import Condition
 from canon.mechanics.formulas import Expression
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, as_declared
 from canon.mechanics.separation.coordinates import OrthogonalCoordinates, orthogonal_coordinates
 from canon.mechanics.separation.levi_civita import levi_civita
 from canon.mechanics.separation.staeckel import Separation, separation
@@ -55,7 +55,8 @@ def separates(
         coordinates = orthogonal_coordinates(coordinates, space.n, focus)
     found = separation(space, H, coordinates)
     u = coordinates.u
-    fresh = PhaseSpace(u, [f"p_{x}" for x in u], real=sorted(_parameters(found, u), key=str), functions=space.functions)
+    free = as_declared(sorted(_parameters(found, u), key=str))
+    fresh = PhaseSpace(u, [f"p_{x}" for x in u], **free, functions=space.functions)
     inside = [Condition("positive", (h,)) for h in coordinates.squares if h.free_symbols & set(u)]
     claim = identity(fresh.with_domain(fresh.domain & inside), found.residual(), 0)
     return Separability(coordinates.name, verify(claim, budget=budget), found)

@@ -67,15 +67,23 @@ def shown(tape: Tape, node: Node, *, shorten: bool = True) -> str:
     """A node as text, `shorten`ed where that is cheap."""
     value = tape.value(node)
     if value is not None:
-        return str(value)
+        return _text(value)
     if not is_short(tape, node):
         return LONG
     expression = tape.to_sympy(node)
     try:
         text = str(neat(_powers(expression)) if shorten else expression)
     except FAILURES:
-        text = str(expression)
+        text = _text(expression)
     return text if len(text) <= 200 else LONG
+
+
+def _text(value: object) -> str:
+    """Its text, unless a number in it has more digits than Python writes (`sys.get_int_max_str_digits`)."""
+    try:
+        return str(value)
+    except ValueError:
+        return LONG
 
 
 def with_value(question: Question, outcome: Outcome) -> Outcome:

@@ -19,11 +19,13 @@ from canon.claims.outcome import Outcome
 from canon.claims.own_names import are_continuous
 from canon.claims.question import Question
 from canon.claims.turns import in_turn
+from canon.claims.well_formed import check_accuracy, check_budget, check_claim, check_seed
 from canon.claims.worker import Settings
 from canon.decide.certificate import Certificate
 from canon.decide.ladder import Contradiction
 from canon.decide.tape import Unsupported
 from canon.errors import BudgetExceeded, InputError
+from canon.mechanics.extent import recursion_told
 from canon.verdict import Verdict
 
 Method = Literal["symbolic", "numeric", "all"]
@@ -72,11 +74,14 @@ def verify(
         raise InputError(
             f"a claim about something is expected, as transformation.canonical() makes one, not {claim!r}{called}"
         )
-    _check(budget)
+    check_claim(claim)
+    check_budget(budget)
+    check_seed(seed)
+    check_accuracy(accuracy)
     if memory is not None:
         return _apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy))
     decide = kind_named(claim.kind)
-    with in_turn():
+    with in_turn(), recursion_told():
         return _here(claim, decide, Settings(budget, seed, method, accuracy=accuracy), watch)
 
 
@@ -106,15 +111,6 @@ def _looked(watch: Callable[[float], None], start: float, seconds: float) -> Cal
             watch(min((now - start) / seconds, 1.0) if seconds else 1.0)
 
     return look
-
-
-def _check(budget: float) -> None:
-    try:
-        Budget(budget)
-    except (TypeError, ValueError, OverflowError):
-        short = isinstance(budget, (float, str)) or (isinstance(budget, int) and abs(budget) < 10**9)
-        shown = repr(budget) if short else f"this {type(budget).__name__}"
-        raise InputError(f"a budget is a number of seconds from 0 on, below 1e308, not {shown[:60]}") from None
 
 
 def _apart(claim: Claim, settings: Settings) -> Verdict:

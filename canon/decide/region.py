@@ -118,12 +118,15 @@ def bounds(tape: Tape, region: Region) -> dict[Node, tuple[float, float]]:
     for requirement in region.requirements:
         if requirement.kind != "positive":
             continue
-        form = affine(tape, requirement.nodes[0])
-        if form is None:
+        try:
+            form = affine(tape, requirement.nodes[0])
+            if form is None:
+                continue
+            constant, slope, symbol = form
+            edge = -constant / float(slope)
+        except (OverflowError, ZeroDivisionError):  # beyond double precision
             continue
-        constant, slope, symbol = form
         low, high = out.get(symbol, (-float("inf"), float("inf")))
-        edge = -constant / float(slope)
         out[symbol] = (max(low, edge), high) if slope > 0 else (low, min(high, edge))
     return out
 

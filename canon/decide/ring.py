@@ -70,9 +70,10 @@ class Ring:
         return a * b
 
     def power(self, a: Polynomial, exponent: int) -> Polynomial:
-        """a ** exponent."""
-        if len(a) > 1:
-            self.charge(2.0 * math.comb(len(a) + exponent - 1, exponent), PACE_OF_POWERS)
+        """a ** exponent: by so many terms, and by the words of 64 bits that each of their coefficients takes."""
+        words = 1 + exponent * (_longest(a) - 1 + (len(a) - 1).bit_length()) // 64
+        if len(a) > 1 or words > 1:
+            self.charge(2.0 * words * math.comb(len(a) + exponent - 1, exponent), PACE_OF_POWERS)
         return a**exponent
 
     def degrees(self, p: Polynomial) -> tuple[int, ...]:
@@ -125,3 +126,8 @@ class Ring:
         """The leading coefficient."""
         c = p.leading_coefficient()
         return Fraction(int(c.p), int(c.q))
+
+
+def _longest(p: Polynomial) -> int:
+    """The bits of the longest numerator or denominator of its coefficients, 1 at least."""
+    return max((int(c.height_bits()) for c in p.coeffs()), default=1)

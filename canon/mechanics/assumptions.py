@@ -34,3 +34,22 @@ def symbol_with(name: str, words: str | Iterable[str] = ()) -> sp.Symbol:
         return sp.Symbol(name, **facts)
     except ValueError as error:
         raise InputError(f"the assumptions {', '.join(given)} contradict each other", name) from error
+
+
+def check_words(symbol: sp.Symbol, words: Iterable[str]) -> None:
+    """**Raises** `InputError` where the words say something of a symbol that it doesn't know of itself.
+
+    sympy doesn't know it then, either: |m| isn't m, whatever is said of an m that was made without assumptions.
+    """
+    given = list(words)
+    symbol_with(symbol.name, given)
+    for word in given:
+        if word == "complex":
+            missing = symbol.is_real is True
+        else:
+            missing = any(symbol.assumptions0.get(fact) is not value for fact, value in ASSUMPTIONS[word].items())
+        if missing:
+            raise InputError(
+                f"the symbol {symbol} was not made {word}: make it so, or give its name {symbol.name!r} in its place",
+                "symbols",
+            )

@@ -6,7 +6,7 @@ from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, substituted
-from canon.mechanics.phase_space import Names, PhaseSpace
+from canon.mechanics.phase_space import Names, PhaseSpace, as_declared
 from canon.mechanics.time_dependence import hamiltonian_shift
 from canon.mechanics.transformation import Transformation
 
@@ -69,7 +69,7 @@ def _joined(first: Transformation, second: Transformation) -> PhaseSpace:
         raise InputError("a parameter has other assumptions in the one map than in the other")
     functions = tuple(dict.fromkeys((*one.functions, *other.functions)))
     return PhaseSpace(
-        one.q, one.p, new=new, time=one.t, real=parameters, functions=functions, domain=_domain(first, second)
+        one.q, one.p, new=new, time=one.t, **as_declared(parameters), functions=functions, domain=_domain(first, second)
     )
 
 
@@ -115,7 +115,7 @@ def extended_by_time(
         (*space.p, *names(momentum_name)),
         new=((*space.Q, *names(time_name)), (*space.P, *names(new_momentum))),
         time="extended_time",
-        real=space.parameters,
+        **as_declared(space.parameters),
         functions=space.functions,
         domain=space.domain,
     )

@@ -12,6 +12,8 @@ def explicit(transformation: Transformation, direction: Direction, branch: int =
 
     **Raises:** `InputError` when sympy finds no solution, or fewer branches.
     """
+    if not isinstance(branch, int):
+        raise InputError(f"a branch is a number, not {branch!r}")
     if transformation.direction == direction:
         return transformation
     found = explicit_branches(transformation, direction)

@@ -11,6 +11,7 @@ from canon.domain import Condition, Domain, Smoothness, nonzero, positive
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.admissible import check_calls, check_leak, check_symbol
+from canon.mechanics.extent import check_extent, extent_of, recursion_told
 from canon.special import EllipticPi
 from canon.substitution import replaced
 
@@ -33,13 +34,16 @@ def as_expression(value: Expression, where: str = "") -> sp.Expr:
     if isinstance(value, sp.Expr):
         if isinstance(value, sp.Lambda):
             raise InputError(f"{value} is a function: call it with an argument", where)
+        check_extent(value, where=where)
         if value.has(sp.Float):
             raise InputError(f"{value} contains a floating-point number; write it as a Rational", where)
         if not value.is_commutative:
             raise InputError(f"{value} contains symbols that do not commute", where)
         plain: Any = reliable(value)
         return plain.replace(sp.elliptic_pi, EllipticPi) if plain.has(sp.elliptic_pi) else plain
-    return sp.Integer(value) if isinstance(value, int) else sp.Rational(value.numerator, value.denominator)
+    number = sp.Integer(value) if isinstance(value, int) else sp.Rational(value.numerator, value.denominator)
+    check_extent(number, where=where)
+    return number
 
 
 def as_formula(value: Expression, where: str = "", smoothness: Smoothness | None = None) -> Formula:
@@ -49,8 +53,9 @@ def as_formula(value: Expression, where: str = "", smoothness: Smoothness | None
     """
     if isinstance(value, Formula):
         return value
-    expression = as_expression(value, where)
-    return Formula(expression, (smoothness or Smoothness())(expression))
+    with recursion_told(where):
+        expression = as_expression(value, where)
+        return Formula(expression, (smoothness or Smoothness())(expression))
 
 
 def as_formulas(
@@ -108,6 +113,14 @@ def substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formu
     It is defined where the images that it uses are defined, its own conditions hold of them, and they are what is
     assumed of the symbols in whose place they stand: it may have been simplified by that, as √x² to x.
     """
+    extents = {symbol: extent_of(image.expr) for symbol, image in mapping.items()}
+    for expression in (formula.expr, *(term for condition in formula.conditions for term in condition.terms)):
+        check_extent(expression, extents)
+    with recursion_told():
+        return _substituted(formula, mapping)
+
+
+def _substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formula:
     used = [symbol for symbol in mapping if symbol in formula.expr.free_symbols]
     needed = {symbol for condition in formula.conditions for term in condition.terms for symbol in term.free_symbols}
     images: dict[sp.Expr, sp.Expr] = {symbol: image.expr for symbol, image in mapping.items()}

@@ -16,7 +16,7 @@ from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.subject import Subject
-from canon.mechanics.transformation import Transformation
+from canon.mechanics.transformation import Transformation, listed_types
 from canon.sign import is_complex
 
 # Per type: does F depend on the old momentum (else the coordinate), and on the new momentum?
@@ -43,7 +43,7 @@ class GeneratingFunction:
     def __init__(self, space: PhaseSpace, type: int | Sequence[int], F: Expression) -> None:  # noqa: A002
         put = object.__setattr__
         put(self, "space", space)
-        put(self, "type", type if isinstance(type, int) else tuple(type))
+        put(self, "type", listed_types(type))
         put(self, "F", as_formula(F, "generating_function, F"))
         if len(space.Q) != space.n:
             raise InputError("a generating function needs as many new pairs as old ones", "generating_function")

@@ -12,7 +12,7 @@ from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols, replaced
 from canon.mechanics.generating_function import GeneratingFunction
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, as_declared
 from canon.mechanics.subject import Subject
 from canon.mechanics.transformation import Transformation
 
@@ -94,7 +94,7 @@ class CompleteIntegral:
             old.p,
             new=(betas, self.constants),
             time=old.t,
-            real=[s for s in old.parameters if s not in self.constants],
+            **as_declared(s for s in old.parameters if s not in self.constants),
             functions=old.functions,
             domain=old.domain,
         )

@@ -1,9 +1,9 @@
 """Phase space: canonical coordinates with what is assumed of them, parameters, and time."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypedDict
 
 import sympy as sp
 
@@ -13,7 +13,8 @@ from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula, read, read_relation
 from canon.mechanics.admissible import check_symbol
-from canon.mechanics.assumptions import symbol_with
+from canon.mechanics.assumptions import check_words, symbol_with
+from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.relations import region_of
 from canon.vocabulary import Vocabulary
@@ -24,10 +25,40 @@ UNSTATED = ("q__", "p__")
 """The variables of claims that are about no phase space."""
 
 
-def _listed(names: Names) -> tuple[str | sp.Symbol, ...]:
+def _words(what: Any, name: Any) -> list[str]:
+    """The assumptions on a name, one or several."""
+    words = [what] if isinstance(what, str) else list(what) if isinstance(what, Iterable) else [what]
+    for word in words:
+        if not isinstance(word, str):
+            raise InputError(f"a word such as 'positive' is expected, not {word!r}", f"symbols, {name}")
+    return words
+
+
+def _listed(names: Names, where: str = "phase_space") -> tuple[str | sp.Symbol, ...]:
     if isinstance(names, str):
         return tuple(names.replace(",", " ").split())
-    return (names,) if isinstance(names, sp.Symbol) else tuple(names)
+    if isinstance(names, bytes) or not isinstance(names, sp.Symbol | Iterable):
+        raise InputError(f"names are expected, as 'x y', ['x', 'y'] or symbols, not {names!r}", where)
+    listed = (names,) if isinstance(names, sp.Symbol) else tuple(names)
+    for name in listed:
+        if not isinstance(name, str | sp.Symbol):
+            raise InputError(f"a name or a symbol is expected, not {name!r}", where)
+    return listed
+
+
+class Declared(TypedDict):
+    """Two of the keywords of `PhaseSpace`."""
+
+    real: list[sp.Symbol]
+    complex: list[sp.Symbol]
+
+
+def as_declared(symbols: Iterable[Any]) -> Declared:
+    """Symbols as the keywords `real` and `complex` of `PhaseSpace` take them, by what is assumed of each."""
+    found = Declared(real=[], complex=[])
+    for symbol in symbols:
+        found["real" if symbol.is_real else "complex"].append(symbol)
+    return found
 
 
 @dataclass(frozen=True, init=False)
@@ -77,12 +108,17 @@ class PhaseSpace:
         real: Names = (),
         complex: Names = (),  # noqa: A002 - the field's own word
     ) -> None:
-        if new is not None and (isinstance(new, str) or len(new) != 2):
+        if new is not None and (isinstance(new, str) or not isinstance(new, Sequence) or len(new) != 2):
             raise InputError("new is a pair, the names of Q and those of P, as new=('Q1 Q2', 'P1 P2')", "phase_space")
         words: dict[str, list[str]] = {}
         given: dict[str, sp.Symbol] = {}
+        if not isinstance(symbols, Mapping | None):
+            raise InputError(f"a table name = assumptions is expected, not {symbols!r}", "symbols")
         for name, what in (symbols or {}).items():
-            words.setdefault(name, []).extend([what] if isinstance(what, str) else what)
+            (stated,) = _listed((name,), "symbols")
+            if isinstance(stated, sp.Symbol):
+                stated = given.setdefault(stated.name, stated).name
+            words.setdefault(stated, []).extend(_words(what, name))
         keywords = {
             "positive": positive,
             "negative": negative,
@@ -97,24 +133,28 @@ class PhaseSpace:
             for name in _listed(names):
                 if isinstance(name, sp.Symbol):
                     check_symbol(name, word)
-                    given[name.name] = name
-                    words.setdefault(name.name, [])
-                else:
-                    words.setdefault(name, []).append(word)
+                    if given.setdefault(name.name, name) != name:
+                        raise InputError(f"two different symbols are called {name.name}", word)
+                    name = name.name
+                words.setdefault(name, []).append(word)
 
         def symbol(name: str | sp.Symbol) -> sp.Symbol:
             if isinstance(name, sp.Symbol):
                 check_symbol(name, "phase_space")
+                check_words(name, words.get(name.name, ()))
                 return name
             if not name.isidentifier():
                 raise InputError(f"{name!r} is not a name", "phase_space")
             if "function" in words.get(name, ()):
                 raise InputError(f"{name!r} is a variable, so it cannot be a function", "symbols")
-            return given[name] if name in given else symbol_with(name, words.get(name, ()))
+            if name not in given:
+                return symbol_with(name, words.get(name, ()))
+            check_words(given[name], words.get(name, ()))
+            return given[name]
 
         old, momenta = (tuple(symbol(name) for name in _listed(names)) for names in (q, p))
         new_q, new_p = (tuple(symbol(name) for name in _listed(names)) for names in (new or ((), ())))
-        moment = symbol(time)
+        moment = symbol(_listed((time,), "time")[0])
         if not old or len(old) != len(momenta):
             raise InputError(f"{len(old)} coordinates and {len(momenta)} momenta", "phase_space")
         if len(new_q) != len(new_p):
@@ -191,7 +231,8 @@ class PhaseSpace:
     def symbol(self, name: str | sp.Symbol) -> sp.Symbol:
         """The symbol with this name; **raises** `InputError` when it is not declared."""
         known = self.vocabulary
-        key = name.name if isinstance(name, sp.Symbol) else name
+        (stated,) = _listed((name,))
+        key = stated.name if isinstance(stated, sp.Symbol) else stated
         if key not in known:
             near = get_close_matches(key, known, 1)
             hint = f"; did you mean {near[0]!r}?" if near else f"; known are {', '.join(known)}"
@@ -206,6 +247,8 @@ class PhaseSpace:
 
     def formula(self, text: str) -> Formula:
         """The formula that a text states, read as in a claim file; **raises** `InputError` where it cannot be."""
+        if not isinstance(text, str):
+            raise InputError(f"a text is expected, not {text!r}")
         return read(text, self._names())
 
     def _names(self) -> Vocabulary:
@@ -229,7 +272,8 @@ class PhaseSpace:
             if isinstance(relation, str):
                 region = region & read_relation(relation, self._names())
             else:
-                region = region & region_of(relation)
+                with recursion_told("domain"):
+                    region = region & region_of(relation)
         return self.with_domain(region)
 
     def with_domain(self, domain: Domain) -> "PhaseSpace":
@@ -237,13 +281,16 @@ class PhaseSpace:
 
         **Raises:** `InputError` where the domain has a symbol that only shares its name with one of the space.
         """
+        if not isinstance(domain, Domain):
+            raise InputError(f"a Domain is expected, not {domain!r}: write space.where(...) for relations", "domain")
         terms = [term for condition in domain.conditions for term in condition.terms]
         check_symbols([*terms, *domain.surface], self.vocabulary, "domain")
         return _copy(self, domain=domain)
 
-    def with_complex(self, names: Iterable[str]) -> "PhaseSpace":
+    def with_complex(self, names: Names) -> "PhaseSpace":
         """The same space with the variables of these names complex."""
-        fresh: dict[Any, Any] = {self.symbol(name): symbol_with(name, ["complex"]) for name in names}
+        known = map(self.symbol, _listed(names))
+        fresh: dict[Any, Any] = {x: symbol_with(x.name, ["complex"]) for x in known}
         sides = {side: tuple(fresh.get(x, x) for x in getattr(self, side)) for side in "qpQP"}
         domain = self.domain.substitute(fresh)
         return _copy(self, **sides, domain=domain, plain=self.plain - {x.name for x in fresh})
@@ -255,7 +302,7 @@ class PhaseSpace:
             self.p,
             new=new,
             time=self.t,
-            real=self.parameters,
+            **as_declared(self.parameters),
             functions=self.functions,
             domain=self.domain,
         )

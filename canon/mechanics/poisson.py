@@ -11,6 +11,7 @@ import sympy as sp
 
 from canon.display import latex
 from canon.errors import InputError
+from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import Expression, as_expression, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 
@@ -22,9 +23,10 @@ def standard_j(n: int) -> sp.ImmutableMatrix:
 
 def poisson_bracket(f: Expression, g: Expression, space: PhaseSpace) -> sp.Expr:
     """{f, g} in the old variables of `space`. Goldstein, Poole and Safko (2002), eq. 9.67."""
-    values = as_expression(f), as_expression(g)
-    check_symbols(values, space.vocabulary)
-    return bracket_in(*values, space.q, space.p)
+    with recursion_told():
+        values = as_expression(f), as_expression(g)
+        check_symbols(values, space.vocabulary)
+        return bracket_in(*values, space.q, space.p)
 
 
 def bracket_in(f: sp.Expr, g: sp.Expr, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol]) -> sp.Expr:

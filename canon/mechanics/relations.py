@@ -7,6 +7,7 @@ from sympy.core.relational import GreaterThan, LessThan, Relational, StrictGreat
 
 from canon.domain import Condition, Domain, conditions_of
 from canon.errors import InputError
+from canon.mechanics.extent import check_extent
 
 
 def region_of(relation: Any) -> Domain:
@@ -26,6 +27,10 @@ def region_of(relation: Any) -> Domain:
     if not isinstance(relation, Relational):
         raise InputError(f"an inequality or equation is expected, not {relation!r}", "domain")
     ordered: Any = relation
+    for side in (ordered.lhs, ordered.rhs):
+        if not isinstance(side, sp.Expr):
+            raise InputError(f"{relation} compares {side!r}, which is no formula", "domain")
+        check_extent(side, where="domain")
     if isinstance(relation, GreaterThan | LessThan | StrictGreaterThan | StrictLessThan):
         difference = ordered.gts - ordered.lts
     else:

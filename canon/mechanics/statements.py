@@ -111,6 +111,8 @@ def legendre(space: PhaseSpace, H: Expression, L: Expression, velocities: sp.Sym
 
 def normal_form(space: PhaseSpace, H: Expression, order: int, N: Mapping[int, Expression]) -> Claim:
     """N, by degree, is a Birkhoff–Gustavson normal form of H about the origin to this order."""
+    if not isinstance(order, int) or not isinstance(N, Mapping) or not all(isinstance(k, int) for k in N):
+        raise InputError("a whole number is expected as the order, and a table degree: polynomial as N")
     table = {degree: as_formula(part, f"N, degree {degree}") for degree, part in N.items()}
     return _about(space, H).claim("normal_form", {"order": order, "N": table})
 
@@ -169,6 +171,8 @@ def _of_orbit(
     for name, value in (("period", period), ("well", well)):
         if value is not None:
             keys[name] = as_formula(value, name)
+    if not isinstance(fixed, Mapping | None):
+        raise InputError(f"a table name: value is expected, not {fixed!r}", "fixed")
     if fixed:
         keys["fixed"] = {
             _symbol(space, symbol, "fixed"): as_formula(value, f"fixed, {symbol}") for symbol, value in fixed.items()

@@ -6,9 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 from canon.claim import Claim
 from canon.domain import Domain
+from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.admissible import check_calls, check_namesakes
-from canon.mechanics.formulas import check_symbols
+from canon.mechanics.extent import check_extent, recursion_told
+from canon.mechanics.formulas import as_formula, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 from canon.substitution import QUOTIENTS, are_beside_integers, with_quotients
 
@@ -24,6 +26,8 @@ class Subject:
     `domain` is the region that was asked for (`where` and `on`); each formula carries its own conditions besides.
     `transformation` is the explicit one. Where there is none, claims are about the transformation that the generating
     function defines: `map` is the one or the other.
+
+    **Raises:** `InputError` where one of them is something else.
     """
 
     space: PhaseSpace
@@ -32,6 +36,22 @@ class Subject:
     transformation: "Transformation | None" = None
     domain: Domain = field(default_factory=Domain)
     functions: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        from canon.mechanics.generating_function import GeneratingFunction
+        from canon.mechanics.transformation import Transformation
+
+        for value, kind in (
+            (self.space, PhaseSpace),
+            (self.generating_function, GeneratingFunction | None),
+            (self.transformation, Transformation | None),
+            (self.domain, Domain),
+        ):
+            if not isinstance(value, kind):
+                raise InputError(f"what a claim is about can't be {value!r}: see what Subject is made of")
+        if self.hamiltonian is not None:
+            object.__setattr__(self, "hamiltonian", as_formula(self.hamiltonian, "hamiltonian"))
+        object.__setattr__(self, "functions", tuple(self.functions))
 
     @property
     def map(self) -> "Transformation | None":
@@ -46,8 +66,18 @@ class Subject:
         **Raises:** `InputError` where a formula has a symbol that only shares its name with one of the space, or where
         two formulas have different symbols of one name, or call a function with different numbers of arguments.
         """
+        with recursion_told():
+            return self._claim(kind, keys, options)
+
+    def _claim(self, kind: str, keys: Mapping[str, object], options: Mapping[str, object]) -> Claim:
         shared = () if self.hamiltonian is None else (self.hamiltonian,)
+        for formula in (*shared, *self._shared_formulas(), *_formulas(list(keys.values()))):
+            check_extent(formula.expr)
         check_symbols(shared, self.space.vocabulary, "hamiltonian")
+        strangers = {*self.space.new} - {*self.space.old}
+        for symbol in sorted({s for form in shared for s in form.expr.free_symbols & strangers}, key=str):
+            said = f"{symbol} is one of the new variables: the Hamiltonian is one in the old ones"
+            raise InputError(said, "hamiltonian")
         for name, value in keys.items():
             check_symbols(_formulas(value), self.space.vocabulary, f"key {name!r}")
         written = [*shared, *self._shared_formulas(), *_formulas(list(keys.values()))]

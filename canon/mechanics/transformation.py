@@ -22,6 +22,15 @@ if TYPE_CHECKING:
 Direction = Literal["forward", "backward", "implicit"]
 
 
+def listed_types(kinds: int | Sequence[int]) -> int | tuple[int, ...]:
+    """One type, or several in a tuple; **raises** `InputError` for what is no whole number."""
+    several = (kinds,) if isinstance(kinds, int) else tuple(kinds) if isinstance(kinds, Iterable) else (kinds,)
+    for kind in several:
+        if not isinstance(kind, int) or isinstance(kind, bool):
+            raise InputError(f"there is no type {kind!r}; types are 1, 2, 3 and 4", "generating_function, type")
+    return kinds if isinstance(kinds, int) else several
+
+
 def _check(
     formulas: Sequence[Formula],
     targets: Sequence[sp.Symbol],
@@ -227,6 +236,9 @@ class Transformation:
 
     def canonical_when(self, *solutions: Mapping[sp.Symbol, Expression]) -> Claim:
         """Claims that the map is canonical at each of the solutions, and not at generic values of these parameters."""
+        for table in solutions:
+            if not isinstance(table, Mapping):
+                raise InputError(f"a table parameter: value is expected, not {table!r}", "key 'solutions'")
         tables = tuple({name: as_formula(value) for name, value in table.items()} for table in solutions)
         return self.subject().claim("canonical_when", {"solutions": tables})
 
@@ -251,8 +263,15 @@ class Transformation:
         return self.subject(H).claim("cartan_invariant", {"K": as_formula(K)})
 
     def generated_by(self, F: "GeneratingFunction") -> Claim:
-        """Claims that `F` generates this explicit transformation."""
+        """Claims that `F` generates this explicit transformation; **raises** `InputError` for an F of other names."""
+        from canon.mechanics.generating_function import GeneratingFunction
+
         mine = self.subject()
+        if not isinstance(F, GeneratingFunction):
+            raise InputError(f"a GeneratingFunction is expected, not {F!r}")
+        its, own = ([str(x) for x in (*space.old, *space.new)] for space in (F.space, mine.space))
+        if its != own:
+            raise InputError(f"F is one of {', '.join(its)}, and the transformation one of {', '.join(own)}")
         return Subject(
             space=mine.space,
             generating_function=F,
@@ -263,8 +282,7 @@ class Transformation:
 
     def has_generating_function(self, type: int | Sequence[int], F: Expression) -> Claim:  # noqa: A002
         """Claims that F is a generating function of this type of the map, up to a function of time."""
-        kinds = type if isinstance(type, int) else tuple(type)
-        return self.subject().claim("generating_function", {"type": kinds, "F": as_formula(F)})
+        return self.subject().claim("generating_function", {"type": listed_types(type), "F": as_formula(F)})
 
     def new_hamiltonian(self, H: Expression, K: Expression) -> Claim:
         """Claims that the map takes Hamilton's equations of H into those of K."""

@@ -9,7 +9,7 @@ import sympy as sp
 
 from canon.errors import InputError
 from canon.mechanics.formulas import as_expression
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, as_declared
 from canon.mechanics.transformation import Transformation
 
 AXES = "xyz"
@@ -69,7 +69,7 @@ def two_bodies(m1: Any, m2: Any, dimension: int = 3) -> TwoBodies:
         old,
         [f"p{x}" for x in old],
         new=([*centre, *place], [f"P{x}" for x in centre] + [f"p{x}" for x in place]),
-        positive=parameters,
+        **as_declared(parameters),
     )
     total = first + second
     n = dimension

@@ -15,7 +15,7 @@ import sympy as sp
 from canon.claims.verify import verify
 from canon.mechanics.composition import compose, identity_transformation
 from canon.mechanics.generating_function import GeneratingFunction
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, as_declared
 from canon.mechanics.poisson import poisson_bracket
 from canon.mechanics.statements import identity
 from canon.mechanics.transformation import Transformation
@@ -45,7 +45,9 @@ def assert_law(law: Law, space: PhaseSpace, *objects: Any, budget: float = 10.0)
     """Raise `AssertionError`, with the witness, unless the law is proved (at least supported) of these objects."""
     for number, residual in enumerate(law.residuals(space, *objects), 1):
         free: list[Any] = sorted(residual.free_symbols, key=str)
-        everywhere = PhaseSpace("z_1", "z_2", time="z_3", real=free, functions=space.functions, domain=space.domain)
+        everywhere = PhaseSpace(
+            "z_1", "z_2", time="z_3", **as_declared(free), functions=space.functions, domain=space.domain
+        )
         verdict = verify(identity(everywhere, residual, 0), budget=budget)
         if verdict.status not in ("proved", "supported"):
             raise AssertionError(f"{law}\nresidual {number} = {residual}\n{verdict}")

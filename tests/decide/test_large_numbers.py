@@ -1,16 +1,20 @@
 """Roots and logarithms of numbers whose prime factors are large, of whatever type of integer these come."""
 
+import contextlib
+import math
+import time
 from fractions import Fraction
 
 import pytest
 import sympy as sp
 
+from canon import InputError, PhaseSpace, bracket, identity
 from canon.budget import Budget
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
 from canon.decide.constants import number_is_zero
 from canon.decide.factors import prime_factors
-from canon.decide.ring import TooCostly
+from canon.decide.ring import Ring, TooCostly
 from canon.decide.tape import Tape, Unsupported
 from canon.decide.tower import Tower
 
@@ -62,3 +66,31 @@ def test_a_root_of_order_a_hundred_million_is_no_hang():
     with pytest.raises(TooCostly):
         Tower(tape, [tape.root(node, Fraction(1, 10**8))], budget=budget)
     assert not budget.spent()
+
+
+@pytest.mark.parametrize("n", [10_000, 100_000, 1_000_000])
+def test_powers_of_sums_count_the_length_of_their_coefficients(n):
+    """(x + 1)ⁿ has n + 1 of them, of up to n bits: at n = 10⁶ no memory would hold them."""
+    ring = Ring(1, math.inf, Budget(1))
+    start = time.monotonic()
+    if n < 20_000:
+        assert len(ring.power(ring.generators[0] + ring.constant(1), n)) == n + 1
+    else:
+        with pytest.raises(TooCostly):
+            ring.power(ring.generators[0] + ring.constant(1), n)
+        with pytest.raises(TooCostly):
+            ring.power(ring.scaled(ring.generators[0], Fraction(10**3000)), n)
+    assert time.monotonic() - start < 5
+
+
+def test_numbers_that_are_longer_than_python_writes():
+    space = PhaseSpace("q", "p")
+    q, p = space.old
+    long = sp.Integer(10) ** 3000
+    assert verify(bracket(space, long * q, (long + 1) * p, 1)).detail["value"] == "a long formula"
+    root = sp.Integer(10) ** 1500
+    assert verify(bracket(space, root * q, (root + 1) * p, root * (root + 1))).status == "proved"
+    for edge in (long, 1 / long):
+        near = space.where(sp.Gt(q, edge, evaluate=False))
+        with contextlib.suppress(InputError):  # a domain so far away may look empty
+            assert verify(identity(near, abs(q), q)).status in ("proved", "supported", "undecided")

@@ -11,7 +11,7 @@ import sympy as sp
 
 from canon.mechanics.formulas import as_formula
 from canon.mechanics.hamilton_jacobi import CompleteIntegral
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, as_declared
 from canon.mechanics.separation.actions import RANGES
 from canon.mechanics.separation.staeckel import Separation
 from canon.sign import known_sign
@@ -27,7 +27,7 @@ def characteristic_function(separated: Separation) -> CompleteIntegral | None:
     W = sp.Add(*(part for part in parts if part is not None))
     names = [f"p_{x}" for x in u]
     free = sorted((W.free_symbols | {*constants} | separated.potential.free_symbols) - {*u}, key=str)
-    space = PhaseSpace(u, names, real=[s for s in free if isinstance(s, sp.Symbol)])
+    space = PhaseSpace(u, names, **as_declared(s for s in free if isinstance(s, sp.Symbol)))
     for x in u:
         if x.name in RANGES:
             low, high = RANGES[x.name]

@@ -1,0 +1,145 @@
+"""Claims that are made by hand in Python: what a file's reader would refuse is refused of them, too."""
+
+import pytest
+import sympy as sp
+
+from canon import (
+    Claim,
+    Condition,
+    Domain,
+    Formula,
+    GeneratingFunction,
+    InputError,
+    PhaseSpace,
+    Subject,
+    Transformation,
+    bracket,
+    identity,
+    normal_form,
+    verify,
+)
+
+SPACE = PhaseSpace("q", "p", new=("Q", "P"), positive="m")
+q, p, Q, P, m = SPACE.symbols("q p Q P m")
+STATED = {"f": Formula(q), "g": Formula(p), "equals": Formula(sp.Integer(1))}
+
+
+def refusal(make):
+    with pytest.raises(InputError) as caught:
+        make()
+    return str(caught.value)
+
+
+def test_a_claim_made_by_hand_is_decided():
+    assert verify(Claim("bracket", Subject(SPACE), STATED)).status == "proved"
+
+
+def test_a_key_that_is_misspelt_is_not_left_out_in_silence():
+    doubled = Transformation(SPACE, Q=2 * q, P=p)
+    asked = doubled.subject().claim("canonical", {"scal": Formula(sp.Integer(2))})
+    assert "has no key 'scal': did you mean 'scale'?" in refusal(lambda: verify(asked))
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda: Claim("bracket", Subject(SPACE), {**STATED, "f": q}), "a Formula is expected, not q"),
+        (lambda: Claim("bracket", Subject(SPACE), {**STATED, "f": "q"}), "a Formula is expected"),
+        (lambda: Claim("involution", Subject(SPACE), {"functions": [q, p]}), "a Formula is expected"),
+        (lambda: Claim("bracket", SPACE, STATED), "a claim is about a Subject"),
+        (lambda: Claim("bracket", Subject(SPACE), STATED, budget=-1), "a budget is a number of seconds"),
+        (lambda: Claim("bracket", Subject(SPACE), STATED, budget="x"), "a budget is a number of seconds"),
+        (lambda: Claim(None, Subject(SPACE), STATED), "a claim has a kind"),
+        (lambda: Claim("bracket", Subject(SPACE), None), "a table of keys"),
+        (lambda: Claim("bracket", Subject(SPACE), STATED, expect="yes"), "expect is one of"),
+        (lambda: Subject(SPACE, generating_function="F"), "what a claim is about can't be 'F'"),
+        (lambda: Subject(SPACE, domain=q > 0), "what a claim is about can't be"),
+        (lambda: Formula("q"), "an expression of sympy's"),
+        (lambda: Formula(q, (q > 0,)), "a Condition is expected"),
+        (lambda: Condition("negative", (q,)), "a condition is one of"),
+        (lambda: Condition("positive", "q"), "the terms of a condition|a tuple is expected"),
+        (lambda: Condition("uncut", (q,)), "the terms of a condition"),
+        (lambda: Domain((q > 0,)), "a Condition is expected"),
+        (lambda: Domain(surface=("q",)), "a surface is where"),
+        (lambda: normal_form(SPACE, (q**2 + p**2) / 2, 4.0, {}), "a whole number is expected"),
+        (lambda: normal_form(SPACE, (q**2 + p**2) / 2, 60, {}), "an order up to 20"),
+        (lambda: GeneratingFunction(SPACE, 2.0, q * P), "there is no type 2.0"),
+        (lambda: Transformation(SPACE, Q=q, P=p).generated_by(q * P), "a GeneratingFunction is expected"),
+        (lambda: Transformation(SPACE, Q=q, P=p).canonical_when([1]), "a table parameter: value"),
+        (lambda: PhaseSpace(1, 2), "names are expected"),
+        (lambda: PhaseSpace([q**2], "p"), "a name or a symbol is expected"),
+        (lambda: PhaseSpace("q", "p", symbols={"m": 3}), "a word such as"),
+        (lambda: PhaseSpace("q", "p", time=3), "names are expected|a name or a symbol"),
+        (lambda: SPACE.formula(q), "a text is expected"),
+        (lambda: SPACE.symbols(None), "names are expected"),
+        (lambda: SPACE.where(sp.Eq(sp.Tuple(q), sp.Tuple(p))), "which is no formula"),
+    ],
+)  # fmt: skip
+def test_what_is_no_claim_is_an_error_of_input(make, said):
+    with pytest.raises(InputError, match=said):
+        verify(make())
+
+
+def test_formulas_and_domains_keep_what_they_were_made_of():
+    conditions, surface = [Condition("positive", [q])], [q - p]
+    domain = Domain(conditions, surface)
+    formula = Formula(q, conditions)
+    conditions.clear()
+    surface.append(q)
+    assert domain == Domain((Condition("positive", (q,)),), (q - p,))
+    assert formula.conditions == (Condition("positive", (q,)),)
+
+
+@pytest.mark.parametrize("options", [{"seed": [1]}, {"seed": None}, {"accuracy": 0}, {"accuracy": -1},
+                                     {"accuracy": float("nan")}, {"accuracy": "x"}, {"accuracy": 2}])  # fmt: skip
+def test_a_seed_and_an_accuracy_are_numbers(options):
+    (word,) = options
+    assert f"{word} is a" in refusal(lambda: verify(bracket(SPACE, q, p, 1), method="all", **options))
+
+
+def test_a_hamiltonian_in_new_variables_is_refused():
+    same = Transformation(SPACE, Q=q, P=p)
+    for make in (
+        lambda: same.new_hamiltonian(P**2 / 2, P**2 / 2),
+        lambda: same.symmetry(P),
+        lambda: Subject(SPACE, hamiltonian=P**2 / 2).claim("conserved", {"f": Formula(q)}),
+    ):
+        assert "P is one of the new variables: the Hamiltonian is one in the old ones" in refusal(make)
+    assert verify(same.inverse().new_hamiltonian(P**2 / 2, p**2 / 2)).status == "proved"
+
+
+def test_a_generating_function_of_other_names_is_refused():
+    elsewhere = PhaseSpace("x", "y", new=("X", "Y"))
+    x, Y = elsewhere.symbols("x Y")
+    same = Transformation(SPACE, Q=q, P=p)
+    assert "F is one of x, y, X, Y" in refusal(lambda: same.generated_by(GeneratingFunction(elsewhere, 2, x * Y)))
+    turned = GeneratingFunction(SPACE.swapped(), 2, Q * p)
+    assert "F is one of Q, P, q, p" in refusal(lambda: same.generated_by(turned))
+    assert verify(same.generated_by(GeneratingFunction(SPACE, 2, q * P))).status == "proved"
+
+
+def test_what_is_said_of_a_symbol_that_does_not_know_it_is_refused():
+    plain = sp.Symbol("a")
+    for word in ("positive", "negative", "nonnegative", "nonzero", "integer", "real"):
+        said = refusal(lambda word=word: PhaseSpace("q", "p", **{word: [plain]}))
+        assert f"the symbol a was not made {word}" in said
+    assert "was not made positive" in refusal(lambda: PhaseSpace([sp.Symbol("x", real=True)], "p", positive="x"))
+    assert "was not made complex" in refusal(lambda: PhaseSpace("q", "p", complex=[sp.Symbol("a", real=True)]))
+    table = {sp.Symbol("a", real=True): "negative"}
+    assert "was not made negative" in refusal(lambda: PhaseSpace("q", "p", symbols=table))
+    known = sp.Symbol("a", positive=True)
+    for word in ("positive", "real", "nonnegative", "nonzero"):
+        space = PhaseSpace("q", "p", **{word: [known]})
+        assert verify(identity(space, sp.sqrt(known**2) * q, known * q)).status == "proved"
+    assert PhaseSpace("q", "p", complex=[plain]).parameters == (plain,)
+
+
+def test_values_of_subs_that_are_put_in_one_after_the_other_are_refused():
+    x = sp.Symbol("x")
+    nested = sp.Subs(sp.Subs(x * q, x, q), q, p)
+    assert nested.doit() == p**2
+    assert "write what is meant" in refusal(lambda: identity(SPACE, nested, q * p))
+    assert "write what is meant" in refusal(lambda: identity(SPACE, nested, p**2))
+    assert verify(identity(SPACE, nested.doit(), p**2)).status == "proved"
+    at_once = sp.Subs(x * q**2, (q, x), (p, q))
+    assert verify(identity(SPACE, at_once, q * p**2)).status == "proved"

@@ -5,7 +5,7 @@ the certificate's numerator over its denominator; that the relations are 0 there
 numerator = Σ cofactor · relation. A refutation's witness is put into rational formulas: not 0 modulo a prime, not 0.
 
 Positive means: a square. For p = −1 mod 24·3·5⋯23 the squares are a group of odd order: x^r, r rational, is one
-number, √x √y = √(xy), |x| is x or −x, −1 is no square, all as with real numbers. Names that are positive, radicands and
+number, √x √y = √(xy), √(x²) is x or −x, −1 is no square, as with real numbers. Names that are positive, radicands and
 what the domain's conditions say to be positive have to be squares; a point where they aren't is thrown away. A term of
 an angle is a point on the circle, one of an exponent a square; of other functions only the derivatives are known. What
 holds of these holds wherever the formulas have real values: primes and points at which all roots behave as at a given
@@ -25,24 +25,26 @@ from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
-from itertools import chain, combinations, permutations, product
+from itertools import chain, combinations, compress, count, product
 from math import prod
+from pathlib import Path
 from random import SystemRandom
 from typing import Any
 
-TRIALS, MOST_ROOTS, MOST_TERMS, MOST_TRIED, LONGEST, MOST_SLOPES = 25, 5, 40, 500, 4000, 100_000
+TRIALS, MOST_ROOTS, MOST_TERMS, MOST_TRIED, LONGEST, MOST_VALUES, HIGHEST = 25, 5, 40, 500, 4000, 200_000, 8
 MODULUS, SMALL, RANDOM = 24 * prod((3, 5, 7, 11, 13, 17, 19, 23)), (1, -1, 2, -2, 3, -3, 4, 5, 6, 7, 8), SystemRandom()
 SLOPES = {
-    "sin": ["cos(a)"], "cos": ["-sin(a)"], "exp": ["exp(a)"], "log": ["1/a"], "asin": ["(1 - a**2)**(-1/2)"],
-    "acos": ["-(1 - a**2)**(-1/2)"], "atan": ["1/(1 + a**2)"], "atan2": ["b/(a**2 + b**2)", "-a/(a**2 + b**2)"],
-    "asinh": ["(a**2 + 1)**(-1/2)"], "acosh": ["(a - 1)**(-1/2)*(a + 1)**(-1/2)"], "atanh": ["1/(1 - a**2)"],
-    "abs": ["sign(a)"], "sign": ["0"], "^": ["b*a**(b - 1)", ""],
+    "+": ["1", "1"], "*": ["b", "a"], "^": ["b*a**(b - 1)"], "sin": ["cos(a)"], "cos": ["-sin(a)"],
+    "exp": ["exp(a)"], "log": ["1/a"], "asin": ["(1 - a**2)**(-1/2)"], "acos": ["-(1 - a**2)**(-1/2)"],
+    "atan": ["1/(1 + a**2)"], "atan2": ["b/(a**2 + b**2)", "-a/(a**2 + b**2)"], "asinh": ["(a**2 + 1)**(-1/2)"],
+    "acosh": ["(a - 1)**(-1/2)*(a + 1)**(-1/2)"], "atanh": ["1/(1 - a**2)"],
 }  # fmt: skip
 MEANINGS = {
-    "sqrt": "a**(1/2)", "cbrt": "a**(1/3)", "tan": "sin(a)/cos(a)", "cot": "cos(a)/sin(a)", "sec": "1/cos(a)",
-    "csc": "1/sin(a)", "sinh": "(exp(a) - exp(-a))/2", "cosh": "(exp(a) + exp(-a))/2",
-    "tanh": "1 - 2/(exp(2*a) + 1)", "coth": "1 + 2/(exp(2*a) - 1)",
+    "-": "a + (-1)*b", "/": "a*b**(-1)", "sqrt": "a**(1/2)", "cbrt": "a**(1/3)", "tan": "sin(a)/cos(a)",
+    "cot": "cos(a)/sin(a)", "sec": "1/cos(a)", "csc": "1/sin(a)", "sinh": "(exp(a) - exp(-a))/2",
+    "cosh": "(exp(a) + exp(-a))/2", "tanh": "1 - 2/(exp(2*a) + 1)", "coth": "1 + 2/(exp(2*a) - 1)",
 }  # fmt: skip
+SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^", ast.UAdd: 1, ast.USub: -1}
 FIELD = ["D(_H, {p}) - _qdot{i}", "D(_H, {q}) + _pdot{i}"]
 KINDS = {
     "identity": ["_lhs - _rhs"], "bracket": ["bracket(_f, _g) - _equals"],
@@ -51,11 +53,11 @@ KINDS = {
     "infinitesimal": ["D(_generator, {p}) - _dq{i}", "D(_generator, {q}) + _dp{i}"],
 }  # fmt: skip
 """What vanishes, for each degree of freedom where it says so; _f is what the claim has under f."""
-OPAQUE = re.findall(r"\w+", "gamma lambertw elliptic_k elliptic_e elliptic_f elliptic_pi jacobi_sn jacobi_cn jacobi_dn")
+UNASKED = ("kind", "title", "source", "expect", "budget")
 MAPS = ("canonical", "fundamental_brackets", "new_hamiltonian", "generates", "generating_function")
 TYPES = {1: "qQ", 2: "qP", 3: "pQ", 4: "pP"}
-GIVES = {"q": ("p", ""), "p": ("q", "-"), "Q": ("P", "-"), "P": ("Q", "")}
-"""p = ∂F/∂q, q = −∂F/∂p, P = −∂F/∂Q, Q = ∂F/∂P."""
+GIVES = {"q": "p-", "p": "q+", "Q": "P+", "P": "Q-"}
+"""p − ∂F/∂q = 0, q + ∂F/∂p = 0, P + ∂F/∂Q = 0, Q − ∂F/∂P = 0."""
 
 
 class Stop(Exception):
@@ -68,11 +70,12 @@ class Elsewhere(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Formula:
-    """Of kind "#" (a number), "." (a name), "+", "*", "^" (of numbers), or a function with orders of derivatives."""
+    """Of kind "#" (a number), "." (a name), "D" (its derivative by the names in `orders`), or a key of SLOPES, or a
+    function that is declared, with orders of derivatives."""
 
     kind: str
     of: tuple[Any, ...]
-    orders: tuple[int, ...] = ()
+    orders: tuple[Any, ...] = ()
 
 
 def number(r: Any) -> Formula:
@@ -82,67 +85,28 @@ def number(r: Any) -> Formula:
     raise Stop("not shown", "a number that is so long")
 
 
-def joined(kind: str, *of: Formula) -> Formula:
-    """A sum or a product; its numbers are put together."""
-    numbers, rest = ([f for f in of if (f.kind == "#") == are] for are in (True, False))
-    r = number((sum if kind == "+" else prod)(f.of[0] for f in numbers))
-    if not rest or (kind == "*" and r.of == (0,)):
-        return r
-    rest += [r] if r.of != (kind == "*",) else []
-    return rest[0] if len(rest) == 1 else Formula(kind, tuple(rest))
-
-
-def power(a: Formula, b: Formula) -> Formula:
-    whole = a.kind == "#" and b.of[0].denominator == 1 and abs(b.of[0]) < LONGEST
-    return number(a.of[0] ** int(b.of[0])) if whole else Formula("^", (a, b))
-
-
-@cache
-def parsed(text: str) -> tuple[Any, str]:
-    """What Python's parser makes of a formula, and the text: names have a mark in front, so that none is Python's."""
-    marked = re.sub(r"(?<![\w.])[^\W\d]\w*", r"_\g<0>", " ".join(text.split()))
-    return ast.parse(marked, mode="eval").body, marked
-
-
 class Claim:
-    """What a claim asks for: the texts in `zeros` vanish, the text `regular` doesn't."""
+    """What a claim asks for: the texts in `zeros` vanish."""
 
     def __init__(self, tables: Any) -> None:
-        self.slope, self.known, self.count = cache(self.slope), cache(self.read), 0
+        self.known, self.outer = cache(self.read), cache(self.outer)
         space, self.kind, self.domain = tables["phase_space"], tables["claim"]["kind"], tables.get("domain", {})
-        said = ("kind", "title", "source", "expect", "budget")
-        claim = {key: value for key, value in tables["claim"].items() if key not in said}
+        claim = {key: value for key, value in tables["claim"].items() if key not in UNASKED}
         sides = {side: space.get(side, []) for side in "qpQP"}
         self.words = {n: [w] if isinstance(w, str) else w for n, w in tables.get("symbols", {}).items()}
-        self.names = [*chain(*sides.values()), space.get("time", "t")]
-        self.texts, whole = dict(tables.get("definitions", {})), json.dumps(tables, ensure_ascii=False)
+        self.names, whole = [*chain(*sides.values()), space.get("time", "t")], json.dumps(tables, ensure_ascii=False)
+        self.texts, explicit = dict(tables.get("definitions", {})), tables.get("transformation", {})
         twice = {*self.texts} & {*self.names, *self.words} or len({*self.names}) < len(self.names)
-        taken = {*self.texts, *self.names, *self.words} & {"pi", "D", "bracket", *SLOPES, *MEANINGS, *OPAQUE}
-        odd = (
-            re.search(r"(?<!\w)_", whole)
-            or unicodedata.normalize("NFKC", whole) != whole
-            or "complex" in str(self.words)
-        )
-        if twice or taken or odd or not all(map(str.isidentifier, self.names)):
+        taken = {*self.texts, *self.names, *self.words} & {"pi", "D", "bracket", *SLOPES, *MEANINGS}
+        odd = re.search(r"(?<!\w)_", whole) or unicodedata.normalize("NFKC", whole) != whole
+        if twice or taken or odd or "complex" in str(self.words) or not all(map(str.isidentifier, self.names)):
             raise Stop("not shown", "names with two meanings, complex ones, or of another form")
-        self.words |= dict.fromkeys(OPAQUE, "function")
         for key, value in (tables.get("hamiltonian", {}) | claim).items():
             parts = value if isinstance(value, list) else [value]
             self.texts |= {f"_{key}": value} | {f"_{key}{i}": text for i, text in enumerate(parts)}
-        self.pairs, explicit = [*zip(sides["q"], sides["p"], strict=True)], tables.get("transformation", {})
+        self.pairs, self.variables, self.nonzero = [*zip(sides["q"], sides["p"], strict=True)], self.names, []
         said = {*re.findall(r"\w+", json.dumps([*self.texts.values()], ensure_ascii=False))}
-        self.new = {*sides["Q"], *sides["P"]}
-        if self.kind not in MAPS and not self.new & said:
-            explicit = {}
-        if self.kind in MAPS or (self.kind == "identity" and not {"D", "bracket"} & said):
-            self.new = {*()}
-        for side in explicit:
-            self.texts |= dict(zip(sides[side], explicit[side], strict=True))
-        self.variables, self.regular = self.names, "1"
-        if "q" in explicit and self.kind not in MAPS[:3]:
-            rows = [*explicit["q"], *explicit["p"]]
-            self.regular = determinant([[f"D({f}, {u})" for u in (*sides["Q"], *sides["P"])] for f in rows])
-        if self.kind in MAPS:
+        if self.kind in MAPS or {*sides["Q"], *sides["P"]} & said:
             self.zeros = self.of_map(sides, explicit, claim if "F" in claim else tables.get("generating_function", {}))
         elif self.kind == "involution":
             pairs = combinations(range(len(claim["functions"])), 2)
@@ -150,65 +114,46 @@ class Claim:
         else:
             each = [(row, i, *pair) for row in KINDS[self.kind] for i, pair in enumerate(self.pairs)]
             self.zeros = [*dict.fromkeys(row.format(i=i, q=q, p=p, t=self.names[-1]) for row, i, q, p in each)]
-        lists = {
-            len(value) for key, value in claim.items() if isinstance(value, list) and key not in ("type", "functions")
-        }
+        lists = {len(v) for key, v in claim.items() if isinstance(v, list) and key not in ("type", "functions")}
         asked = re.findall(r"(?<!\w)_([a-zA-Z]+)", str([self.zeros, *self.texts.values()]))
         unread = {*claim, *self.domain} - {*asked, "type", "where"}
         if not self.zeros or unread or lists - {len(self.pairs)}:
             raise Stop("not shown", f"what {min(unread, default='it')[:40]} says")
 
     def of_map(self, sides: Any, explicit: Any, generating: Any) -> list[str]:
-        """Of a map: brackets, or the equations of its generating function; then the new Hamiltonian's gradient."""
-        n, rows, types = len(sides["q"]), [], generating.get("type", [])
-        for i, one in enumerate([types] * n if isinstance(types, int) else types):
-            for side, (other, sign) in ((side, GIVES[side]) for side in TYPES[one]):
-                rows.append((sides[other][i], sides[side][i], f"{sign}D(_F, {sides[side][i]})"))
-            self.texts["_F"] = generating["F"]
-        if len(sides["Q"]) != n or len(sides["P"]) != n or len(rows) not in (0, 2 * n):
-            raise Stop("not shown", "a map that isn't one of as many variables")
+        """Of a map: its generating function's equations; or brackets, and the gradient of K − cH."""
+        n, forward, types = len(sides["q"]), "Q" in explicit, generating.get("type", [])
+        if [*map(len, sides.values())] != [n] * 4 or not explicit or self.kind not in MAPS:
+            raise Stop("not shown", "a claim about new variables that isn't about a map of old ones to as many")
+        self.texts |= dict(chain(*(zip(sides[side], explicit[side], strict=True) for side in explicit)))
         if self.kind in MAPS[-2:]:
-            return [f"{name} - {text}" for name, _, text in rows]
-        forward, scaled = "Q" in explicit, self.kind == "new_hamiltonian"
+            self.texts["_F"], types = generating["F"], [types] * n if isinstance(types, int) else types
+            places = [(*GIVES[side], side, i) for i, one in zip(range(n), types, strict=True) for side in TYPES[one]]
+            self.nonzero = [] if forward else [lagrange(explicit, "qp", *sides["Q"], *sides["P"]) if n == 1 else "0"]
+            return [f"{sides[other][i]} {sign} D(_F, {sides[side][i]})" for other, sign, side, i in places]
         X, Y = ([*sides[a], *sides[b]] for a, b in (("QP", "qp") if forward else ("qp", "QP")))
-        self.pairs = [*zip(Y[:n], Y[n:], strict=True)]
-        if not explicit:
-            self.pairs = [(a[1], b[1]) for a, b in zip(rows[::2], rows[1::2], strict=True)]
-        self.variables = [*(a for a, _ in self.pairs), *(b for _, b in self.pairs), self.names[-1]]
-        inverse = "" if forward or not explicit else "1/"
-        self.texts.setdefault("_scale", f"bracket({X[0]}, {X[n]})" if explicit and scaled else "1")
-        self.texts["_c"] = f"{inverse}_scale" if scaled else "_scale"
-        each = [*combinations(range(2 * n), 2)]
-        zeros = [f"bracket({X[i]}, {X[j]})" + f" - {'' if scaled else inverse}_scale" * (j == i + n) for i, j in each]
-        if not explicit:
-            coordinates = [(self.variables[i], self.variables[j]) for i, j in each]
-            zeros = [f"{form(sides, 'QP', *ab)} - ({form(sides, 'qp', *ab)})" for ab in coordinates]
-            zeros += [] if scaled else ["_scale - 1"]
-            self.texts |= {name: text for name, _, text in rows}
-            self.regular = determinant([[f"D(D(_F, {a}), {b})" for _, b in self.pairs] for a, _ in self.pairs])
-        zeros += [f"D(_c, {u})" for u in self.variables if scaled]
-        for u in self.variables[:-1] if scaled else ():
-            moved = [form(sides, half, u, self.names[-1]) for half in ("QP", "qp")]
-            zeros.append(f"D(_K - _c*_H, {u}) + {moved[0]} - _c*({moved[1]})")
+        self.pairs, self.variables = [*zip(Y[:n], Y[n:], strict=True)], [*Y, self.names[-1]]
+        scaled, inverse = self.kind == "new_hamiltonian", "" if forward else "1/"
+        self.texts.setdefault("_scale", f"{inverse}bracket({X[0]}, {X[n]})" if scaled else "1")
+        pairs = combinations(range(2 * n), 2)
+        zeros = [f"bracket({X[i]}, {X[j]})" + f" - {inverse}_scale" * (j == i + n) for i, j in pairs]
+        zeros += [f"D(_scale, {u})" for u in self.variables if scaled]
+        for u in Y if scaled else ():
+            moved = [lagrange(sides, half, u, self.names[-1]) for half in ("QP", "qp")]
+            zeros.append(f"D(_K - _scale*_H, {u}) + {moved[0]} - _scale*({moved[1]})")
         return zeros
 
     def read(self, text: Any, own: Any = None) -> Formula:
-        return self.built(*parsed(str(text)), own or {})
+        """The formula of a text; `own` are names that stand for formulas. Names get a mark: none is Python's."""
+        marked = re.sub(r"(?<![\w.])[^\W\d]\w*", r"_\g<0>", " ".join(str(text).split()))
+        return self.built(ast.parse(marked, mode="eval").body, marked, own or {})
 
     def built(self, at: Any, text: str, own: Any) -> Formula:
-        """The formula of a syntax tree; `own` are names that stand for formulas. Derivatives are taken at once."""
+        """The formula of a syntax tree in this text."""
         if isinstance(at, ast.BinOp):
-            a, b = (self.built(side, text, own) for side in (at.left, at.right))
-            if isinstance(at.op, ast.Pow) and b.kind != "#":
-                if "integer" in str(self.words):
-                    raise Stop("not shown", "powers with a name in the exponent beside integers")
-                return self.read("exp(b*log(a))", {"a": a, "b": b})
-            if isinstance(at.op, (ast.Sub, ast.Div)):
-                b = joined("*", number(-1), b) if isinstance(at.op, ast.Sub) else power(b, number(-1))
-            kinds = {ast.Add: "+", ast.Sub: "+", ast.Mult: "*", ast.Div: "*", ast.Pow: "^"}
-            return power(a, b) if isinstance(at.op, ast.Pow) else joined(kinds[type(at.op)], a, b)
+            return self.made(SIGNS[type(at.op)], *(self.built(side, text, own) for side in (at.left, at.right)))
         if isinstance(at, ast.UnaryOp):
-            return joined("*", number({ast.UAdd: 1, ast.USub: -1}[type(at.op)]), self.built(at.operand, text, own))
+            return self.made("*", number(SIGNS[type(at.op)]), self.built(at.operand, text, own))
         if isinstance(at, ast.Constant):
             return number(ast.get_source_segment(text, at))
         if isinstance(at, ast.Name):
@@ -218,68 +163,50 @@ class Claim:
             if "function" in self.words.get(name, ()) or name not in {*self.names, *self.words, "pi"}:
                 raise Stop("not shown", f"what {name.strip('_')[:40]} is")
             return Formula(".", (name,))
-        of, orders, x = at.func, (), [self.built(item, text, own) for item in at.args]
+        of, orders, x = at.func, (), [self.built(item, text, own) for item in (*at.args, *at.keywords)]
         if isinstance(of, ast.Subscript):  # V[1](r), in certificates, is V'(r)
             of, orders = of.value, tuple(int(item.value) for item in getattr(of.slice, "elts", [of.slice]))
         name = getattr(of, "id", "_")[1:]
         if name == "bracket":
-            ways = [(1, q, p) for q, p in self.pairs] + [(-1, p, q) for q, p in self.pairs]
-            return joined("+", *(joined("*", number(s), self.slope(x[0], a), self.slope(x[1], b)) for s, a, b in ways))
+            each = " + ".join(f"D(a, {q})*D(b, {p}) - D(a, {p})*D(b, {q})" for q, p in self.pairs)
+            return self.read(each, dict(zip("ab", x, strict=True)))
         if name == "D":
-            if (by := x[1].of[0]) not in self.variables and (by not in self.words or by in self.texts):
+            if (by := at.args[1].id[1:]) not in self.variables and (by not in self.words or by in self.texts):
                 raise Stop("not shown", f"a derivative by {by}")
-            for _ in range(range(20)[int(x[2].of[0]) if len(x) > 2 else 1]):
-                x[0] = self.slope(x[0], by)
-            return x[0]
+            return Formula("D", (x[0],), (by,) * range(HIGHEST + 1)[int(x[2].of[0]) if len(x) > 2 else 1])
         if "function" in self.words.get(name, ()):
             return Formula(name, tuple(x), orders or (0,) * len(x))
-        if at.keywords or orders or len(x) != (1 if name in MEANINGS else len(SLOPES[name])):
-            raise ValueError(f"what is given to {name[:40]}")
-        return self.read(MEANINGS[name], {"a": x[0]}) if name in MEANINGS else Formula(name, tuple(x), ())
+        return self.made(name, *x, *orders)
 
-    def slope(self, f: Formula, x: str) -> Formula:
-        """∂f/∂x."""
-        self.count += 1
-        if self.count > MOST_SLOPES or (f.kind == "." and f.of[0] in self.new):
-            raise Stop("not shown", "derivatives of new variables, or so many")
-        if f.kind in "#.":
-            return number(f.of == (x,))
-        steep = [self.slope(a, x) for a in f.of]
-        if f.kind == "+":
-            return joined("+", *steep)
-        if f.kind == "*":
-            return joined("+", *(joined("*", a, *f.of[:k], *f.of[k + 1 :]) for k, a in enumerate(steep)))
-        terms, own = [number(0)], dict(zip("ab", f.of, strict=False))
-        for k, a in enumerate(steep):
-            if a.of != (0,):
-                more = Formula(f.kind, f.of, tuple(n + (j == k) for j, n in enumerate(f.orders)))
-                terms.append(joined("*", a, more if f.orders else self.read(SLOPES[f.kind][k], own)))
-        return joined("+", *terms)
+    def made(self, kind: str, *of: Any) -> Formula:
+        """Of numbers a number; of what MEANINGS says in other words, these."""
+        own, r = dict(zip("ab", of, strict=False)), [f.of[0] for f in of if f.kind == "#"]
+        if kind not in {*SLOPES, *MEANINGS} or len(of) != (2 if kind in ("atan2", *"+-*/^") else 1):
+            raise ValueError(f"what is given to {kind[:40]}")
+        if kind in "+*^" and len(r) == 2 and (kind != "^" or (r[1] % 1 == 0 and abs(r[1]) < LONGEST)):
+            return number(sum(r) if kind == "+" else prod(r) if kind == "*" else r[0] ** int(r[1]))
+        return self.read(MEANINGS[kind], own) if kind in MEANINGS else Formula(kind, of)
+
+    def outer(self, f: Formula, k: int) -> Formula:
+        """∂f/∂(its k-th argument)."""
+        if f.orders:
+            return Formula(f.kind, f.of, tuple(n + (j == k) for j, n in enumerate(f.orders)))
+        return self.read(SLOPES[f.kind][k], dict(zip("ab", f.of, strict=False)))
 
 
-def form(sides: Any, half: str, a: str, b: str) -> str:
+def lagrange(sides: Any, half: str, a: str, b: str) -> str:
     """Lagrange's bracket of two coordinates: Σ ∂q/∂a ∂p/∂b − ∂p/∂a ∂q/∂b."""
     pairs = zip(sides[half[0]], sides[half[1]], strict=True)
     return " + ".join(f"D({q}, {a})*D({p}, {b}) - D({p}, {a})*D({q}, {b})" for q, p in pairs)
 
 
-def determinant(rows: list[list[str]]) -> str:
-    if len(rows) > 4:
-        raise Stop("not shown", "that a map of so many variables is regular")
-    terms = [(sum(a > b for a, b in combinations(rank, 2)), rank) for rank in permutations(range(len(rows)))]
-    return " + ".join(
-        "*".join([f"(-1)**{odd}", *(row[k] for row, k in zip(rows, rank, strict=True))]) for odd, rank in terms
-    )
-
-
 class Point:
     """A random point modulo a prime, and what formulas are there."""
 
-    def __init__(self, claim: Claim, prime: int, given: Any = ()) -> None:
-        self.claim, self.p, self.half, self.free = claim, prime, (prime - 1) // 2, dict[Any, int]()
-        self.given = {name: self.fraction(r, prime) for name, r in dict(given).items()}
-        self.roots, self.sure, self.logs, self.rational = set[int](), set[int](), dict[int, int](), True
-        self.value, self.terms = cache(self.value), cache(self.terms)
+    def __init__(self, claim: Claim, prime: int) -> None:
+        self.claim, self.p, self.half, self.free, self.count = claim, prime, (prime - 1) // 2, dict[Any, int](), count()
+        self.roots, self.sure, self.rational = set[int](), set[int](), True
+        self.at, self.terms = cache(self.at), cache(self.terms)
 
     def any(self, *key: Any) -> int:
         """A random number for what nothing is known of but that it is the same where the key is."""
@@ -299,42 +226,49 @@ class Point:
             raise Elsewhere
         return x
 
+    def at(self, f: Formula, *by: str) -> int:
+        """The derivative of a formula by the names: by the chain rule, one after the other."""
+        if len(by) > HIGHEST or next(self.count) > MOST_VALUES:
+            raise Stop("not shown", "so many derivatives, or so high ones")
+        if f.kind == "D":
+            return self.at(f.of[0], *sorted((*by, *f.orders)))
+        if not by or f.kind in "#.":
+            return self.value(f) if not by else int(by == f.of)
+        found = 0
+        for (k, inner), taken in product(enumerate(f.of), product((True, False), repeat=len(by) - 1)):
+            if steep := self.at(inner, by[0], *compress(by[1:], taken)):
+                found += steep * self.at(self.claim.outer(f, k), *compress(by[1:], (not one for one in taken)))
+        return found % self.p
+
     def value(self, f: Formula) -> int:
         if f.kind == ".":
             return self.named(f.of[0])
         if f.kind == "#":
-            self.sure |= {self.fraction(f.of[0], self.p)} if f.of[0] > 0 else set()
             return self.fraction(f.of[0], self.p)
-        a = [self.value(x) for x in f.of]
+        a = [self.at(x) for x in f.of]
         if f.kind in "+*":
             return (sum(a) if f.kind == "+" else prod(a)) % self.p
         if f.kind == "^":
             r = f.of[1].of[0]
-            self.roots |= {a[0]} - self.sure if r.denominator % 2 == 0 else set()
+            self.roots |= {a[0]} - self.sure if r.denominator % 2 == 0 and f.of[0].kind != "#" else set()
             self.rational &= r.denominator == 1
             return self.root(a[0], r)
         self.rational = False
-        if f.kind in ("abs", "sign"):
-            self.roots |= {a[0] ** 2 % self.p}
-            return pow(a[0], self.half, self.p) * (a[0] if f.kind == "abs" else 1) % self.p
         if f.kind == "exp":
-            terms = self.terms(f.of[0]).items()
-            return prod(self.root(self.logs.get(v, self.any("exp", v) ** 2), r) for v, r in terms) % self.p
+            return prod(self.root(self.any("exp", v) ** 2, r) for v, r in self.terms(f.of[0]).items()) % self.p
         if f.kind in ("sin", "cos"):
             return self.circle(self.terms(f.of[0]))[f.kind == "sin"]
-        found = self.any(f.kind, f.orders, *a)
-        self.logs |= {found: self.square(a[0])} if f.kind == "log" else {}
-        return found
+        return self.any(f.kind, f.orders, *a)
 
     def named(self, name: str) -> int:
-        """The value of a name: what the map gives it, or a number that has its sign."""
+        """The value of a name: of what stands for it, or a number that has its sign."""
         if name in self.claim.texts:
-            return self.value(self.claim.known(self.claim.texts[name]))
-        value, said = self.given.get(name) or self.any(name), {*self.claim.words.get(name, ())}
-        if name not in self.given and (said & {"positive", "negative", "nonnegative"} or name == "pi"):
+            return self.at(self.claim.known(self.claim.texts[name]))
+        value, said = self.any(name), {*self.claim.words.get(name, ())}
+        if said & {"positive", "negative", "nonnegative"} or name == "pi":
             value = value**2 * (-1 if "negative" in said else 1) % self.p
             self.sure.add(value)
-        return self.given.get(name, value)
+        return value
 
     def terms(self, f: Formula) -> dict[int, Fraction]:
         """What a formula is the sum of: {the value of a product: its rational factor}."""
@@ -354,17 +288,16 @@ class Point:
         return {self.value(f): Fraction(1)}
 
     def circle(self, terms: dict[int, Fraction]) -> tuple[int, int]:
-        """(cos, sin) of a sum: for each term the power of a random point on the circle; for π/2 that of (0, 1)."""
+        """(cos, sin) of a sum: for each term the power of a random point on the circle."""
         c, s, p = 1, 0, self.p
         for value, r in terms.items():
-            u, right = self.any("circle", value), value == self.named("pi")
-            x, n = (0 if right else (1 - u * u) * pow(1 + u * u, -1, p)), r * (2 if right else MODULUS**2)
+            u, n = self.any("circle", value), r * MODULUS**2
+            x, y = (1 - u * u) * pow(1 + u * u, -1, p), 2 * u * pow(1 + u * u, -1, p) * (1 if n > 0 else -1)
             if n.denominator > 1:
                 raise Stop("not shown", "a part of an angle")
-            y, n = (1 if right else 2 * u * pow(1 + u * u, -1, p)) * (1 if n > 0 else -1), abs(int(n))
-            while n:
-                c, s = ((c * x - s * y) % p, (c * y + s * x) % p) if n % 2 else (c, s)
-                x, y, n = (x * x - y * y) % p, 2 * x * y % p, n // 2
+            for bit in f"{abs(int(n)):b}"[::-1]:
+                c, s = ((c * x - s * y) % p, (c * y + s * x) % p) if bit == "1" else (c, s)
+                x, y = (x * x - y * y) % p, 2 * x * y % p
         return c, s
 
 
@@ -379,11 +312,10 @@ def random_prime() -> int:
 def sample(claim: Claim, case: Any, prime: int) -> int:
     """Put one random point into everything; returns the number of roots that were met."""
     point, own = Point(claim, prime), {}
-    value = lambda text: point.value(claim.known(text))
-    for words in (re.split(r"(<=|>=|!=|<|>)", text) for text in claim.domain.get("where", [])):
+    value = lambda text: point.at(claim.known(text))
+    for words in (re.split(r"(<=|>=|<|>)", text) for text in claim.domain.get("where", [])):
         for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
-            if sign != "!=":
-                point.square(value(f"({b}) - ({a})" if "<" in sign else f"({a}) - ({b})"))
+            point.square(value(f"({b}) - ({a})" if "<" in sign else f"({a}) - ({b})"))
 
     def put(polynomial: Any, kernel: Any) -> int:
         """A polynomial's value, of {"g1^2 x": "3/2"}."""
@@ -393,31 +325,32 @@ def sample(claim: Claim, case: Any, prime: int) -> int:
 
     for k in case["kernels"]:
         own[k["name"]] = claim.read(k["stands for"], own)
-    kernel, free = cache(lambda name: point.value(claim.read(name, own))), cache(lambda name: RANDOM.randrange(prime))
-    if wrong := [k["name"] for k in case["kernels"] if put(k.get("relation", {}), kernel)]:
-        raise Stop("not shown", f"the relation of {wrong[0][:40]}")
+    kernel, free = cache(lambda name: point.at(claim.read(name, own))), cache(lambda name: RANDOM.randrange(prime))
     relations = {k["name"]: put(k.get("relation", {}), free) for k in case["kernels"]}
+    if any(put(k.get("relation", {}), kernel) for k in case["kernels"]):
+        raise Stop("not shown", "a relation")
     for text, entry in zip(claim.zeros, case["residuals"], strict=True):
+        residual, top, bottom = value(text), entry["numerator"], entry["denominator"]
         parts = sum(put(cofactor, free) * relations[name] for name, cofactor in entry["cofactors"].items())
-        if (put(entry["numerator"], free) - parts) % prime:
+        if (put(top, free) - parts) % prime:
             raise Stop("wrong", "a numerator isn't the sum of cofactors times relations")
-        residual = value(text)
-        if (residual * put(entry["denominator"], kernel) - put(entry["numerator"], kernel)) % prime or residual:
+        if residual or put(top, kernel) or not put(bottom, kernel):
             raise Stop("not shown", f"{text[:60]} isn't seen to be 0 and the fraction that is stated")
-    small = any((value("_c") * b - a) % prime == 0 for a, b in product(SMALL, SMALL)) if "_c" in claim.texts else True
-    if not small or not value(claim.regular):
-        raise Stop("not shown", "that the generating function is regular, and the scale a number that isn't 0")
+    scale = value("_scale") if "_scale" in claim.texts else 1
+    if all((scale * b - a) % prime for a, b in product(SMALL, SMALL)) or not all(map(value, claim.nonzero)):
+        raise Stop("not shown", "that the map is regular, and the scale a number that isn't 0")
     return len(point.roots)
 
 
 def refuted(claim: Claim, witness: Any, prime: int) -> tuple[str, str]:
     """Whether something isn't 0 at a rational point in rational formulas: what isn't 0 modulo a prime isn't 0."""
-    point, signs = Point(claim, prime, witness), {"real": 0, "positive": 1, "nonnegative": 1, "negative": -1}
+    signs, point = {"real": 0, "positive": 1, "nonnegative": 1, "negative": -1}, Point(claim, prime)
     fits = [signs[word] * Fraction(witness[name]) >= 0 for name in witness for word in claim.words.get(name, ())]
-    wrong = [text for text in claim.zeros if point.value(claim.known(text))]
-    if not point.rational or claim.domain or not all(fits) or not point.value(claim.known(claim.regular)):
+    claim.texts = {name: str(Fraction(r)) for name, r in witness.items()} | claim.texts
+    wrong, fine = ([point.at(claim.known(text)) for text in texts] for texts in (claim.zeros, claim.nonzero))
+    if not point.rational or claim.domain or not all([*fits, *fine]):
         raise Stop("not shown", "a refutation that isn't one by fractions alone")
-    return ("shown", "") if wrong else ("wrong", "nothing fails at the witness")
+    return ("shown", "") if any(wrong) else ("wrong", "nothing fails at the witness")
 
 
 def checked(data: Any) -> tuple[str, str]:
@@ -448,7 +381,6 @@ def checked(data: Any) -> tuple[str, str]:
 if __name__ == "__main__":
     answers = []
     for path in sys.argv[1:]:
-        with open(path, encoding="utf-8") as file:
-            answers.append(checked(json.load(file)))
+        answers.append(checked(json.loads(Path(path).read_bytes())))
         print(path, *filter(None, answers[-1]), sep=": ")
     sys.exit(1 if any(answer == "wrong" for answer, _ in answers) else 2 * any(a != "shown" for a, _ in answers))

@@ -16,7 +16,7 @@ from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.closed_actions import closed, constant
-from canon.checker.defined import has_values, is_unbound, unseen
+from canon.checker.defined import has_values, is_everywhere, is_unbound, unseen
 from canon.checker.followed import at_random, is_identity
 from canon.checker.formulas import ONE, ZERO
 from canon.checker.forward_angles import advance, advances, unmeasured
@@ -72,7 +72,7 @@ def action(s: Statement) -> Case:
     s.without(H, {*s.q} - {x})  # else the coordinate alone has no action
     for a in (equals, *given):
         s.without(a, (x, p, s.time))  # an action is a function of energy and constants
-    free = is_unbound(s, (x, p)) and all(has_values(s, name, [H]) for name in (x, p))
+    free = is_everywhere(s, (x, p)) and all(has_values(s, name, [H]) for name in (x, p))
     form = Form.of(s, H, x, p)
     rate, rotates = claim["kind"] == "frequency", claim.get("branch") == "rotation"
     if rotates and not form.quadratic:
@@ -161,6 +161,8 @@ def action_angle(s: Statement) -> Case:
     """Canonical, and K depends on the new momenta alone; each angle's period brings the old variables back."""
     f = s.f
     zeros, _ = s.brackets(f.number(1))
+    for a in (s.H, *s.images.values()):
+        s.without(a, [s.time])
     period = f.read(s.claim.get("angle_period", "1"), s.names)
     s.written.append(period)
     once = "that each angle advances by its period once round its cycle"

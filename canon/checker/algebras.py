@@ -12,15 +12,16 @@ from typing import Any
 
 from canon.checker.at_zero import evaluated
 from canon.checker.case import Case
-from canon.checker.defined import unseen
+from canon.checker.defined import assumed, shared, unseen
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.lie import Algebra, is_named, is_simple
 from canon.checker.linear import rank, solved
 from canon.checker.motion import unused
 from canon.checker.poisson import bracketed
+from canon.checker.positive import is_nowhere_zero, is_positive
 from canon.checker.regular import is_regular
 from canon.checker.scaled import scaled
-from canon.checker.shapes import is_rational
+from canon.checker.shapes import is_rational, is_smooth
 from canon.checker.statement import Statement
 
 Pair = tuple[int, int]
@@ -46,6 +47,8 @@ def algebra(s: Statement) -> Case:
     found, trusted = identified(s, table, len(e))
     if found is False and "structure" in s.claim:  # the claim contradicts itself
         return Case([], found=False)
+    if s.verdict == "refuted" and found is not False and "structure" not in s.claim:
+        zeros, labels = [], []  # other constants than the certificate's may be right
     case = Case(zeros, independent=pulled, found=found, trusted=trusted, outside=outside, labels=labels)
     other = scaled(s, table, len(e))
     return replace(case, algebra=numeric(s, table, len(e)), is_simple=other is not None and is_simple(other))
@@ -220,11 +223,16 @@ def group(s: Statement) -> Case:
         images = {**dict(zip(a, x, strict=True)), **dict(zip(b, y, strict=True))}
         return [f.substitute(t, images) for t in theta]
 
+    for x in theta:
+        s.without(x, {*s.q, *s.p, *s.Q, *s.P, s.time} - {*a, *b})
+    for n in (*a, *b):
+        if {*s.words.get(n, ())} - {"real", "nonnegative"} or _is_bound(s, zero, n):
+            raise Unreadable(f"{n[:40]!r} may not be 0, where a group has its unit")
     A, B, C = ([nodes[n] for n in group] for group in (a, b, c))
     nothing = [f.number(0)] * len(a)
     zeros = [f.sub(x, y) for x, y in zip([*of(A, nothing), *of(nothing, B)], [*A, *B], strict=True)]
     zeros += [f.sub(x, y) for x, y in zip(of(of(A, B), C), of(A, of(B, C)), strict=True)]
-    if not is_regular(s, [*theta, *unseen(s)], zero, own=False):
+    if not is_regular(s, [*theta, *unseen(s), *shared(s)], zero, own=False):
         raise Unknown("a composition that isn't seen to be smooth where all parameters are 0")
     second: Callable[[int, str, str], int] = lambda t, x, y: f.substitute(f.slope(f.slope(t, x), y), zero)
     table = {
@@ -247,5 +255,21 @@ def group(s: Statement) -> Case:
         found = False
     if found is None:
         found, trusted = identified(s, table, len(a))
-        return Case(zeros, found=found, trusted=trusted)
+        entire = all(is_smooth(s, x, n) for x in theta for n in (*a, *b))
+        called = any(f.ops[x][0] == "f" and f.ops[x][1] in f.functions for x in f.reach(*theta))
+        against = (
+            "" if entire and not called else "that the point speaks of the law near its unit, where it may be another"
+        )
+        return Case(zeros, found=found, trusted=trusted, against=against)
     return Case([], found=found)
+
+
+def _is_bound(s: Statement, zero: Mapping[str, int], name: str) -> bool:
+    """Whether what the domain says of a parameter isn't seen to hold where all are 0."""
+    f = s.f
+    for a, kind in (*s.conditions, *assumed(s)):
+        if any(f.ops[b] == ("s", name) for b in f.reach(a)):
+            there = f.substitute(a, zero)
+            if not (is_nowhere_zero(s, there) if kind == "nonzero" else is_positive(s, there, strict=True, real=True)):
+                return True
+    return any(f.ops[b] == ("s", name) for b in f.reach(*s.surface))

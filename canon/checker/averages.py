@@ -8,7 +8,7 @@ from itertools import combinations_with_replacement
 
 from canon.checker.calculus import by_antiderivative, moves
 from canon.checker.case import Case
-from canon.checker.defined import unseen
+from canon.checker.defined import is_upward, unseen
 from canon.checker.followed import at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.positive import is_nowhere_zero, is_positive
@@ -99,6 +99,11 @@ def average(s: Statement) -> Case:
     clock = moved.get(s.time, f.node("s", s.time))
     s.written[:] = there  # its formulas have values along the motion, for all of the stretch
     ends = [f.read(claim[word], s.names) for word in ("from", "to")]
+    still = {*s.q, *s.p} - moved.keys()
+    if s._H is not None and still:
+        raise Unreadable(f"the motion of {min(still)[:40]!r} is missing")
+    for a, closed in ((value, still), *((a, {*s.q, *s.p, s.time} - {u}) for a in (equals, *ends, *moved.values()))):
+        s.without(a, closed)
     pace = f.slope(clock, u)
     stretch = f.sub(f.substitute(clock, {u: ends[1]}), f.substitute(clock, {u: ends[0]}))
     case = by_antiderivative(s, f.mul(f.substitute(value, moved), pace), u, ends, f.mul(equals, stretch))
@@ -111,11 +116,12 @@ def average(s: Statement) -> Case:
             slope = f.mul(f.number(sign), f.substitute(f.slope(s.H, other), moved), pace)
             zeros.append(f.sub(f.slope(moved[x], u), slope))
     smooth = all(is_smooth(s, a, u) for a in moved.values())
-    against = "" if grows else "that time grows along the motion"
+    against = "" if grows and is_upward(s, ends) else "that time grows along the motion"
     against = against or ("" if stays else "that the motion stays in the domain")
-    if s.verdict == "refuted":
-        return replace(case, zeros=zeros, against=against)
+    if s.verdict == "refuted":  # what is no motion says nothing of an average
+        return replace(case, granted=[*case.granted, *zeros[len(case.zeros) :]], against=against)
     trusted = "that the motion stays in the domain" if not stays else "" if smooth else "that the motion has no pole"
+    trusted = trusted or ("" if is_upward(s, ends) else "that the stretch of time runs upwards")
     trusted = trusted or ("" if is_nowhere_zero(s, stretch) else "that the stretch of time isn't empty")
     return replace(case, zeros=zeros, nonzeros=[[stretch]], positive=[(pace, True)], trusted=trusted)
 

@@ -8,9 +8,9 @@ from itertools import pairwise
 from typing import Any
 
 from canon.checker.case import Case
-from canon.checker.defined import is_there
+from canon.checker.defined import is_there, is_upward
 from canon.checker.expansions import Series
-from canon.checker.functions import Unreadable
+from canon.checker.functions import Unknown, Unreadable
 from canon.checker.intervals import Intervals
 from canon.checker.points import Numbers, Outside
 from canon.checker.positive import is_positive
@@ -41,6 +41,12 @@ def _end(s: Statement, word: str, x: str) -> int | str:
 def moves(s: Statement, a: int, x: str) -> bool:
     """Whether a name is in a formula."""
     return any(s.f.ops[b] == ("s", x) for b in s.f.reach(a))
+
+
+def _check_image(s: Statement, x: str, *written: int) -> None:
+    """Refuse what the map bounds by its image: old variables that it gives by others. Raises Unknown."""
+    if s.direction in ("backward", "implicit") and any(moves(s, a, n) for a in written for n in {*s.q, *s.p} - {x}):
+        raise Unknown("old variables that the map gives by others, held fixed")
 
 
 def _is_free(s: Statement, x: str) -> bool:
@@ -149,6 +155,7 @@ def integral(s: Statement) -> Case:
     if moves(s, equals, x):
         raise Unreadable(f"{x} is the variable of integration: the integral doesn't depend on it")
     s.written += [end for end in ends if isinstance(end, int)]
+    _check_image(s, x, inside, equals, *(end for end in ends if isinstance(end, int)))
 
     def measured(numbers: Numbers, of: Mapping[str, Any]) -> list[Any]:
         own = Numbers(PRECISE, real=numbers.real)
@@ -179,13 +186,13 @@ def integral(s: Statement) -> Case:
             yield total * (b - a) / n - found[equals]
 
     bounded = [end for end in ends if isinstance(end, int)]
-    there = is_there(s, x, ends, [inside])
+    there = is_there(s, x, ends, [inside]) and is_upward(s, ends)
     case = by_antiderivative(s, inside, x, ends, equals) or by_gauss(s, inside, x, ends, equals)
     if case is None:
         case = Case([], measured=measured, digits=DIGITS)
         case.enclosed = enclosed if len(bounded) == 2 and there else None
         return replace(case, mentions=[inside])
-    doubt = "" if there else "that what is integrated has a value all over the range"
+    doubt = "" if there else "that the range runs upwards, and all formulas have values all over it"
     return replace(case, mentions=[inside], trusted=doubt, against=doubt)
 
 
@@ -224,6 +231,9 @@ def limit(s: Statement) -> Case:
     s.declared |= {x}
     inside, to, equals = f.read(claim["f"], s.names), _end(s, "to", x), _end(s, "equals", x)
     s.written += [end for end in (to, equals) if isinstance(end, int)]
+    _check_image(s, x, inside, *(end for end in (to, equals) if isinstance(end, int)))
+    if "side" in claim and not isinstance(to, int):
+        raise Unreadable("an infinity is reached from one side only")
     sides = {"+": [1], "-": [-1]}.get(str(claim.get("side")), [1, -1] if isinstance(to, int) else [1])
     shown = by_expansion(s, [towards(s, inside, x, to, side) for side in sides], equals)
     if shown is not None:

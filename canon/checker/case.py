@@ -23,7 +23,8 @@ class Case:
     trust; it says nothing of the claim where one of `granted` isn't identically 0. `enclosed` gives intervals of what
     is measured: one without 0 in it refutes the claim. All that is `somewhere` is positive at a point of the domain:
     what the claim takes for granted is so at least there. `algebra` has the brackets of what is independent, where
-    they are numbers; whatever they are, the algebra may be known to be simple.
+    they are numbers; whatever they are, the algebra may be known to be simple. A point that is `elsewhere` than the
+    witness may refute it, too: the witness may lie beside the image of a map.
     """
 
     zeros: list[int]
@@ -44,6 +45,7 @@ class Case:
     somewhere: list[int] = field(default_factory=list)
     algebra: Any = None
     is_simple: bool = False
+    elsewhere: bool = False
 
     @property
     def fails_alone(self) -> bool:

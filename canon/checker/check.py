@@ -103,7 +103,7 @@ class _Check:
         if not self.cases:
             raise Unknown("nothing is claimed")
         if self.verdict == "refuted" and all(case.fails_alone for case in self.cases):
-            return [x for case in self.cases for x in self.shown.is_somewhere(case)]
+            return [x for case in self.cases for x in (*_doubts(case), *self.shown.is_somewhere(case))]
         if not self.data["cases"]:
             raise Unknown("nothing is shown of it")
         if len(self.data["cases"]) != len(self.cases):
@@ -119,7 +119,12 @@ class _Check:
             return self.shown.of(case, data)
         if case.found is False:  # by what the certificate shows to be 0
             grounds = Case(case.zeros, images=case.images, independent=case.independent, algebra=case.algebra)
-            return self.shown.of(grounds, data)
+            return [*_doubts(case), *self.shown.of(grounds, data)]
         if not case.nonzeros:
             raise Unknown("a refutation without a point, by an argument that there is no rule for")
         return self.shown.of(Case(case.nonzeros[0], [], case.images), data)  # what must not vanish everywhere does
+
+
+def _doubts(case: Case) -> list[str]:
+    """What a refutation takes on trust."""
+    return [case.against] if case.against else []

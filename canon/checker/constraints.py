@@ -8,7 +8,9 @@ from itertools import combinations
 from canon.checker.case import Case
 from canon.checker.everywhere import is_nearly
 from canon.checker.functions import Unknown
+from canon.checker.inhabited import is_inhabited
 from canon.checker.motion import Motion, formulas
+from canon.checker.points import Numbers, domain_of, names_in, points
 from canon.checker.positive import is_nowhere_zero
 from canon.checker.statement import Statement
 
@@ -40,12 +42,30 @@ def constraint(s: Statement) -> list[Case]:
         found.append(_determined(s, m, forms))
     for word in (w for w in ON_MOTIONS if w in asked):
         found.append(_of_motions(s, m, forms, lines, word))
+    if "determined" in asked and s.verdict == "refuted":  # it is a claim of states that the constraints allow
+        if len(asked) > 1:
+            raise Unknown("several claims about constraints at once")
+        s.surface += [s.pull(a) for a in (*functions, *lines) if s.f.value(a) != 0]
+    formal = functions and {*ON_FORMS} & {*asked} and not {*ON_MOTIONS} & {*asked}
+    if formal and s.verdict == "proved" and not _hold_somewhere(s, functions):
+        found[0].trusted = "that the constraints hold somewhere, and say something there"
     if {*ON_MOTIONS} & {*asked} and (functions or "multipliers" in asked):
         if any(word in asked for word in (*ON_FORMS, "determined")) and functions:
             raise Unknown("claims about functions and about motions on them at once")
         on = [*functions, *(lines if "multipliers" in asked else [])]
         s.surface += [s.pull(a) for a in on if s.f.value(a) != 0]
     return found
+
+
+def _hold_somewhere(s: Statement, functions: Sequence[int]) -> bool:
+    """Whether functions of coordinates and time are seen to change their signs at one point of the domain."""
+    kept, numbers = s.surface, Numbers()
+    try:
+        s.surface = [*kept, *(s.pull(a) for a in functions)]
+        free = names_in(s, [*s.surface, *domain_of(s)])
+        return is_inhabited(s, Case([]), points(s, Case([]), numbers, [], free), real=True)
+    finally:
+        s.surface = kept
 
 
 def _of_forms(s: Statement, m: Motion, forms: Sequence[Form], word: str) -> Case:

@@ -1,13 +1,15 @@
 """Has a formula a value all along a range? What is only seen to have one somewhere says nothing of the rest.
 
 A theorem about a range, an orbit or the neighbourhood of a place speaks of all of it. What stands in a text and in no
-formula (the logarithm in 0 · log q, a bracket's arguments) bounds the domain as the rest does.
+formula (the logarithm in 0 · log q, a bracket's arguments) bounds the domain as the rest does; and so do the file's own
+sections, H and the map, whether a claim uses them or not, and what is assumed of the map's other variables.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from canon.checker.functions import Unreadable
 from canon.checker.positive import is_nowhere_zero, is_positive
 from canon.checker.shapes import SMOOTH, has_complex, is_rational, is_smooth
 from canon.checker.statement import Statement
@@ -22,10 +24,42 @@ def unseen(s: Statement) -> list[int]:
     return [s.pull(a) for a in dict.fromkeys(s.f.unseen)]
 
 
+def shared(s: Statement) -> list[int]:
+    """What the file's own sections are made of, in the coordinates: H, the map, a generating function without one."""
+    own = [*([s._H] if s._H is not None else []), *s.images.values()]
+    own += [s.generating[1]] if s.direction == "implicit" else []
+    return [s.pull(a) for a in dict.fromkeys(own)]
+
+
+def assumed(s: Statement) -> Iterator[tuple[int, str]]:
+    """What is assumed of the variables that the map gives: formulas that are positive (or 0 nowhere)."""
+    for name, image in s.images.items():
+        a = s.pull(image)
+        for word in {*s.words.get(name, ())} & {"positive", "nonnegative", "negative", "nonzero"}:
+            yield (s.f.mul(s.f.number(-1), a) if word == "negative" else a), word
+
+
+def bounding(s: Statement, names: Iterable[str]) -> list[tuple[int, str]]:
+    """What is assumed of the map's other variables, and isn't so for all values of these names anyway."""
+    own = [*names]
+    return [
+        (a, word)
+        for a, word in assumed(s)
+        if any(_moves(s, a, name) for name in own)
+        and not (is_nowhere_zero(s, a) if word == "nonzero" else is_positive(s, a, strict=word[:3] != "non", real=True))
+    ]
+
+
 def is_unbound(s: Statement, names: Iterable[str]) -> bool:
     """Whether what isn't seen in a claim's formulas bounds none of these names, whatever values they take."""
     hidden, own = unseen(s), [*names]
     return all(is_smooth(s, a, name) for a in hidden for name in own)
+
+
+def is_everywhere(s: Statement, names: Iterable[str]) -> bool:
+    """Whether the file's sections, too, bound none of these names."""
+    own = [*names]
+    return is_unbound(s, own) and all(has_values(s, x, shared(s)) for x in own) and not bounding(s, own)
 
 
 def has_values(s: Statement, x: str, formulas: Iterable[int]) -> bool:
@@ -61,9 +95,34 @@ def is_there(s: Statement, x: str, ends: Sequence[int | str], formulas: Sequence
     walls += [f.sub(high, t)] if isinstance(high, int) and low != "infinity" else []
     try:
         s.conditions = [*kept, *((wall, "positive") for wall in walls)]
-        return has_values(s, x, [*formulas, *(a for a in unseen(s) if _moves(s, a, x))])
+        own = [*formulas, *(a for a in (*unseen(s), *shared(s)) if _moves(s, a, x))]
+        return has_values(s, x, own) and not bounding(s, [x])
     finally:
         s.conditions = kept
+
+
+def is_upward(s: Statement, ends: Sequence[int | str]) -> bool:
+    """Whether a range is seen to run upwards. Raises Unreadable for one that begins at its upper infinity."""
+    low, high = ends
+    if low == "infinity" or high == "-infinity":
+        raise Unreadable("a range runs upwards")
+    if not (isinstance(low, int) and isinstance(high, int)):
+        return True
+    return is_positive(s, s.f.sub(high, low), strict=False, real=True)
+
+
+def keeps_inside(s: Statement, along: Mapping[str, int], ends: Sequence[int | str]) -> bool:
+    """Whether a path, between its ends, is seen to stay where the file's own sections have values."""
+    f, t, kept = s.f, s.f.node("s", s.time), s.conditions
+    low, high = ends
+    walls = [f.sub(t, low)] if isinstance(low, int) else []
+    walls += [f.sub(high, t)] if isinstance(high, int) else []
+    try:
+        s.conditions = [*kept, *((wall, "positive") for wall in walls)]
+        there = has_values(s, s.time, [f.substitute(a, along) for a in shared(s)])
+    finally:
+        s.conditions = kept
+    return is_upward(s, ends) and there and not bounding(s, [*along, s.time])
 
 
 def _walls(s: Statement, op: tuple[str, str, tuple[int, ...], tuple[int, ...]]) -> Iterator[int]:

@@ -7,8 +7,10 @@ from fractions import Fraction
 from typing import Any
 
 from canon.checker.case import Case
+from canon.checker.defined import assumed, shared
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
+from canon.checker.points import domain_of
 from canon.checker.statement import Statement
 
 Dimension = dict[str, Fraction]
@@ -59,7 +61,12 @@ def _scaled(s: Statement, values: list[int], names: Mapping[str, Dimension], wan
         return f.mul(*(f.power(f.node("s", f"#{unit}"), f.number(e)) for unit, e in dimension.items()))
 
     images = {name: f.mul(scale(dimension), f.node("s", name)) for name, dimension in names.items()}
-    s.conditions = [*s.conditions, *((f.substitute(a, images), kind) for a, kind in s.conditions)]
+    own = {*s.Q, *s.P} if s.direction == "forward" else {*s.q, *s.p} if s.direction != "none" else set[str]()
+    if any(f.ops[b][0] == "s" and f.ops[b][1] in own for b in f.reach(*values)):
+        raise Unknown("a dimension that is refuted, of variables that the map gives by others")
+    s.written += [f.substitute(a, images) for a in (*domain_of(s), *shared(s))]
+    assumptions = [(a, "nonzero" if word == "nonzero" else "positive") for a, word in assumed(s)]
+    s.conditions = [*s.conditions, *((f.substitute(a, images), kind) for a, kind in (*s.conditions, *assumptions))]
     s.surface = [*s.surface, *(f.substitute(a, images) for a in s.surface)]
     return [f.sub(f.substitute(a, images), f.mul(scale(wanted), a)) for a in values]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from canon.checker import (
     actions,
@@ -26,11 +27,13 @@ from canon.checker.shapes import SMOOTH, is_rational
 from canon.checker.stated import BOTH, MAPPED, SQUARE
 from canon.checker.statement import Statement
 
-ALONG = ("action", "average", "frequency", "stationary")
-"""Kinds about paths and orbits: beside a map given backward, or a generating function, those in its image."""
+ALONG = ("action", "average", "frequency", "normal_form", "stationary")
+"""Kinds about paths, orbits and origins: beside a map given backward, or a generating function, those in its image."""
 ON_ITS_IMAGE = "that what the claim speaks of lies in the image of the file's map"
-FEW = 3
+FEW = 4
 """Of so many degrees of freedom a determinant is written down."""
+OF_OLD_ONES = ("euler_lagrange", "noether", "legendre", "hamilton_jacobi", "constraint")
+"""Kinds of claims that leave the map out of the domain; what refutes them is a point of the map's image."""
 
 
 def obligations(s: Statement) -> list[Case]:
@@ -38,15 +41,20 @@ def obligations(s: Statement) -> list[Case]:
     kind = str(s.claim["kind"])
     if kind not in KINDS:
         raise Unknown(f"claims of kind {kind[:40]!r} are not known to the checker")
-    beside = s.direction in ("implicit", "backward") and (kind in ALONG or _varies(s, kind))
+    given = s.direction in ("implicit", "backward")
+    beside = given and (kind in ALONG or _varies(s, kind))
     found = KINDS[kind](s)
     if beside:
         s.trusted.append(ON_ITS_IMAGE)
     found = found if isinstance(found, list) else [found]
+    if given and kind in OF_OLD_ONES and s.verdict == "refuted":
+        found = [replace(x, zeros=[s.pull(a) for a in x.zeros], images={}, elsewhere=True) for x in found]
     if kind not in (*MAPPED, *SQUARE):
         regular = _regular(s)
         if found and s.verdict == "proved":
             found[0].nonzeros += regular
+            if s.direction == "backward" and not regular:
+                found[0].trusted = found[0].trusted or "that the map isn't singular everywhere"
         if s.verdict == "refuted" and kind not in BOTH:  # where the map is one to one nearby: else it says nothing
             s.conditions = [*s.conditions, *((group[0], "nonzero") for group in regular)]
             if s.direction == "backward" and not regular:
@@ -113,9 +121,13 @@ def noether(s: Statement) -> Case:
 def hamilton_jacobi(s: Statement) -> Case:
     """H(q, ∂S/∂q, t) + ∂S/∂t = 0, or H(q, ∂W/∂q) = energy; det ∂²S/∂q∂α isn't 0 everywhere."""
     f, word = s.f, "S" if "S" in s.claim else "W"
-    s.without_map()
+    s.on_old_side()
     S, constants = s.key(word), list(s.claim["constants"])
     energy = s.key("energy") if word == "W" else f.number(0)
+    if word == "W":  # there is no energy where something moves with time
+        s.without(energy, [*s.q, *s.p])
+        for a in (S, energy, s.H):
+            s.without(a, [s.time])
     if len(constants) < len(s.q) and f.ops[energy][0] == "s":
         constants.append(f.ops[energy][1])
     if not len({*constants}) == len(constants) == len(s.q) or {*constants} & {*s.q, *s.p, s.time, *f.functions}:
@@ -181,6 +193,9 @@ def solves(s: Statement) -> Case:
     if any(f.ops[a][0] == "f" and f.ops[a][1] in solution for _, body in solution.values() for a in f.reach(body)):
         raise Unreadable("a solution that contains what is to be solved for")
     equations = [s.pull(f.read(text, s.names)) for text in s.claim["equations"]]
+    for a in equations:
+        if all(f.ops[b][0] != "f" or f.ops[b][1] not in solution for b in f.reach(a, *f.unseen)):
+            raise Unreadable("an equation without any of the functions that solve it")
     for op in (f.ops[a] for a in f.reach(*equations, *(s.pull(a) for a in f.unseen))):
         if op[0] == "f" and op[1] in solution:
             names, body = solution[op[1]]

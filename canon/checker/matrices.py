@@ -68,11 +68,15 @@ def field_equations(s: Statement) -> Case:
     """Σ (−1)^|α| D^α ∂L/∂(D^α u) are the equations, one for each field u."""
     f, L, equations = s.f, s.key("L"), s.keys("equations")
     zeros = []
+    if len({*s.claim["fields"]}) < len(s.claim["fields"]):
+        raise Unreadable("a field stands twice")
     for text, equation in zip(s.claim["fields"], equations, strict=True):
         op = f.ops[f.read(text, {})]
         if op[0] != "f" or op[1] not in f.functions or any(f.ops[x][0] != "s" for x in op[3]) or any(op[2]):
             raise Unreadable(f"{text[:40]!r} is no function of names")
         jets = [x for x in f.reach(L) if f.ops[x][0] == "f" and f.ops[x][1] == op[1]]
+        if not jets:
+            raise Unreadable(f"L has nothing of {text[:40]!r} in it")
         if len({*op[3]}) < len(op[3]) or any(f.ops[x][3] != op[3] for x in jets):
             raise Unreadable(f"{text[:40]!r} is a function of different names, and of these everywhere")
         marks = {x: f"#jet{x}" for x in jets}

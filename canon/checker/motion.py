@@ -19,7 +19,7 @@ class Motion:
 
     def __init__(self, s: Statement) -> None:
         if s.direction in ("implicit", "backward"):
-            s.without_map()
+            s.on_old_side()
         self.f, self.q, self.t = s.f, s.q, s.time
         self.v = list(s.claim["velocities"])
         taken = {*s.declared, *self.v, *s.names}

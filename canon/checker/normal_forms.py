@@ -15,7 +15,7 @@ from math import comb, factorial
 from typing import Any
 
 from canon.checker.case import Case, whole
-from canon.checker.defined import unseen
+from canon.checker.defined import bounding, shared, unseen
 from canon.checker.followed import FAILURES, at_random
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.obligations import taylor
@@ -47,7 +47,7 @@ def normal_form(s: Statement) -> Case:
     if any(f.ops[b] == ("s", s.time) for b in f.reach(s.H, *table.values(), *written)):
         raise Unknown("a normal form that depends on time")
     at = {x: f.number(0) for x in (*s.q, *s.p)}
-    if not is_regular(s, [s.H, *unseen(s)], at, own=False):
+    if not is_regular(s, [s.H, *unseen(s), *shared(s)], at, own=False):
         raise Unknown("a Hamiltonian that isn't seen to be analytic at the origin")
     series = taylor(s, scaled, "#scale", range(order + 1))
     work = Algebra(s, order)
@@ -57,7 +57,7 @@ def normal_form(s: Statement) -> Case:
     except FAILURES:
         raise Unknown("coefficients that can't be followed") from None
     moving = {f.ops[b][1] for b in f.reach(*written)} & {*s.q, *s.p}
-    if moving or any({*s.words.get(x, ())} - {"real"} for x in (*s.q, *s.p)):
+    if moving or any({*s.words.get(x, ())} - {"real"} for x in (*s.q, *s.p)) or bounding(s, (*s.q, *s.p)):
         raise Unknown("a normal form about an origin of which the domain says something")
     if not H[2]:
         raise Unreadable("H has no quadratic part at the origin")

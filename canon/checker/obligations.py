@@ -7,7 +7,7 @@ from itertools import combinations
 from math import factorial
 
 from canon.checker.case import Case, whole
-from canon.checker.defined import unseen
+from canon.checker.defined import bounding, shared, unseen
 from canon.checker.everywhere import is_exact, is_nearly
 from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.functions import Unknown, Unreadable
@@ -24,8 +24,8 @@ FLAT = "that the Hessian of L isn't 0 on a part of the domain, nor at any values
 def canonical(s: Statement) -> Case:
     """Brackets, or their Taylor coefficients up to an order; of a generating function, its mixed Hessian too."""
     f, claimed = s.f, s.key("scale") if "scale" in s.claim else s.f.number(1)
-    if f.value(claimed) == 0:
-        raise Unreadable("a scale is nowhere 0")
+    if f.value(claimed) == 0 or any(f.ops[b][0] == "f" and f.ops[b][1] in f.functions for b in f.reach(claimed)):
+        raise Unreadable("a scale is nowhere 0, and made of parameters alone")
     trusted = "" if is_nowhere_zero(s, claimed) else "that the scale vanishes nowhere"
     zeros, _ = s.brackets(claimed)
     if s.direction == "implicit":
@@ -235,7 +235,8 @@ def lie_series(s: Statement) -> Case:
         start = f.substitute(given, {name: f.number(0)})
         s.written.append(start)  # it has to have a value, too
         bound = any(f.ops[b] == ("s", name) for a, _ in s.conditions for b in f.reach(a))
-        sure = not bound and is_regular(s, [s.pull(given), *unseen(s)], {name: f.number(0)}, own=True)
+        bound = bound or bool(bounding(s, [name]))
+        sure = not bound and is_regular(s, [s.pull(given), *unseen(s), *shared(s)], {name: f.number(0)}, own=True)
         trusted = "" if sure else f"that {name} may be 0, and the series is analytic there"
         flow = f.sub(f.slope(given, name), f.bracket(given, G, f.pairs))
         smooth = is_smooth(s, s.pull(given), name) and not any(f.ops[b][1] in f.functions for b in f.reach(given))
@@ -274,7 +275,7 @@ def field_of(s: Statement) -> Case:
 def legendre(s: Statement) -> Case:
     """H with p = ∂L/∂v is p v - L, and the Hessian of L by the velocities doesn't vanish everywhere."""
     if s.direction in ("implicit", "backward"):
-        s.without_map()
+        s.on_old_side()
     f, L, v = s.f, s.key("L"), s.claim["velocities"]
     s.without(s.H, v)
     s.without(L, s.p)

@@ -142,13 +142,20 @@ class Real:
         """Formulas that are nowhere negative where a function is real; none where that isn't said by such."""
         f, op = self.f, self.f.ops[a]
         x = op[3][0] if op[3] else 0
-        if op[1] in ("power", "log"):
+        if op[1] == "log" or (op[1] == "power" and not self._may_be_whole(op[3][1])):
             return [x]
         if op[1] in ("asin", "acos", "atanh"):
             return [f.sub(f.number(1), f.power(x, f.number(2)))]
         if op[1] in ("elliptic_f", "elliptic_e") and len(op[3]) == 2:
             return [f.sub(f.number(1), f.mul(op[3][1], f.power(f.node("f", "sin", (), (x,)), f.number(2))))]
         return [f.add(x, f.number(n)) for n in (1, -1)] if op[1] == "acosh" else []
+
+    def _may_be_whole(self, exponent: int) -> bool:
+        """Whether an exponent may be a whole number: qⁿ has a value for every q."""
+        value, f = self.f.value(exponent), self.f
+        named = [op for op in map(f.ops.__getitem__, f.reach(exponent)) if op[0] == "s" and op[1] != "pi"]
+        whole = all("integer" in self.s.words.get(op[1], ()) for op in named)
+        return (whole or f.ops[exponent][0] != "s") if value is None else value.denominator == 1
 
     def _is_own_function(self, a: int) -> bool:
         """Whether the claim has the same function, of the same arguments."""
@@ -169,6 +176,8 @@ class Real:
             kernel = self.kernels.get(op[1])
             own = kernel is not None and f.ops[kernel][0] == "f" and self._is_nonnegative(kernel)
             return own or bool({"positive", "nonnegative"} & {*self.words.get(op[1], ())})
+        if op[0] == "f" and op[1] == "power" and self._may_be_whole(op[3][1]):
+            return self._is_nonnegative(op[3][0])
         if op[0] == "f" and op[1] in ("exp", "cosh", "abs", "power"):  # of a root it is asked elsewhere that it be real
             return True
         if op[0] == "^" and op[2] % 2 == 0:

@@ -46,6 +46,18 @@ SQUARE = (
 """Kinds of claims about a map, the latter about one with as many new pairs as old ones."""
 
 
+NO_TIME = "#t"
+"""What time is called in a file in which nothing moves with it."""
+
+
+def time_of(tables: Mapping[str, Any]) -> str:
+    """The name of time: "t", where the file doesn't say; but what the file calls so itself is that, and no time."""
+    space, symbols = tables["phase_space"], tables.get("symbols", {})
+    own = {name for side in "qpQP" for name in space.get(side, [])} | {*tables.get("definitions", {})}
+    own |= {name for name, words in symbols.items() if "function" in (words if isinstance(words, list) else [words])}
+    return str(space.get("time", NO_TIME if "t" in own else "t"))
+
+
 def own_names(claim: dict[str, Any]) -> set[str]:
     """The names that a claim has for something of its own."""
     held = [dict.get(claim, key, []) for key in NAMING]  # which doesn't say that the keys were read
@@ -78,9 +90,19 @@ def check_names(tables: Mapping[str, Any]) -> None:
     for name in tables.get("definitions", {}):
         if name in taken and not (name == "t" and "time" not in space):
             raise Unreadable(f"{name[:40]!r} is declared, and defined as something else")
+    time = time_of(tables)
     for names_of in (claim[key] for key in FRESH if isinstance(claim.get(key), list)):
-        if len({*names_of}) < len(names_of) or {*names_of} & {*given}:
+        if len({*names_of}) < len(names_of) or {*names_of} & {*given, time}:
             raise Unreadable("a name of the claim's own stands twice, or is a variable")
+    if functions := {*given, time} & {name for name, words in symbols.items() if "function" in _listed(words)}:
+        raise Unreadable(f"{min(functions)[:40]!r} is a variable, and no function")
+    if claim.get("kind") in ("action", "frequency", "average") and claim.get("energy") in given:
+        raise Unreadable("an energy is a constant, and no variable")
+    if claim.get("variable") in {*sides["Q"], *sides["P"]}:
+        raise Unreadable("what a formula of old variables is looked at along is none of the new ones")
+    if {*sides["Q"], *sides["P"]} & {str(name) for name in _listed(claim.get("coordinates", []))} and _has_map(tables):
+        raise Unreadable("a tensor of new variables beside a map")
+    _check_values(claim, {n for n, words in symbols.items() if "function" not in _listed(words)}, sides, time)
     varied = [
         *given,
         space.get("time", "t"),
@@ -91,6 +113,27 @@ def check_names(tables: Mapping[str, Any]) -> None:
             raise Unreadable(f"{name[:40]!r} is an integer: there is no derivative by it")
         if unknown := {words} - WORDS if isinstance(words, str) else {*words} - WORDS:
             raise Unreadable(f"{min(unknown)[:40]!r} is no assumption on {name[:40]!r}")
+
+
+def _check_values(claim: Mapping[str, Any], symbols: set[str], sides: Mapping[str, list[str]], time: str) -> None:
+    """Refuse values of what is not declared, or moves. Raises Unreadable."""
+    variables = {name for side in sides.values() for name in side}
+    for name in (name for table in claim.get("solutions", []) for name in table):
+        if name not in symbols or name in {*variables, time}:
+            raise Unreadable(f"{name[:40]!r} is no parameter that is declared")
+    own = claim.get("coordinate")
+    moving = {own, time, *(p for q, p in zip(sides["q"], sides["p"], strict=True) if q == own)}
+    for name in claim.get("fixed", {}):
+        if name not in {*symbols, *variables, claim.get("energy")} or name in moving:
+            raise Unreadable(f"{name[:40]!r} is not declared, or moves: it can't be held fixed")
+
+
+def _listed(value: Any) -> list[Any]:
+    return value if isinstance(value, list) else [value]
+
+
+def _has_map(tables: Mapping[str, Any]) -> bool:
+    return "transformation" in tables or "generating_function" in tables
 
 
 def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:

@@ -69,7 +69,7 @@ class Statement:
         self.f.is_complex = self.f.is_complex or _IMAGINARY.search(str(tables)) is not None
         self.fixed = {n for n, words in self.words.items() if "integer" in words}
         self.declared = {*self.words, *self.q, *self.p, *self.Q, *self.P}
-        self.time, self.names, self.written = space.get("time", "t"), dict[str, int](), list[int]()
+        self.time, self.names, self.written = stated.time_of(tables), dict[str, int](), list[int]()
         self.added: list[int] = []  # formulas that the certificate says of what the claim leaves open
         self.trusted: list[str] = []  # what the claim's place beside a map takes on trust, whatever its verdict
         self.bracketed: list[str] = []  # coordinates of a bracket that isn't the canonical one
@@ -112,6 +112,14 @@ class Statement:
             if new & {self.f.ops[b][1] for b in self.f.reach(a) if self.f.ops[b][0] == "s"}
         }
         self.conditions = [(a, kind) for a, kind in self.conditions if a not in for_new]
+
+    def on_old_side(self) -> None:
+        """Leave the map out, but of refutations beside one that gives old variables by others.
+
+        What is proved of all of them is so on the map's image, too; what refutes is to be one of its points.
+        """
+        if self.verdict == "proved" or self.direction == "forward":
+            self.without_map()
 
     def parameter(self, name: Any) -> str:
         """A name that stands for a number: no variable of the phase space. Raises Unreadable for any other."""
@@ -169,6 +177,7 @@ class Statement:
                 self.images |= {n: f.read(text, self.names) for n, text in zip(names, explicit[side], strict=True)}
         elif generating:
             self.direction = "implicit"
+            self.written.append(self.generating[1])  # what F demands, its slopes may not
             equations = list(self.equations(*self.generating))
             mixed = [variable for _, variable, _ in equations]
             self.halves = (mixed[0::2], mixed[1::2])
@@ -180,6 +189,8 @@ class Statement:
     def equations(self, types: Any, F: int) -> Iterator[tuple[str, str, int]]:
         """Each equation of a generating function: the variable that it gives, the one of F's, the derivative of F."""
         sides = {"q": self.q, "p": self.p, "Q": self.Q, "P": self.P}
+        if not isinstance(types, int) and len(types) != len(self.q):
+            raise Unreadable(f"{len(types)} types for {len(self.q)} degrees of freedom")
         for i in range(len(self.q)):
             old, sign, new, other = TYPES[types if isinstance(types, int) else types[i]]
             for side, s in ((old, sign), (new, other)):

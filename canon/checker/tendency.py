@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any
 
-from canon.checker.defined import unseen
+from canon.checker.defined import assumed, shared, unseen
 from canon.checker.expansions import EXPONENTIAL, Expansion, NoSeries, Series
 from canon.checker.followed import FAILURES
 from canon.checker.formulas import ZERO
 from canon.checker.positive import is_positive
-from canon.checker.shapes import has_complex
+from canon.checker.shapes import SMOOTH, has_complex
 from canon.checker.statement import Statement
 
 ORDERS, ROOTS = (6, 14), (1, 2)
@@ -42,6 +42,11 @@ def is_near(s: Statement, x: str, to: int | str, sides: Sequence[int]) -> bool:
     walls += [a for a, kind in s.conditions if kind == "positive" and _moves(s, a, x)]
     others = [a for a, kind in s.conditions if kind == "nonzero" and _moves(s, a, x)]
     others += [a for a in unseen(s) if _moves(s, a, x)]
+    given = [(a, word) for a, word in assumed(s) if _moves(s, a, x)]
+    walls += [a for a, word in given if word != "nonzero"]
+    others += [a for a, word in given if word == "nonzero"]
+    if not _have_values(s, shared(s), x, to, sides):
+        return False
     for side in sides:
         for a in walls:
             series = _first_term(s, a, x, to, side)
@@ -50,6 +55,19 @@ def is_near(s: Statement, x: str, to: int | str, sides: Sequence[int]) -> bool:
         if any(_first_term(s, a, x, to, side) is None for a in others):
             return False
     return not any(_moves(s, a, x) for a in s.surface)
+
+
+def _have_values(s: Statement, formulas: Sequence[int], x: str, to: int | str, sides: Sequence[int]) -> bool:
+    """Whether formulas are seen to have values near there: what may lack one in them, radicands and divisors, does."""
+    for a in s.f.reach(*formulas):
+        op = s.f.ops[a]
+        if not _moves(s, a, x) or op[0] in "ns+*" or (op[0] == "^" and op[2] > 0):
+            continue
+        if op[0] == "f" and (op[1] in (*SMOOTH, *s.f.functions, "abs", "sign")):
+            continue
+        if any(_first_term(s, a, x, to, side) is None for side in sides):
+            return False
+    return True
 
 
 def _first_term(s: Statement, inside: int, x: str, to: Any, side: int) -> int | None:

@@ -13,7 +13,7 @@ from itertools import combinations, pairwise
 from typing import Any
 
 from canon.checker.case import Case
-from canon.checker.defined import unseen
+from canon.checker.defined import keeps_inside, unseen
 from canon.checker.followed import FAILURES, at_random, is_identity
 from canon.checker.formulas import ONE, ZERO
 from canon.checker.functions import Unknown, Unreadable
@@ -51,8 +51,11 @@ def stationary(s: Statement) -> Case:
         momentum = f.substitute(f.slope(L, w), along)
         zeros.append(f.sub(f.slope(momentum, t), f.substitute(f.slope(L, q), along)))
     hidden = [f.substitute(a, along) for a in unseen(s)]
+    ends = [str(end) if x is None else x for end, x in zip(ends, places, strict=True)]
+    stays = "" if keeps_inside(s, along, ends) else "that the range runs upwards, and the path stays in the domain"
     smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along), *f.at(L, along), *hidden))
     trusted = "" if smooth else "that the path, and L along it, are smooth between its ends"
+    trusted = trusted or stays
     touched = _restricted(s, {*s.q, *v, t}, places[0])
     trusted = trusted or (f"that {touched[0]} stays along the path where it is said to be" if touched else "")
     if touched and s.verdict == "refuted":
@@ -62,7 +65,7 @@ def stationary(s: Statement) -> Case:
         s.conditions = Second(s, [], [], [], places).between
     if word is None:
         s.claim.unread -= {"field", "conjugate"} if s.verdict == "refuted" else set[str]()
-        return Case(zeros, trusted=trusted)
+        return Case(zeros, trusted=trusted, against=stays)
     if word not in (*SIGNS, "neither"):
         raise Unreadable(f"no kind of extremum: {str(word)[:40]!r}")
     s.written += [end for end in places if end is not None]
@@ -77,12 +80,12 @@ def stationary(s: Statement) -> Case:
         said = "" if word in kinds else "what is said of the second variation"
         return Case([*zeros, *(shown if word in kinds else [])], trusted=said or trusted)
     if kinds and word not in kinds:
-        return Case(shown, found=False)
+        return Case(shown, found=False, against=stays)
     if word in SIGNS and None not in places:
         if not all(is_identity(at_random(s), a) for a in zeros):
             s.conditions = late  # Lagrange's equations may fail
-            return Case(zeros)
-        return Case([], enclosed=found.against(SIGNS[word]), measured=_nothing)
+            return Case(zeros, against=stays)
+        return Case([], enclosed=found.against(SIGNS[word]), measured=_nothing, against=stays)
     raise Unknown("a second variation")
 
 

@@ -57,6 +57,9 @@ def refutes(s: Statement, cases: Sequence[Case], witness: Mapping[str, Any], *, 
             enclosed.append(_enclosed(s, case, witness, k, real=real))
             if enclosed[-1]:
                 return [case.against] if case.against else []
+        chosen = {n: x for n, x in witness.items() if n in s.f.functions}
+        if case.elsewhere and any(_enclosed(s, case, chosen, k, real=real) for k in range(TRIES)):
+            return [case.against] if case.against else []
     if False in enclosed:
         raise Rejected("at the witness the claim doesn't fail: in intervals the residuals are 0 to 60 digits")
     f, rng = s.f, random.Random(1)

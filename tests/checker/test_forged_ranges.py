@@ -145,7 +145,7 @@ FALSE = {
 }  # fmt: skip
 TRUE = {
     "an integral": integral("1 + 0*log(u)", "u", "1", "2", "1"),
-    "an integral that runs down": integral("0*sqrt(u) + u", "u**2/2", "3", "1", "-4"),
+    "an integral beside a root": integral("0*sqrt(u) + u", "u**2/2", "1", "3", "4"),
     "an integral with a root": integral("sqrt(1 - u)*sqrt(1 - u) + 0*log(u + 2)", "u - u**2/2", "-1", "1", "2"),
     "an integral over a polynomial": integral("(u**2 + u)/(u + 1)", "u**2/2", "-2", "2", "0"),
     "Gauss's": gauss("exp(-u**2/2 + 0*atan(u))"),

@@ -42,7 +42,7 @@ def is_positive_between(s: Statement, a: int) -> bool:
     low, high = _bounds(s, x)
     if low is None or high is None or not low < high:
         return False
-    own, slope, left, least = Intervals(DIGITS), f.slope(a, x), [(low, high)], (high - low) / NARROWEST
+    own, slope, left, least = Intervals(DIGITS, closed=True), f.slope(a, x), [(low, high)], (high - low) / NARROWEST
     try:
         for k in range(LOOKED + 1):  # where it isn't, this is seen soon
             at = own.number(low + (high - low) * k / LOOKED)

@@ -17,6 +17,7 @@ from canon.checker.case import Case
 from canon.checker.followed import is_identity
 from canon.checker.functions import Rejected, Unknown, Unreadable
 from canon.checker.kinds import obligations
+from canon.checker.obligations import hessian
 from canon.checker.schema import check_known, check_tables
 from canon.checker.shown import Shown
 from canon.checker.statement import KNOWN, Statement
@@ -89,6 +90,8 @@ class _Check:
     def _run(self) -> list[str]:
         witness = self.data.get("witness")
         if self.verdict == "refuted" and witness is not None and all(case.found is not False for case in self.cases):
+            if self.s.direction == "implicit":  # where its mixed Hessian is 0 a generating function makes no map
+                self.s.conditions = [*self.s.conditions, (hessian(self.s), "nonzero")]
             trusted = refutes(self.s, self.cases, witness, real=self.real)
             own = Values(self.s, self.shown.primes[0], self.shown.rng, real=self.real)
             if not all(is_identity(own, a) for case in self.cases for a in case.granted):

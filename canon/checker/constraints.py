@@ -126,7 +126,7 @@ def _of_motions(s: Statement, m: Motion, forms: Sequence[Form], lines: Sequence[
         moved = s.keys(word)
         zeros = []
         for form in forms:
-            terms = [f.mul(c, x) for c, x in zip(form, moved, strict=False)]
+            terms = [f.mul(c, x) for c, x in zip(form[:-1], moved, strict=True)]
             zeros.append(f.add(*terms, *([form[-1]] if word == "possible" else [])))
         return Case(zeros)
     L, multipliers = s.key("L"), s.keys("multipliers")

@@ -64,7 +64,7 @@ def is_everywhere(s: Statement, names: Iterable[str]) -> bool:
 
 def has_values(s: Statement, x: str, formulas: Iterable[int]) -> bool:
     """Whether formulas have real values at all of a name's that the conditions allow, but for single places."""
-    f, beside = s.f, has_complex(s)
+    f = s.f
     for a in f.reach(*formulas):
         op = f.ops[a]
         if op[0] in "ns+*" or (op[0] == "^" and op[2] > 0) or not _moves(s, a, x):
@@ -72,7 +72,7 @@ def has_values(s: Statement, x: str, formulas: Iterable[int]) -> bool:
         if op[0] == "^":
             if not (_is_generic(s, op[1]) or is_nowhere_zero(s, op[1])):
                 return False
-        elif op[1] in ALWAYS or op[1] in f.functions or (beside and op[1] in ("power", "log")):
+        elif op[1] in ALWAYS or op[1] in f.functions or (op[1] in ("power", "log") and has_complex(s, op[3][0])):
             continue
         elif op[1] in CIRCULAR:
             if not _is_generic(s, op[3][0]):

@@ -23,6 +23,11 @@ MONOTONE = {
     "elliptic_k": "ellipk", "elliptic_e": "ellipe", "elliptic_f": "ellipf", "elliptic_pi": "ellippi",
 }  # fmt: skip
 """Functions that are monotonic in each of their arguments, where these don't change their sign, and mpmath's names."""
+FAR = float("inf")
+EDGES = {
+    "asin": (-1, 1), "acos": (-1, 1), "atanh": (-1, 1), "acosh": (1, FAR), "elliptic_k": (-FAR, 1),
+}  # fmt: skip
+"""Where functions are smooth: between these, and not at them."""
 STEEPEST, FLAT = 10**6, ("power", "log", "abs", "sign", "atan", "atan2", "asinh")
 """The largest argument of a function that isn't one of the flat ones."""
 BOUNDED = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn", "jacobi_epsilon": "epsilon"}
@@ -34,10 +39,13 @@ class Open(ValueError):
 
 
 class Intervals:
-    """Values of formulas in intervals, with so many digits; not `real`, in rectangles of the complex plane."""
+    """Values of formulas in intervals, with so many digits; not `real`, in rectangles of the complex plane.
 
-    def __init__(self, digits: int, *, real: bool = True) -> None:
-        self.is_real = real
+    Functions have values inside of where they are smooth; or also at its edges, where that is `closed`.
+    """
+
+    def __init__(self, digits: int, *, real: bool = True, closed: bool = False) -> None:
+        self.is_real, self.is_closed = real, closed
         self.iv: Any = MPIntervalContext()
         self.iv.dps = digits
         self.mp: Any = mpmath.MPContext()
@@ -157,6 +165,9 @@ class Intervals:
             return x[0] * sign if name == "abs" else iv.mpf(sign)
         if name == "atan2":
             return self._angle(*x)
+        low, high = EDGES.get(name if name != "elliptic_e" or len(x) > 1 else "elliptic_k", (-FAR, FAR))
+        if not self.is_closed and not (low < x[0].a and x[0].b < high):
+            raise Open
         if name in MONOTONE and (name != "elliptic_pi" or (len(x) == 2 and x[0].b < 1 and x[1].b < 1)):
             return self._monotone(MONOTONE[name], x)
         if name in BOUNDED and x[1].a >= 0 and x[1].b < 1:

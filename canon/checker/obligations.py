@@ -258,6 +258,8 @@ def field_of(s: Statement) -> Case:
     f, kind = s.f, s.claim["kind"]
     words = ("dq", "dp") if kind == "infinitesimal" else ("qdot", "pdot")
     first, second = (s.keys(word) if isinstance(s.claim[word], list) else [s.key(word)] for word in words)
+    if len(first) != len(s.q) or len(second) != len(s.p):
+        raise Unreadable("a component is needed for each variable")
     if kind == "hamiltonian_field" and "H" not in s.claim:
         names, slopes = [*s.q, *s.p], [f.mul(f.number(-1), x) for x in second] + first
         curls = combinations(range(len(names)), 2)

@@ -153,6 +153,9 @@ def check_sides(s: Statement, tables: Mapping[str, Any]) -> None:
     if kind in SQUARE and len(s.Q) != len(s.q):
         raise Unreadable("as many new variables as old ones are needed")
     own = {str(n) for key in NAMING for n in texts(claim.get(key))}
+    if not (explicit or generating):  # nothing relates the new variables to the old ones
+        places += [(text, old | new, new - own) for text in texts(tables.get("domain", {}))]
+        places += [(text, old | new, new - own) for text in texts(dict(claim)) if kind in BOTH]
     for key, value in claim.items():
         side = SIDES.get(key, "old")
         if key in HOLD_NO_FORMULA or (kind in BOTH and side == "old"):

@@ -1,7 +1,8 @@
 """Certificates of claims that the rest of their file makes others than they look.
 
 H, the map and a generating function bound the domain of every claim of a file, used or not; old variables that a map
-gives by others stay in its image; a file that calls a coordinate t has no time; qⁿ has a value for a negative q, too.
+gives by others stay in its image; a file that calls a coordinate t has no time; qⁿ has a value for a negative q; and
+the edges of a domain are none of its points.
 Each of `FALSE` was confirmed by an earlier checker.
 """
 
@@ -12,13 +13,17 @@ import pytest
 from tests.checker.test_forged_places import MAP, of, status
 from tests.checker.test_forgeries import kernel, sealed
 
-OSCILLATOR = {"H": "p**2/2 + q**2/2"}
-GIVEN = {"transformation": {"q": ["exp(Q)"], "p": ["P*exp(-Q)"]}, "phase_space": MAP}
-GENERATED = {"generating_function": {"type": 2, "F": "log(q)*P"}, "phase_space": MAP}
-LOGARITHM = {"transformation": {"Q": ["log(q)"], "P": ["q*p"]}, "phase_space": MAP}
-POSITIVE = {"transformation": {"Q": ["q"], "P": ["p"]}, "phase_space": MAP}
-ROOT = {"hamiltonian": {"H": "sqrt(u)*p"}, "symbols": {"u": "real"}}
-PULLED = {"transformation": {"Q": ["sqrt(u)*q"], "P": ["p/sqrt(u)"]}, "phase_space": MAP, "symbols": {"u": "real"}}
+OSCILLATOR: dict[str, Any] = {"H": "p**2/2 + q**2/2"}
+GIVEN: dict[str, Any] = {"transformation": {"q": ["exp(Q)"], "p": ["P*exp(-Q)"]}, "phase_space": MAP}
+GENERATED: dict[str, Any] = {"generating_function": {"type": 2, "F": "log(q)*P"}, "phase_space": MAP}
+LOGARITHM: dict[str, Any] = {"transformation": {"Q": ["log(q)"], "P": ["q*p"]}, "phase_space": MAP}
+POSITIVE: dict[str, Any] = {"transformation": {"Q": ["q"], "P": ["p"]}, "phase_space": MAP}
+ROOT: dict[str, Any] = {"hamiltonian": {"H": "sqrt(u)*p"}, "symbols": {"u": "real"}}
+PULLED: dict[str, Any] = {
+    "transformation": {"Q": ["sqrt(u)*q"], "P": ["p/sqrt(u)"]},
+    "phase_space": MAP,
+    "symbols": {"u": "real"},
+}
 
 
 def against(claim: dict[str, Any], witness: dict[str, str], known: Any = None, **tables: Any) -> dict[str, Any]:
@@ -93,10 +98,16 @@ def characteristic(W: str, energy: str, H: str) -> dict[str, Any]:
     return of(claim, hamiltonian={"H": H}, symbols={"a": "positive"})
 
 
+def edge(hidden: str, said: str = "q") -> dict[str, Any]:
+    """q < 1, refuted at 1, where a function that stands in the text, or in H, has its edge."""
+    H = {"hamiltonian": {"H": hidden}} if said == "q" else {}
+    return against({"kind": "inequality", "lhs": said, "relation": "<", "rhs": "1"}, {"q": "1", "p": "1/2"}, **H)
+
+
 FOUR = [[f"{side}{k}" for k in range(4)] for side in "qpQP"]
 CIRCLE = {"q": "cos(u)", "p": "-sin(u)", "t": "u"}
 HEISENBERG = {"kind": "algebra", "basis": {"v": "q", "u": "p", "w": "1"}, "equals": "heisenberg(1)"}
-FREE = {"phase_space": {"q": ["x", "y"], "p": ["c", "d"]}}
+FREE: dict[str, Any] = {"phase_space": {"q": ["x", "y"], "p": ["c", "d"]}}
 UNDETERMINED = {"kind": "constraint", "velocities": ["v", "w"], "functions": ["x"], "L": "v**2/2 + x*w**2/2"}
 
 FALSE = {
@@ -145,12 +156,26 @@ FALSE = {
     "a new Hamiltonian refuted where F has no value": against(
         {"kind": "new_hamiltonian", "K": "Q - 2/P"}, {"q": "-1", "P": "2"}, phase_space=MAP,
         generating_function={"type": 2, "F": "q*P + log(q) - log(q)"}, hamiltonian={"H": "abs(q) - 2/p"}),
+    "a new Hamiltonian refuted where F makes no map": against(
+        {"kind": "new_hamiltonian", "K": "P**2/2 + Q"}, {"q": "-1", "P": "2"}, phase_space=MAP,
+        generating_function={"type": 2, "F": "(abs(q) + q)*P/2"}, hamiltonian={"H": "p**2/2 + q"}),
+    "a new variable without a map": of(
+        {"kind": "identity", "lhs": "sqrt(Q**2)", "rhs": "Q"}, phase_space=MAP, symbols={"Q": "positive"}),
     "undetermined motions, beside the constraint": against(
         {**UNDETERMINED, "determined": False}, {"x": "1", "y": "1", "v": "1", "w": "1"}, **FREE),
     "a constraint that nothing keeps": of(
         {"kind": "constraint", "velocities": ["v", "w"], "functions": ["x**2 + 1"], "holonomic": True}, **FREE),
+    "velocities of one coordinate of two": of(
+        {"kind": "constraint", "velocities": ["v", "w"], "forms": ["w"], "possible": ["5"]}, **FREE),
     "constants that are the certificate's alone": against(
         HEISENBERG, {"q": "1", "p": "1"}, known={"structure": {"v,u": "2*w"}}),
+    "an arcsine's edge": edge("asin(q)"),
+    "the same, times 0": edge("", "q + 0*acos(-q)"),
+    "the edge of an inverse cosine": edge("acosh(1/q)"),
+    "the edge of an elliptic integral": edge("elliptic_e(q)"),
+    "a range beyond a root, beside a complex name": of(
+        {"kind": "integral", "f": "u + 0*sqrt(u)", "variable": "u", "from": "-1", "to": "1", "equals": "0",
+         "antiderivative": "u**2/2"}, symbols={"z": "complex"}, definitions={"D0": "z"}),
     "a coordinate t": conserved("t", "e", "-e"),
     "a momentum t": conserved("x", "t", "x"),
     "an action of time and coordinate": of(
@@ -200,6 +225,7 @@ FALSE = {
          "antiderivative": "sin(u)"}, {"q": "1", "u": "1"}, hamiltonian={"H": "p**2/2 + q**2"}),
 }  # fmt: skip
 TRUE = {
+    "a point beyond an edge that isn't there": edge("atan(q)"),
     "an orbit beside a map": action(transformation={"Q": ["q + p**3"], "P": ["p"]}, phase_space=MAP),
     "an orbit beside an assumption that always holds": action(
         transformation={"Q": ["q"], "P": ["p + q**2 + p**2/4 + 2"]}, phase_space=MAP, symbols={"P": "positive"}),

@@ -160,8 +160,7 @@ KEPLER = "2*pi*(a/sqrt(-2*E) - b)"
 MORSE = {"hamiltonian": {"H": "p**2/2 + b*(1 - exp(-a*q))**2"}}
 
 
-PLAIN = {name: table for name, table in OSCILLATOR.items() if name != "transformation"}
-"""An orbit in old variables is none beside a map that gives them by others."""
+PLAIN = {name: table for name, table in OSCILLATOR.items() if name != "transformation"}  # which leaves no orbits
 
 
 def quartic(H: str) -> dict[str, Any]:

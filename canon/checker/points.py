@@ -88,7 +88,8 @@ class Numbers:
             if op[2] < 0 and abs(x[0]) < mp.mpf(10) ** (-mp.dps // 2):
                 raise Outside
             return x[0] ** op[2]
-        cut = op[1] in ("power", "log") and self.real and x[0] <= 0
+        along = all(mp.im(y) == 0 for y in x)  # beside complex names, too, nothing is defined on a cut
+        cut = op[1] in ("power", "log") and along and mp.re(x[0]) <= 0
         steep = op[1] not in FLAT and max(map(abs, x)) > STEEPEST
         if steep or cut or (op[1] in ("abs", "sign", "power", "log") and x[0] == 0):
             raise Outside
@@ -97,7 +98,10 @@ class Numbers:
         name = FUNCTIONS.get(op[1], op[1])
         if name in ("sn", "cn", "dn"):
             return mp.ellipfun(name, x[0], m=x[1])
-        return getattr(mp, name)(*x)
+        value = getattr(mp, name)(*x)
+        if along and mp.im(value) != 0:
+            raise Outside
+        return value
 
 
 def functions_at_random(s: Statement, rng: random.Random) -> dict[str, str]:

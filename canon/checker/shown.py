@@ -30,14 +30,20 @@ from canon.checker.statement import Statement
 from canon.checker.values import Values
 
 SIGNS = {
-    "pos": lambda x: x > 0, "neg": lambda x: x < 0, "nonneg": lambda x: x >= 0, "nonpos": lambda x: x <= 0,
-    "real": lambda x: x.imag == 0, "cplx": lambda x: True,
+    "pos": lambda x: _is_real(x) and x.real > 0, "neg": lambda x: _is_real(x) and x.real < 0,
+    "nonneg": lambda x: _is_real(x) and x.real >= 0, "nonpos": lambda x: _is_real(x) and x.real <= 0,
+    "real": lambda x: _is_real(x), "cplx": lambda x: True,
 }  # fmt: skip
 PRIMES = 2
 """Modulo so many primes a residual is compared with its numerator and denominator."""
 MEASURED = 2
 """At so many points what takes an integral is measured."""
 Places = Sequence[tuple[dict[str, Any], dict[int, Any]]]
+
+
+def _is_real(x: Any) -> bool:
+    """Whether a value is real, as far as can be seen: beside complex names all values have an imaginary part."""
+    return abs(x.imag) <= 10.0**-CLOSE * abs(x)
 
 
 class Shown:

@@ -1,11 +1,13 @@
 """A claim that was made in Python as the tables of a claim file, so that its certificate can speak of it.
 
-Formulas are written in the language of claim files and read again; a claim that doesn't come back as it was is refused.
+Formulas are written in the language of claim files and read again, in their authors' own words where their conditions
+don't show in them otherwise, as q > 0 of √q². A claim that doesn't come back as it was, with its domain, is refused:
+else its certificate would speak of another one.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Final
 
@@ -14,6 +16,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.str import StrPrinter
 
 from canon.claim import Claim
+from canon.claims.lost_conditions import lost_condition
 from canon.claims.reader import read_tables
 from canon.domain import Condition
 from canon.errors import InputError
@@ -61,20 +64,44 @@ def claim_tables(claim: Claim) -> Data:
     **Raises:** `InputError` where the claim can't be written so: for a domain with a cut that has no inequality, a
     name that isn't one of the language, or a key that is no formula.
     """
-    subject: Subject = claim.subject
+    try:
+        return _as_read(claim, _by_form)
+    except InputError:
+        try:
+            return _as_read(claim, _as_written)
+        except InputError:
+            pass  # the first reason is the one to be told
+        raise
+
+
+Writer = Callable[[Formula], str]
+
+
+def _by_form(formula: Formula) -> str:
+    return text_of(formula.expr)
+
+
+def _as_written(formula: Formula) -> str:
+    return formula.text or text_of(formula.expr)
+
+
+def _as_read(claim: Claim, text: Writer) -> Data:
+    """The tables with formulas in this text; **raises** `InputError` unless they are read as this very claim."""
     kept = {"kind": claim.kind, "title": claim.title, "source": claim.source}
-    keys = {name: _plain(value) for name, value in claim.keys.items() if value is not None}
-    tables = {**_sections(subject), "claim": {**{k: v for k, v in kept.items() if v}, **keys}}
+    keys = {name: _plain(value, text) for name, value in claim.keys.items() if value is not None}
+    tables = {**_sections(claim.subject, text), "claim": {**{k: v for k, v in kept.items() if v}, **keys}}
     reading = read_tables({**tables, "claim": [tables["claim"]]})
     for problem in reading.problems:
         raise InputError(f"this claim can't be written as a claim file: {problem['message']}", problem["where"])
     again = reading.claims[0]
-    if _formulas(again.keys) != _formulas(claim.keys) or _shared(again.subject) != _shared(subject):
+    if _formulas(again.keys) != _formulas(claim.keys) or _shared(again.subject) != _shared(claim.subject):
         raise InputError("this claim can't be written as a claim file: its formulas don't come back as they were")
+    if lost := lost_condition(claim, again):
+        raise InputError(f"this claim can't be written as a claim file: the condition {lost} doesn't come back")
     return tables
 
 
-def _sections(subject: Subject) -> Data:
+def _sections(subject: Subject, text: Writer) -> Data:
     space = subject.space
     found: Data = {"phase_space": {"q": list(map(str, space.q)), "p": list(map(str, space.p))}}
     if space.Q:
@@ -84,18 +111,18 @@ def _sections(subject: Subject) -> Data:
     found["symbols"] = {name: _words(symbol) for name, symbol in space.vocabulary.items() if symbol != space.t}
     found["symbols"] |= dict.fromkeys(subject.functions or space.functions, "function")
     if subject.hamiltonian is not None:
-        found["hamiltonian"] = {"H": text_of(subject.hamiltonian.expr)}
+        found["hamiltonian"] = {"H": text(subject.hamiltonian)}
     if subject.transformation is not None and subject.transformation.direction != "implicit":
         map_ = subject.transformation
         sides = ("Q", "P") if map_.direction == "forward" else ("q", "p")
-        texts, half = [text_of(f) for f in map_.expressions], len(map_.expressions) // 2
+        texts, half = [text(f) for f in map_.formulas], len(map_.formulas) // 2
         found["transformation"] = {sides[0]: texts[:half], sides[1]: texts[half:]}
-    generating = _generating(subject)
+    generating = generating_of(subject)
     if generating is not None:
         kind = generating.type
         found["generating_function"] = {
             "type": kind if isinstance(kind, int) else list(kind),
-            "F": text_of(generating.F.expr),
+            "F": text(generating.F),
         }
     where = list(dict.fromkeys(_inequality(condition) for condition in subject.domain.conditions))
     on = [text_of(expression) for expression in subject.domain.surface]
@@ -122,16 +149,17 @@ def _inequality(condition: Condition) -> str:
     return f"{text_of(condition.terms[0])} {RELATIONS[condition.kind]} 0"
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: Any, text: Writer) -> Any:
     """A key's value as TOML and JSON hold it."""
     if isinstance(value, Formula):
-        return text_of(value.expr)
+        return text(value)
     if isinstance(value, Mapping):
-        return {text_of(name) if isinstance(name, sp.Basic) else str(name): _plain(v) for name, v in value.items()}
+        named = ((text_of(name) if isinstance(name, sp.Basic) else str(name), v) for name, v in value.items())
+        return {name: _plain(v, text) for name, v in named}
     if isinstance(value, sp.MatrixBase):
         return [[text_of(entry) for entry in row] for row in value.tolist()]
     if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
+        return [_plain(item, text) for item in value]
     if isinstance(value, (bool, int, str)):
         return value
     if isinstance(value, (sp.Basic, Fraction)):
@@ -153,13 +181,14 @@ def _formulas(value: Any) -> Any:
 def _shared(subject: Subject) -> tuple[Any, ...]:
     map_ = subject.map
     formulas = () if map_ is None or map_.direction == "implicit" else map_.expressions
-    F = _generating(subject)
+    F = generating_of(subject)
     H = None if subject.hamiltonian is None else subject.hamiltonian.expr
     generated = None if F is None else (F.types, F.F.expr)
-    return subject.space.q, subject.space.p, H, formulas, generated, len(subject.domain.conditions)
+    space, surface = subject.space, frozenset(subject.domain.surface)
+    return space.q, space.p, space.Q, space.P, space.t, H, formulas, generated, surface
 
 
-def _generating(subject: Subject) -> GeneratingFunction | None:
+def generating_of(subject: Subject) -> GeneratingFunction | None:
     """The subject's own generating function, or the one that its map was made of (by `.forward()` or `.backward()`)."""
     given = subject.transformation
     return subject.generating_function or (None if given is None else given.generating_function)

@@ -248,3 +248,11 @@ def test_a_bar_in_a_real_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "refuted" in verdict[1]
     assert "<math>" in verdict[1]
     assert [output["data"]["text/html"] for output in notebook.cells[0].outputs] == ["", verdict[1]]
+
+
+def test_a_residual_beyond_doubles_is_written_out():
+    q, _ = SPACE.old
+    found = proof(identity(SPACE, 10**400 * q, q))
+    assert found.verdict.status == "refuted"
+    assert "it is enclosed in a ball of" in found.text()
+    assert "enclosed in a ball of" in found.html()

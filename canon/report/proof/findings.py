@@ -73,6 +73,8 @@ def _enclosure(record: Data) -> str:
         return ""
     size, bound = numeric["max_residual"], numeric["bound"]
     ball = f"enclosed in a ball of {numeric['bits']} bits that doesn't contain 0"
+    if isinstance(size, str) or isinstance(bound, str):  # of the record: beyond the range of doubles
+        return f": it is {ball}"
     return f": its modulus is {size:.6g} with an error of at most {bound:.2g}, {ball}"
 
 
@@ -89,7 +91,7 @@ def open_question(record: Data) -> Blocks:
         found.append(
             paragraph(
                 f"At {numeric['points']} points in {numeric['bits']} bits the largest residual is "
-                f"{numeric['max_residual']:.3g}, against a rounding bound of {numeric['bound']:.3g}."
+                f"{float(numeric['max_residual']):.3g}, against a rounding bound of {float(numeric['bound']):.3g}."
             )
         )
     return [*found, *details(record)]

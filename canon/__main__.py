@@ -24,6 +24,8 @@ def entry() -> None:
     _drop_the_working_folder()
     for name in [name for name in os.environ if name.startswith(UNHEEDED) and not name.startswith(HEEDED)]:
         del os.environ[name]
+    if "OPENBLAS_NUM_THREADS" not in os.environ and not starts_threads(os.cpu_count() or 1):
+        os.environ["OPENBLAS_NUM_THREADS"] = "1"  # refused threads it interrupts the program, and crashes at its end
     import signal
 
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
@@ -65,6 +67,30 @@ def _drop_the_working_folder() -> None:
         return
     if not sys.flags.safe_path and sys.path and sys.path[0] in ("", here) and here != home:
         del sys.path[0]
+
+
+def starts_threads(count: int) -> bool:
+    """Whether the system starts so many threads at once; they are gone afterwards."""
+    import _thread
+    import time
+
+    gate, before = _thread.allocate_lock(), _thread._count()
+
+    def wait() -> None:
+        with gate:
+            pass
+
+    try:
+        with gate:
+            for _ in range(count):
+                _thread.start_new_thread(wait, ())
+    except RuntimeError:
+        return False
+    finally:
+        until = time.monotonic() + 1.0
+        while _thread._count() > before and time.monotonic() < until:
+            time.sleep(0.001)
+    return True
 
 
 def _is_short_of_room() -> bool:

@@ -13,6 +13,8 @@ from canon.claims.worker import Entry
 PLAIN: Final = re.compile(r"(?:[\w][\w .-]*/)*[\w][\w .-]*")
 LONGEST: Final = 400
 """Characters of a name that is kept: the folders of a longer one would be too many, or their names too long."""
+WIDEST: Final = 200
+"""Bytes of its last word: with a number and `.json` behind it, it has to be the name of a file still."""
 
 
 def certificate_path(folder: str, entry: Entry) -> Path:
@@ -22,7 +24,12 @@ def certificate_path(folder: str, entry: Entry) -> Path:
     whole name.
     """
     name = entry.file.removesuffix(".toml")
-    if len(name) > LONGEST or not PLAIN.fullmatch(name) or ".." in name.split("/"):
+    if (
+        len(name) > LONGEST
+        or len(os.path.basename(name).encode("utf-8", "surrogateescape")) > WIDEST
+        or not PLAIN.fullmatch(name)
+        or ".." in name.split("/")
+    ):
         mark = hashlib.sha256(entry.file.encode("utf-8", "surrogateescape")).hexdigest()[:8]
         name = f"{re.sub(r'[^A-Za-z0-9_.-]', '-', os.path.basename(name))[:80].lstrip('.')}-{mark}"
     return Path(folder) / f"{name}.{entry.index + 1}.json"

@@ -17,7 +17,7 @@ from functools import partial
 from typing import Final
 
 import canon
-from canon.__main__ import CUT_SHORT, HEEDED
+from canon.__main__ import CUT_SHORT, HEEDED, starts_threads
 from canon.cli import actions, algebra, certificate, cost, hard, scenes, simulate, verify
 from canon.cli.parser import FLAW, NO_RESOURCES, NOT_WRITTEN, Parser
 from canon.cli.spoken import shown
@@ -58,6 +58,11 @@ exit status of verify:
 HEARING: Final = ("verify", "certificate")
 """The commands that hear Ctrl-C in the first thread: their work is done in other processes, or in short steps; and
 certificates are checked under a timer, which the first thread alone has."""
+COMPILING: Final = ("simulate", "cost", "hard")
+"""The commands that load jax, whose XLA aborts where the system refuses it a thread; it has some `THREADS` a core."""
+THREADS: Final = 8
+NO_THREADS: Final = "can't start new thread"
+"""What Python says of that."""
 REFUSED: Final = {
     **dict.fromkeys((errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EAGAIN), "the system gave no more"),
     errno.ENOENT: "the working folder is gone",
@@ -98,6 +103,8 @@ def _work(argv: Sequence[str] | None) -> Callable[[], int]:
     execute = partial(COMMANDS[arguments.command].execute, arguments)
     if argv is not None:
         return execute
+    if arguments.command in COMPILING and not starts_threads(THREADS * (os.cpu_count() or 1)):
+        raise RuntimeError(NO_THREADS)
     return partial(raising, execute) if arguments.command in HEARING else partial(heeding, execute)
 
 
@@ -167,9 +174,7 @@ def entry() -> None:
         os._exit(NO_RESOURCES)
     except (MemoryError, RuntimeError, ImportError) as error:
         words = " ".join(str(error).split())[:300]
-        refused = not isinstance(error, RuntimeError) or words.startswith(
-            ("can't start new thread", "RESOURCE_EXHAUSTED")
-        )
+        refused = not isinstance(error, RuntimeError) or words.startswith((NO_THREADS, "RESOURCE_EXHAUSTED"))
         said = f"canon: the system gave no more: {words or 'out of memory'}" if refused else _flaw(error)
         with contextlib.suppress(OSError):
             sys.stdout.flush()

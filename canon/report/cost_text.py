@@ -100,11 +100,17 @@ def as_csv(studies: Sequence[Study]) -> str:
         front = pareto(study.points)
         for k, point in enumerate(study.points):
             writer.writerow(
-                [study.kind, study.title, point.method, point.work, point.error]
+                [study.kind, _cell(study.title), point.method, point.work, point.error]
                 + [point.measures.get(name) for name in measures]
-                + [point.seconds, point.least, point.first, point.runs, int(k in front), point.note]
+                + [point.seconds, point.least, point.first, point.runs, int(k in front), _cell(point.note)]
             )
     return text.getvalue()
+
+
+def _cell(text: str) -> str:
+    """A text of which neither a terminal nor a spreadsheet makes a command: what begins with = is a formula there."""
+    shown = visible(text)
+    return f"'{shown}" if shown.startswith(("=", "+", "-", "@")) else shown
 
 
 def study_unit(studies: Sequence[Study]) -> str:

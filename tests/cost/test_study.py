@@ -1,12 +1,15 @@
 """Studies of work and precision: fronts, orders and choices, on points whose answers are known."""
 
+import csv
 import json
 import math
+from dataclasses import replace
 
 import pytest
 
 from canon.cost.clock import LEAST, timed
 from canon.cost.study import Point, Study, cheapest, measured_order, next_digit, pareto, record
+from canon.report.cost_text import as_csv
 
 
 def study(*points: Point, floor: float = 1e-15) -> Study:
@@ -73,3 +76,10 @@ def test_the_clock_does_nothing_again_that_takes_too_long():
     calls = []
     _, timing = timed(lambda: calls.append(sum(range(1000))), cap=1e-12)
     assert len(calls) == timing.runs == 1
+
+
+def test_a_title_is_no_formula_of_a_spreadsheet() -> None:
+    """What begins with =, +, - or @ is one; and what has colours in it would set those of a terminal."""
+    for title, cell in (("=HYPERLINK(1)", "'=HYPERLINK(1)"), ("@x\x1b[31m", "'@x\ufffd[31m"), ("a = b", "a = b")):
+        rows = list(csv.DictReader(as_csv([replace(study(*falling(4)), title=title)]).splitlines()))
+        assert {row["title"] for row in rows} == {cell}

@@ -195,3 +195,32 @@ def test_a_protected_file_is_not_replaced_by_another(tmp_path: Path, monkeypatch
         assert main([*command, "kept.txt"]) == 3
         assert "is there, and is protected against being written over" in capsys.readouterr().err
         assert Path("kept.txt").read_text() == "work"
+
+
+def test_threads_are_counted_before_libraries_need_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """OpenBLAS interrupts the program that has too few, and crashes at its end; XLA aborts it."""
+    import _thread
+
+    real, started = _thread.start_new_thread, []
+
+    def refuses(run, arguments):
+        if len(started) == 3:
+            raise RuntimeError("can't start new thread")
+        started.append(real(run, arguments))
+
+    before = _thread._count()
+    assert start.starts_threads(5)
+    assert _thread._count() == before
+    monkeypatch.setattr(_thread, "start_new_thread", refuses)
+    assert not start.starts_threads(4)
+    assert _thread._count() == before
+
+
+def test_a_program_without_threads_says_so(tmp_path: Path) -> None:
+    program = "import canon.__main__ as start; start.starts_threads = lambda count: False; start.entry()"
+    environment = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
+    for words, status in ((["simulate", "none.toml"], 71), (["hard", "--list"], 71), (["scenes"], 0)):
+        command = [sys.executable, "-c", f"{program}", *words]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment, cwd=tmp_path)
+        assert done.returncode == status
+        assert done.stderr == ("canon: the system gave no more: can't start new thread\n" if status else "")

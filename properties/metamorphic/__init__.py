@@ -1,0 +1,1 @@
+"""Claims of known truth written otherwise, by rules: `python -m properties.metamorphic`."""

@@ -91,14 +91,14 @@ def variant(source: Source, seed: str, asked: str) -> Variant | None:
         new = rule(rng, tables) if truth else None
         if new is None:
             return None
-        tables, used, truth = new, [name], name != "as_not"
+        tables, used, truth = new, [name], not name.startswith("as_not")
     for name in rng.choices([*SAME], k=rng.choice((1, 2, 3, 4))):
         new = SAME[name](rng, tables)
         if new is not None and new != tables:
             tables, used = new, [*used, name]
-    if asked in ("weaker", "mixed"):
+    if asked in ("weaker", "mixed"):  # a generating function has a map only where its Hessian isn't 0, be it nowhere
         name, rule = rng.choice([*(WEAKER if truth else STRONGER).items()])
-        new = rule(rng, tables)
+        new = rule(rng, tables) if truth or "transformation" in tables or "generating_function" not in tables else None
         if new is None:
             return None
         tables, used = new, [*used, name]

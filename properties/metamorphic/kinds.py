@@ -6,7 +6,7 @@ import random
 from typing import Any
 
 from properties.metamorphic.parts import is_canonical, is_complex, variables, with_claim_of, words_of
-from properties.metamorphic.tables import Tables, declared, every_name
+from properties.metamorphic.tables import Tables, every_name
 
 
 def as_another_kind(rng: random.Random, tables: Tables) -> Tables | None:
@@ -167,14 +167,10 @@ def as_not(rng: random.Random, tables: Tables) -> Tables | None:
             {**claim, "functions": [*f, "+".join(f"({g})" for g in f)]},
         ]
         found += [{**claim, "functions": [*f, f"sin({f[-1]})*exp({f[0]})"]}, {**claim, "functions": [*f, "7"]}]
-    if kind == "conserved" and is_canonical(tables) and "on" not in tables.get("domain", {}):
-        found += [{**claim, "f": f"({claim['f']})+{small}*{tables.get('phase_space', {}).get('time', 't')}"}]
-        if (
-            "t" in declared(tables) - {"t"}
-            or "function" in words_of(tables, "t")
-            or "t" in tables.get("definitions", {})
-        ):
-            found.pop()
+    t = tables.get("phase_space", {}).get("time", "t")
+    moves = t not in {*tables.get("definitions", {}), *variables(tables)} and words_of(tables, t) == ["real"]
+    if kind == "conserved" and is_canonical(tables) and "on" not in tables.get("domain", {}) and moves:
+        found += [{**claim, "f": f"({claim['f']})+{small}*{t}"}]
     if kind == "new_hamiltonian":
         Q = rng.choice([*tables["phase_space"]["Q"], *tables["phase_space"]["P"]])
         found += [{**claim, "K": f"({claim['K']})+{small}*{Q}"}]

@@ -141,3 +141,8 @@ def named(tables: Tables, text: str, name: str) -> Tables:
         return Name(node.span, name) if shown(node) == text else node
 
     return mapped(tables, lambda formula: in_nodes(formula, lambda node: replaced(node, told)))
+
+
+def called_in(text: str) -> set[str]:
+    """The names in a formula that are called."""
+    return {node.name for node in walk(parse(text)) if isinstance(node, Call)}

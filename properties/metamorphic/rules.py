@@ -1,12 +1,13 @@
 """All rules by name: `SAME` makes claims that are true exactly when the first one is, `WEAKER` what follows from a true
-claim, `STRONGER` what a false one follows from; `KINDS` what follows of another kind, and what is false then."""
+claim, `STRONGER` what a false one follows from; `KINDS` what follows of another kind,
+and what is false then: all of them whose name begins with `as_not`."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Final
 
-from properties.metamorphic import conditions, coordinates, formulas, kinds, naming, weaker
+from properties.metamorphic import analysis, conditions, coordinates, equations, formulas, kinds, naming, weaker
 from properties.metamorphic.parts import Rule
 
 
@@ -20,6 +21,9 @@ SAME: Final = _by_name(
     coordinates.with_another_pair, coordinates.in_curved_coordinates, coordinates.at_another_time,
     conditions.by_conditions, conditions.by_a_word, conditions.by_a_domain, conditions.by_a_surface,
     conditions.with_other_parameters, conditions.by_a_function,
+    analysis.with_a_function_of_the_energy, analysis.round_another_orbit, analysis.in_another_variable,
+    analysis.by_another_lagrangian, analysis.in_another_basis, analysis.by_other_constraints,
+    analysis.with_more_of_an_average,
     formulas.rewritten, formulas.multiplied, formulas.with_another_hamiltonian, formulas.by_derivatives,
 )  # fmt: skip
 WEAKER: Final = _by_name(
@@ -29,4 +33,4 @@ WEAKER: Final = _by_name(
 STRONGER: Final = _by_name(
     weaker.without_a_condition, weaker.with_a_free_number, weaker.with_a_free_function, weaker.with_a_free_name
 )
-KINDS: Final = _by_name(kinds.as_another_kind, kinds.as_not)
+KINDS: Final = _by_name(kinds.as_another_kind, kinds.as_not, equations.as_an_equation, equations.as_not_quite)

@@ -26,6 +26,7 @@ from canon.checker.positive import is_nowhere_zero
 from canon.checker.shapes import SMOOTH, is_rational
 from canon.checker.stated import BOTH, MAPPED, SQUARE
 from canon.checker.statement import Statement
+from canon.checker.whole_image import is_whole
 
 ALONG = ("action", "average", "frequency", "normal_form", "stationary")
 """Kinds about paths, orbits and origins: beside a map given backward, or a generating function, those in its image."""
@@ -42,7 +43,7 @@ def obligations(s: Statement) -> list[Case]:
     if kind not in KINDS:
         raise Unknown(f"claims of kind {kind[:40]!r} are not known to the checker")
     given = s.direction in ("implicit", "backward")
-    beside = given and (kind in ALONG or _varies(s, kind))
+    beside = given and (kind in ALONG or _varies(s, kind)) and not is_whole(s)
     found = KINDS[kind](s)
     if beside:
         s.trusted.append(ON_ITS_IMAGE)

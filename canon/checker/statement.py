@@ -90,7 +90,7 @@ class Statement:
     def _restrict(self) -> None:
         """The surface, and what the inequalities say, in the coordinates."""
         self.surface = [self.pull(self.f.read(text, self.names)) for text in self.domain.get("on", [])]
-        self.conditions = [c for text in self.domain.get("where", []) for c in self._relation(text)]
+        self.conditions = [c for text in self.domain.get("where", []) for c in self.relation(text)]
 
     def check_names(self) -> None:
         """Refuse a name that nothing declares: a section of the file, or a key of the claim that holds names."""
@@ -151,7 +151,7 @@ class Statement:
         self.written += found
         return found
 
-    def _relation(self, text: str) -> Iterator[tuple[int, str]]:
+    def relation(self, text: str) -> Iterator[tuple[int, str]]:
         """The differences that an inequality says to be positive, or not to vanish."""
         words = re.split(r"(<=|>=|!=|<|>)", text)
         if len(words) < 3:

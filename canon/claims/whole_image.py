@@ -38,9 +38,9 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
     from canon.mechanics import GeneratingFunction
 
-SEARCH: Final = 0.2
+SEARCH: Final = 0.5
 """Of the budget, to find a right inverse."""
-SHARE: Final = 0.4
+SHARE: Final = 0.5
 """Of the budget, for all of it."""
 MOST: Final = 6
 """Right inverses that are looked at."""

@@ -1,10 +1,13 @@
 """Claims in old variables beside a map whose image is the whole domain, but for what they don't come to."""
 
 import tomllib
+from typing import Any
 
 import pytest
 
 from canon.checker.check import check
+from canon.checker.statement import Statement
+from canon.checker.whole_image import is_whole
 from canon.claims.certificate_data import certificate, statement_tables
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
@@ -35,12 +38,15 @@ def _file(given: tuple[str, str], H: str = WELL, where: str = "", space: str = L
 
 def _status(text: str) -> str:
     (claim,) = read_text(text).claims
-    return verify(claim).status
+    return verify(claim, budget=60).status
 
 
 WHOLE = {
     "polar": POLAR,
-    "polar, with scales": ('q = ["sqrt(P/(pi*m))*cos(2*pi*Q)"]\np = ["-sqrt(m*P/pi)*sin(2*pi*Q)"]', 'm = "positive"'),
+    "polar, with scales": (
+        'q = ["sqrt(P/(pi*m))*cos(2*pi*Q)"]\np = ["-sqrt(m*P/pi)*sin(2*pi*Q)"]',
+        'm = "positive"\nP = "positive"',
+    ),
     "an angle that is positive": (POLAR[0], 'Q = "positive"\nP = "positive"'),
     "polar, in time": ('q = ["sqrt(2*P)*sin(Q + t)"]\np = ["sqrt(2*P)*cos(Q + t)"]', ""),
     "affine": ('q = ["Q/2 + P"]\np = ["2*P + b"]', 'b = "real"'),
@@ -208,15 +214,46 @@ def test_what_the_map_demands_of_parameters_and_time_stays(given: tuple[str, str
     assert _status(_file(given) + claim) == expected
 
 
-def test_a_certificate_rests_on_the_image():
-    """The checker knows no rule for it: beside a map that leads nowhere near the orbit it says the same."""
-    text = _file(POLAR) + ORBIT + TRUE
+def _certified(text: str) -> Any:
     (claim,) = read_text(text).claims
-    verdict = verify(claim)
+    verdict = verify(claim, budget=60)
     assert any("image" in str(step.get("theorem")) for step in verdict.certificate["arguments"])  # pyright: ignore[reportOptionalSubscript]
-    data = certificate(claim, verdict, statement_tables(tomllib.loads(text), 0))
-    for given in (POLAR, PARTS["a half line"][0], PARTS["type 1"][0]):
-        other = resealed({**data, "tables": statement_tables(tomllib.loads(_file(given) + ORBIT + TRUE), 0)})
-        answer = check(other)
+    return certificate(claim, verdict, statement_tables(tomllib.loads(text), 0))
+
+
+@pytest.mark.parametrize("name", WHOLE)
+@pytest.mark.parametrize("equals", [TRUE, WRONG])
+def test_the_checker_sees_images_of_affine_and_of_polar_maps(name: str, equals: str):
+    answer = check(_certified(_file(WHOLE[name]) + ORBIT + equals))
+    if name in ("polar", "polar, with scales", "affine"):
+        assert (answer.status, answer.reasons) == ("confirmed", ())
+    else:
         assert answer.status == "confirmed in part"
         assert any("image" in reason for reason in answer.reasons)
+
+
+@pytest.mark.parametrize("equals", [TRUE, WRONG])
+def test_beside_an_image_that_is_less_a_forgery_is_not_confirmed(equals: str):
+    """Proofs and refutations of files with maps onto the plane, beside maps that aren't."""
+    data = _certified(_file(POLAR) + ORBIT + equals)
+    for given, where in PARTS.values():
+        text = _file(given, where=where) + ORBIT + equals
+        forged = resealed({**data, "tables": statement_tables(tomllib.loads(text), 0)})
+        assert check(forged).status != "confirmed", (given, where)
+
+
+@pytest.mark.parametrize(
+    ("H", "keys", "whole"),
+    [
+        (WELL, "", True),
+        (WELL, 'fixed = {E = "1"}', True),
+        (WELL, 'fixed = {E = "c**2"}', False),
+        (WELL + " + q", "", False),
+        (WELL + " + 0*log(q + 3)", "", False),
+        (WELL + " + 1/(5 + q**2)", "", False),
+    ],
+)
+def test_the_checker_asks_that_the_origin_is_an_equilibrium(H: str, keys: str, whole: bool):
+    tables = tomllib.loads(_file((POLAR[0], 'c = "real"'), H) + ORBIT + TRUE + "\n" + keys)
+    (claim,) = tables.pop("claim")
+    assert is_whole(Statement({**tables, "claim": claim}, {}, "proved")) == whole

@@ -65,7 +65,7 @@ def as_an_equation(rng: random.Random, tables: Tables) -> Tables | None:
     if kind == "integral" and plain and str(claim["to"]) in parameters(tables, "real", "positive"):
         f = put(claim["f"], {claim["variable"]: claim["to"]})
         inner = every_name({"claim": [{"kind": "identity", "lhs": claim["f"], "rhs": claim["from"]}]})
-        if claim["to"] in inner or claim["variable"] in variables(tables):
+        if claim["to"] in inner or claim["variable"] in variables(tables) | defined:
             return None
         return with_claim_of(tables, kind="identity", lhs=f"D({claim['equals']},{claim['to']})", rhs=f)
     if kind == "normal_form" and claim["order"] > 2:

@@ -64,11 +64,16 @@ def test_no_rule_makes_a_true_claim_false(rule, tables):
 
 
 NOWHERE = {
-    "canonical": ("with_other_integers", "as_real_and_imaginary", "by_another_equation", "with_a_hole", "by_a_domain", "multiplied", "by_derivatives", "with_another_hamiltonian", "at_an_integer",
-                  "at_another_time", "by_a_surface"),
-    "identity": ("as_real_and_imaginary", "by_another_equation", "to_other_coordinates", "read_backward", "with_another_hamiltonian", "written_out", "at_another_time",
-                 "by_a_surface"),
+    "canonical": (
+        "with_other_integers", "as_real_and_imaginary", "by_another_equation", "with_a_hole", "by_a_domain", "multiplied",
+        "by_derivatives", "with_another_hamiltonian", "at_an_integer", "at_another_time", "by_a_surface",
+    ),
+    "identity": (
+        "as_real_and_imaginary", "by_another_equation", "to_other_coordinates", "read_backward", "written_out",
+        "with_another_hamiltonian", "at_another_time", "by_a_surface",
+    ),
 }  # fmt: skip
+"""The rules that have no place in these two claims."""
 
 
 @pytest.mark.parametrize("rule", STRONGER)

@@ -65,8 +65,8 @@ def test_no_rule_makes_a_true_claim_false(rule, tables):
 
 NOWHERE = {
     "canonical": (
-        "with_other_integers", "as_real_and_imaginary", "by_another_equation", "with_a_hole", "by_a_domain", "multiplied",
-        "by_derivatives", "with_another_hamiltonian", "at_an_integer", "at_another_time", "by_a_surface",
+        "with_other_integers", "as_real_and_imaginary", "by_another_equation", "with_a_hole", "by_a_domain",
+        "multiplied", "by_derivatives", "with_another_hamiltonian", "at_an_integer", "at_another_time", "by_a_surface",
     ),
     "identity": (
         "as_real_and_imaginary", "by_another_equation", "to_other_coordinates", "read_backward", "written_out",

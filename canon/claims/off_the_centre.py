@@ -39,7 +39,7 @@ def stays_off(question: Question, places: Sequence[Place]) -> bool:
         return True
     kind = question.claim.kind
     exactly = replace(question, budget=question.budget.share(SHARE), method="symbolic", listen=None)
-    if kind == "stationary":  # of coordinates, each of which has other momenta
+    if kind in ("stationary", "normal_form"):  # of coordinates, with other momenta; of a series, by what is beside it
         return True
     if kind in ("limit", "integral"):  # along one variable, whatever the other ones are
         values = (value for value in question.claim.keys.values() if isinstance(value, Formula))
@@ -102,7 +102,8 @@ def _is_at_another_energy(question: Question, place: Place) -> bool:
 
 
 def _has_a_sign(question: Question, expression: Any, region: Region) -> bool:
-    tape, node = question.tape, question.load(sp.factor(expression))
+    factored: Any = sp.factor(expression)
+    tape, node = question.tape, question.load(factored)
     return (
         has_no_zero(tape, node, region, question.budget)
         or is_positive(question, node, region)

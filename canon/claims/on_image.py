@@ -2,9 +2,9 @@
 
 What the map demands is said in new or mixed variables: with q = exp(Q) a claim is one about q > 0. Local claims are
 decided in the old variables all over, so that what holds everywhere holds on the image, and what fails has to fail
-there too. Limits, ranges, paths and orbits may leave the image, and then there is nothing to claim. Where the image is
-all of the domain (`canon.claims.whole_image`), or all but places that the claim doesn't come to, they are claims
-without the map.
+there too. Limits, ranges, paths and orbits may leave the image, the origin of a normal form may not lie in it, and then
+there is nothing to claim. Where the image is all of the domain (`canon.claims.whole_image`), or all but places that the
+claim doesn't come to, they are claims without the map.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ LOCAL: Final = frozenset({"constraint", "euler_lagrange", "hamilton_jacobi", "le
 """Kinds that say something at each point, which is looked for in the old variables."""
 VARYING: Final = frozenset({"integral", "limit"})
 """Kinds that vary one name, which need not be one of the phase space."""
-ALONG: Final = frozenset({"action", "average", "frequency", "stationary"})
-"""Kinds about paths and orbits in phase space."""
+ALONG: Final = frozenset({"action", "average", "frequency", "normal_form", "stationary"})
+"""Kinds about paths and orbits in phase space, or about its origin."""
 DETERMINED: Final = frozenset({"euler_lagrange", "hamilton_jacobi", "legendre"})
 """Kinds that are refuted without a residual where a determinant is 0 identically: so it is on the image."""
 SHARE: Final = 0.3

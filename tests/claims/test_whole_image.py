@@ -196,6 +196,20 @@ def test_ranges_and_paths_in_the_whole_domain(given: tuple[str, str], claim: str
     assert _status(_file(given) + claim) == expected
 
 
+HALF = PARTS["a half line"][0]
+
+
+@pytest.mark.parametrize(
+    ("given", "order", "expected"),
+    [(POLAR, 3, "proved"), (POLAR, 4, "refuted"), (HALF, 3, "undecided"), (HALF, 4, "undecided")],
+)
+def test_a_normal_form_is_about_an_origin_that_has_the_image_around_it(
+    given: tuple[str, str], order: int, expected: str
+):
+    claim = f'kind = "normal_form"\norder = {order}\nN = {{ "2" = "{WELL}" }}'
+    assert _status(_file(given, f"{WELL} + q**3") + claim) == expected
+
+
 SCALED = ('q = ["k*Q"]\np = ["P/k"]', 'k = "real"')
 ROOT = ('q = ["sqrt(t)*Q"]\np = ["P/sqrt(t)"]', "")
 

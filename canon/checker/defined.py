@@ -41,13 +41,18 @@ def assumed(s: Statement) -> Iterator[tuple[int, str]]:
 
 def bounding(s: Statement, names: Iterable[str]) -> list[tuple[int, str]]:
     """What is assumed of the map's other variables, and isn't so for all values of these names anyway."""
-    own = [*names]
-    return [
-        (a, word)
-        for a, word in assumed(s)
-        if any(_moves(s, a, name) for name in own)
-        and not (is_nowhere_zero(s, a) if word == "nonzero" else is_positive(s, a, strict=word[:3] != "non", real=True))
-    ]
+    own, signs = [*names], {"negative": "positive"}  # assumed() has turned what is negative
+    moving = [(a, word) for a, word in assumed(s) if any(_moves(s, a, name) for name in own)]
+    return [(a, word) for a, word in moving if not _is_as_said(s, a, signs.get(word, word))]
+
+
+def _is_as_said(s: Statement, a: int, word: str) -> bool:
+    """Whether a formula is seen to be, everywhere, what a word says."""
+    if word == "nonzero":
+        return is_nowhere_zero(s, a)
+    signed = s.f.mul(s.f.number(-1), a) if word == "negative" else a
+    known = word in ("positive", "nonnegative", "negative")
+    return known and is_positive(s, signed, strict=word != "nonnegative", real=True)
 
 
 def is_unbound(s: Statement, names: Iterable[str]) -> bool:
@@ -84,7 +89,7 @@ def has_values(s: Statement, x: str, formulas: Iterable[int]) -> bool:
 
 def is_there(s: Statement, x: str, ends: Sequence[int | str], formulas: Sequence[int]) -> bool:
     """Whether formulas, and what isn't seen of their texts, have values all over a range, but at single places."""
-    f, t, kept = s.f, s.f.node("s", x), s.conditions
+    f, t, kept, words = s.f, s.f.node("s", x), s.conditions, s.words
     low, high = ends
     if isinstance(low, int) and isinstance(high, int):
         if is_positive(s, f.sub(low, high), strict=True, real=True):
@@ -95,10 +100,14 @@ def is_there(s: Statement, x: str, ends: Sequence[int | str], formulas: Sequence
     walls += [f.sub(high, t)] if isinstance(high, int) and low != "infinity" else []
     try:
         s.conditions = [*kept, *((wall, "positive") for wall in walls)]
+        s.words = {**words, x: ["real"]}
+        if not all(_is_as_said(s, t, word) for word in {*words.get(x, ())} - {"real"}):
+            return False
+        s.words = words
         own = [*formulas, *(a for a in (*unseen(s), *shared(s)) if _moves(s, a, x))]
         return has_values(s, x, own) and not bounding(s, [x])
     finally:
-        s.conditions = kept
+        s.conditions, s.words = kept, words
 
 
 def is_upward(s: Statement, ends: Sequence[int | str]) -> bool:

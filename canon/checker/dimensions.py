@@ -33,6 +33,8 @@ def dimension(s: Statement) -> Case:
     }
     if unknown := {*table} - s.declared - {s.time}:
         raise Unreadable(f"{min(unknown)[:40]!r} is not declared")
+    if whole := {*table} & s.fixed:
+        raise Unreadable(f"{min(whole)[:40]!r} is an integer: it has no units")
     wanted, values = _read(claim["equals"]), s.keys("functions")
     claim.get("base")  # what quantities are called says nothing of what they are made of
     if s.verdict == "refuted":

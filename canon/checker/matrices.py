@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.functions import Unreadable
+from canon.checker.shapes import has_complex
 from canon.checker.statement import Statement
 
 Rows = list[list[int]]
@@ -52,8 +53,13 @@ def matrix_group(s: Statement) -> Case:
     for x in (x for row in M for x in row):
         s.without(x, b)
 
+    kept = [(x, kind) for x, kind in s.conditions if {("s", n) for n in a} & {f.ops[k] for k in f.reach(x)}]
+
     def at(values: Sequence[int]) -> Rows:
         images = dict(zip(a, values, strict=True))
+        for n, x in images.items():
+            s.conditions += _as_assumed(s, n, x)
+        s.conditions += [(f.substitute(x, images), kind) for x, kind in kept]
         moved = [[f.substitute(x, images) for x in row] for row in M]
         s.written += [x for row in moved for x in row]
         return moved
@@ -62,6 +68,19 @@ def matrix_group(s: Statement) -> Case:
     if "inverse" in s.claim:
         zeros += _differences(s, _product(s, M, at(s.keys("inverse"))), _one(s, len(M)))
     return Case(zeros)
+
+
+def _as_assumed(s: Statement, name: str, value: int) -> Iterator[tuple[int, str]]:
+    """What a value in a name's place has to be; Unreadable where it isn't seen to be whole, or real, as the name is."""
+    f, words = s.f, {*s.words.get(name, ())}
+    inside = [f.ops[k] for k in f.reach(value)]
+    known = all(op[0] in "s+*" or (op[0] == "n" and op[1].denominator == 1) for op in inside)
+    whole = known and all("integer" in s.words.get(op[1], ()) for op in inside if op[0] == "s")
+    if ("integer" in words and not whole) or ("complex" not in words and has_complex(s, value)):
+        raise Unreadable(f"{name[:40]!r} is whole, or real, and what stands in its place isn't seen to be")
+    for word in words & {"positive", "nonnegative", "negative", "nonzero"}:
+        x = f.mul(f.number(-1), value) if word == "negative" else value
+        yield x, "nonzero" if word == "nonzero" else "positive"
 
 
 def field_equations(s: Statement) -> Case:

@@ -157,6 +157,10 @@ class Statement:
         if len(words) < 3:
             raise Unreadable(f"no inequality: {text[:60]!r}")
         sides = [self.pull(self.f.read(side, self.names)) for side in words[::2]]
+        ops = [self.f.ops[b] for b in self.f.reach(*sides)]
+        odd = any(op[0] == "s" and (op[1] == "1j" or "complex" in self.words.get(op[1], ())) for op in ops)
+        if odd and any(sign != "!=" for sign in words[1::2]) and all(op[:2] != ("f", "abs") for op in ops):
+            raise Unreadable(f"complex values are compared: {text[:60]!r}")
         for left, sign, right in zip(sides, words[1::2], sides[1:], strict=False):
             a, b = (right, left) if "<" in sign else (left, right)
             yield self.f.sub(a, b), "nonzero" if sign == "!=" else "positive"

@@ -20,7 +20,7 @@ from canon.checker.functions import Unknown, Unreadable
 from canon.checker.intervals import Intervals
 from canon.checker.positive import is_nowhere_zero, is_positive
 from canon.checker.ratios import multiple
-from canon.checker.shapes import is_smooth
+from canon.checker.shapes import has_complex, is_smooth
 from canon.checker.statement import Statement
 
 Matrix = list[list[int]]
@@ -68,6 +68,8 @@ def stationary(s: Statement) -> Case:
         return Case(zeros, trusted=trusted, against=stays)
     if word not in (*SIGNS, "neither"):
         raise Unreadable(f"no kind of extremum: {str(word)[:40]!r}")
+    if has_complex(s, L, *path):
+        raise Unreadable("an extremum is one of real numbers")
     s.written += [end for end in places if end is not None]
 
     def second(first: Sequence[str], other: Sequence[str]) -> Matrix:

@@ -217,6 +217,24 @@ FALSE = {
         {"kind": "action_angle", "angle_period": "2*pi"}, phase_space=MAP, hamiltonian=OSCILLATOR,
         symbols={"P": "positive"},
         transformation={"q": ["sqrt(2*P)*sin(Q + t)"], "p": ["sqrt(2*P)*cos(Q + t)"]}),
+    "an extremum of what is complex": of(
+        {"kind": "stationary", "L": "v**2/2 + 1j*q*v - 1j*q*v", "velocities": ["v"], "path": ["t"], "from": "0",
+         "to": "1", "extremum": "minimum"}),
+    "matrices where they aren't said to be": of(
+        {"kind": "matrix_group", "first": ["a"], "second": ["b"], "matrix": [["exp(a)"]], "composition": ["a + b"]},
+        symbols={"a": "real", "b": "real"}, domain={"where": ["-2 < a < -1"]}),
+    "matrices of whole numbers, at others": of(
+        {"kind": "matrix_group", "first": ["a"], "second": ["b"], "matrix": [["exp(a)"]], "composition": ["a + b"]},
+        symbols={"a": "integer", "b": "real"}),
+    "an integral over what its name isn't": against(
+        {"kind": "integral", "f": "u", "variable": "u", "from": "0", "to": "1", "equals": "1/3"}, {"q": "1"},
+        symbols={"u": "negative"}),
+    "a dimension of a whole number": of(
+        {"kind": "dimension", "functions": ["n*q"], "dimensions": {"n": "L", "q": "M"}, "equals": "L*M"},
+        symbols={"n": "integer"}),
+    "complex numbers in an order": against(
+        {"kind": "identity", "lhs": "q", "rhs": "p"}, {"q": "1", "p": "2", "a": "1"}, symbols={"a": "complex"},
+        domain={"where": ["a > 0"]}),
     "an average backwards": average("2*pi", "0", CIRCLE, hamiltonian=OSCILLATOR),
     "an average over a stretch that moves": average("0", "q**2 + 1", CIRCLE, hamiltonian=OSCILLATOR),
     "an average of what has no motion": average("0", "1", {"q": "cos(u)", "t": "u"}, "p/p"),
@@ -247,6 +265,15 @@ TRUE = {
         {"kind": "constraint", "velocities": ["v", "w"], "functions": ["x**2 + y**2 - 1"], "holonomic": True}, **FREE),
     "a coordinate t, which isn't time": of({"kind": "conserved", "f": "e"}, phase_space={"q": ["t"], "p": ["e"]},
                                           hamiltonian={"H": "-e"}),
+    "matrices": of(
+        {"kind": "matrix_group", "first": ["a"], "second": ["b"], "matrix": [["exp(a)"]], "composition": ["a + b"],
+         "inverse": ["-a"]}, symbols={"a": "real", "b": "real"}),
+    "matrices of positive numbers": of(
+        {"kind": "matrix_group", "first": ["a"], "second": ["b"], "matrix": [["sqrt(a**2)"]], "composition": ["a*b"],
+         "inverse": ["1/a"]}, symbols={"a": "positive", "b": "positive"}),
+    "an integral over a positive name": of(
+        {"kind": "integral", "f": "u", "variable": "u", "from": "0", "to": "1", "equals": "1/2",
+         "antiderivative": "u**2/2"}, symbols={"u": "positive"}),
     "an energy of constants": characteristic("sqrt(2*a)*q", "a", "p**2/2"),
     "four coordinates": of(
         {"kind": "bracket", "f": "q0", "g": "p0", "equals": "1"}, phase_space=dict(zip("qpQP", FOUR, strict=True)),

@@ -68,12 +68,12 @@ def stationary(question: Question) -> Outcome:
     left = [substitute(question.tape, jets.expression(question.load(L), i), images) for i in range(len(jets.q))]
     residuals = [Residual(f"equation of {q}", node, node) for q, node in zip(question.space.q, left, strict=True)]
     first = question.decide(residuals, Region((*span.inside.requirements, *span.demanded), span.inside.surface, ()))
-    if first.status == "refuted":
-        return first
     missing = [r for r in span.demanded if not holds(question, r, span.inside, span)]
-    if missing and (word is not None or question.method != "numeric"):
-        return first.with_status("undecided", f"it isn't shown that {missing[0].text} all along the path")
-    if word is None:
+    if missing and (word is not None or first.status == "refuted" or question.method != "numeric"):
+        note = f"it isn't shown that {missing[0].text} all along the path"
+        refuted = first.status == "refuted"  # at a point of the names for which there may be no integral
+        return Outcome("undecided", first.method, note=note) if refuted else first.with_status("undecided", note)
+    if word is None or first.status == "refuted":
         return first
     if any(question.tape.is_complex(node) for node in (question.load(L), *images.values())):
         raise InputError("an extremum is one of real numbers: L or its path is complex", "key 'extremum'")

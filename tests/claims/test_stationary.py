@@ -48,6 +48,13 @@ def test_one_coordinate(status, L, path, extremum, expected):
     assert status(_claim(L, path, extremum=extremum), symbols=SYMBOLS) == expected
 
 
+def test_lagranges_equation_is_refuted_where_l_is_defined_all_along_the_path_alone(status):
+    claim = _claim("v**2/2 + 0*sqrt(1 - k*t) - q*(1 - sign(1 - k))", "t", to="1")
+    assert status(claim, symbols=SYMBOLS) == "undecided"  # true: for k > 1 there is no L at t = 1
+    assert status(claim, symbols=SYMBOLS, domain='where = ["k < 1"]') in ("proved", "undecided")
+    assert status(claim.replace("1 - sign", "2 - sign"), symbols=SYMBOLS, domain='where = ["k < 0"]') == "refuted"
+
+
 @pytest.mark.parametrize(
     ("extremum", "keys", "domain", "expected"),
     [

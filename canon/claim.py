@@ -29,7 +29,7 @@ class Claim:
 
     kind: str
     subject: Any
-    keys: Mapping[str, Any] = field(default_factory=dict)
+    keys: Mapping[str, Any] = field(default_factory=dict, hash=False)
     title: str | None = None
     source: str | None = None
     expect: str = "holds"

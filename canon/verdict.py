@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any, Final, Literal
 
 from canon.display import items_in_html, status_in_html
@@ -60,15 +61,26 @@ class Verdict:
     title: str | None = None
     method: str = ""
     seconds: float = 0.0
-    witness: Mapping[str, Any] | None = None
+    witness: Mapping[str, Any] | None = field(default=None, hash=False)
     numeric: Evidence | None = None
-    certificate: Mapping[str, Any] | None = None
-    detail: Mapping[str, Any] = field(default_factory=dict)
+    certificate: Mapping[str, Any] | None = field(default=None, hash=False)
+    detail: Mapping[str, Any] = field(default_factory=dict, hash=False)
     matters: tuple[str, ...] | None = None
 
     def __post_init__(self) -> None:
         if self.status not in STATUSES:
             raise ValueError(f"a verdict is one of {', '.join(STATUSES)}, not {self.status!r}")
+        for name in ("witness", "detail"):  # a verdict is read, and nobody changes what it rests on
+            told = getattr(self, name)
+            object.__setattr__(self, name, told if told is None else MappingProxyType(dict(told)))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: dict(x) if isinstance(x, MappingProxyType) else x for name, x in self.__dict__.items()}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        for name, value in state.items():
+            shown = MappingProxyType(value) if name in ("witness", "detail") and value is not None else value
+            object.__setattr__(self, name, shown)
 
     @property
     def one_digit_more(self) -> str | None:

@@ -55,9 +55,17 @@ def verify_many(
     claim overstays its budget or needs more than `memory` bytes (default: a core's share of the machine's; False: in
     the worker itself, whose time nothing but the deciders' own clock limits).
 
+    **Raises:** `InputError` for a batch of no claims, or where `claims` or `executor` is something else.
+
     **Yields:** (position, verdict); for an ill-posed claim (position, `InputError`). They are the same on every
     executor and in every order, as long as no budget ends a decision.
     """
+    if not isinstance(claims, Iterable):
+        raise InputError(f"claims are expected, in a list for example, not {claims!r}")
+    if not isinstance(batch, int) or batch < 1:
+        raise InputError(f"a batch is a number of claims that travel together, not {batch!r}")
+    if executor is not None and not hasattr(executor, "submit"):
+        raise InputError(f"an executor of concurrent.futures is expected, not {executor!r}")
     asked = Settings(budget=budget, seed=seed, method=method, accuracy=accuracy, memory=memory)
     settings = (asked, certificates, apart)
     if executor is None:
@@ -80,6 +88,9 @@ def decided(claims: Sequence[Claim | Sent], settings: Settings, certificates: bo
     found: list[Answer] = []
     for given in claims:
         claim = given.opened() if isinstance(given, Sent) else given
+        if not hasattr(claim, "kind"):
+            found.append(InputError(f"a claim is expected, not {claim!r}"))
+            continue
         answer = decided_apart(claim, settings, certificates) if apart else None
         found.append(decided_here(claim, settings, certificates) if answer is None else answer)
     return found

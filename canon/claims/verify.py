@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any, Literal
 
+from sympy.core.parameters import evaluate
+
 from canon.budget import Budget
 from canon.claim import Claim
 from canon.claims.agreement import alarm_within, compared
@@ -74,14 +76,14 @@ def verify(
         raise InputError(
             f"a claim about something is expected, as transformation.canonical() makes one, not {claim!r}{called}"
         )
-    check_claim(claim)
     check_budget(budget)
     check_seed(seed)
     check_accuracy(accuracy)
     if memory is not None:
         return _apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy))
+    check_claim(claim)
     decide = kind_named(claim.kind)
-    with in_turn(), recursion_told():
+    with in_turn(), recursion_told(), evaluate(True):  # whatever the program has told sympy
         return _here(claim, decide, Settings(budget, seed, method, accuracy=accuracy), watch)
 
 

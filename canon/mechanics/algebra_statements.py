@@ -3,7 +3,7 @@
 Structure constants are a table "A,B" = {"C": coefficient} of the basis.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -13,7 +13,7 @@ from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.algebra.names import read_name
 from canon.mechanics.formulas import Expression, as_formula, as_formulas
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.subject import Subject
 
 Structure = Mapping[str, Mapping[str, Expression]]
@@ -29,7 +29,7 @@ def algebra(
     structure: Structure | None = None,
 ) -> Claim:
     """Functions, by name, close under the Poisson bracket as `equals`, say "so(4)", or with these constants."""
-    formulas = {name: as_formula(f, f"basis, {name}") for name, f in basis.items()}
+    formulas = {name: as_formula(f, f"basis, {name}") for name, f in _table(basis, "basis").items()}
     return _claim(space, "algebra", {"basis": formulas} | _stated(tuple(basis), equals, structure))
 
 
@@ -48,7 +48,7 @@ def matrix_algebra(
     """
     matrices: dict[str, tuple[tuple[Formula, ...], ...]] = {}
     size = 0
-    for name, given in basis.items():
+    for name, given in _table(basis, "basis").items():
         rows = given.tolist() if isinstance(given, sp.MatrixBase) else given
         matrices[name] = tuple(as_formulas(row, f"basis, {name}") for row in rows)
         size = size or len(rows)
@@ -85,7 +85,7 @@ def group(
         if given is not None:
             keys[word] = _square(given, word)
     for symbol in (*first, *second):
-        if symbol in (*space.old, *space.new, space.t) or not symbol.is_real:
+        if symbol in (*space.old, *space.new, space.t) or not getattr(symbol, "is_real", False):
             raise InputError(f"{symbol} is no parameter of a group: give real symbols, and none that moves")
     return _claim(space, "group", keys | _stated(tuple(x.name for x in first), equals, structure))
 
@@ -100,12 +100,22 @@ def _square(given: Rows | sp.MatrixBase, where: str) -> tuple[tuple[Formula, ...
 def casimir(space: PhaseSpace, f: Expression, coordinates: Sequence[sp.Symbol], tensor: Rows | sp.MatrixBase) -> Claim:
     """{f, x} = 0 for all coordinates x, real symbols with the brackets {x_i, x_j} = `tensor`, which obeys Jacobi."""
     given = tensor.tolist() if isinstance(tensor, sp.MatrixBase) else tensor
+    if not isinstance(given, Iterable) or not isinstance(coordinates, Iterable):
+        raise InputError("coordinates in a list are expected, and their brackets as a matrix or nested lists")
     rows = tuple(as_formulas(row, f"tensor, row {i}") for i, row in enumerate(given, 1))
     return _claim(space, "casimir", {"f": as_formula(f, "f"), "coordinates": tuple(coordinates), "tensor": rows})
 
 
 def _claim(space: PhaseSpace, kind: str, keys: Mapping[str, object]) -> Claim:
+    check_space(space)
     return Subject(space, domain=space.domain, functions=space.functions).claim(kind, keys)
+
+
+def _table(value: Any, where: str) -> Mapping[str, Any]:
+    """The table itself; **raises** `InputError` for what is none, or has other keys than text."""
+    if not isinstance(value, Mapping) or not all(isinstance(name, str) for name in value):
+        raise InputError(f"a table by names is expected, not {value!r}", where)
+    return value
 
 
 def _stated(names: tuple[str, ...], equals: str | None, structure: Structure | None) -> dict[str, object]:
@@ -113,13 +123,16 @@ def _stated(names: tuple[str, ...], equals: str | None, structure: Structure | N
     keys: dict[str, object] = {}
     if equals is None and structure is None:
         raise InputError("say which algebra it is: equals = a name as 'so(4)', or structure = its constants")
+    if equals is not None and not isinstance(equals, str):
+        raise InputError(f"the name of an algebra is expected, as 'so(4)', not {equals!r}", "equals")
     if equals is not None:
         read_name(equals)
         keys["equals"] = equals
     if structure is not None:
         keys["brackets"] = {}
         seen: set[frozenset[str]] = set()
-        for pair, row in structure.items():
+        for pair, given in _table(structure, "structure").items():
+            row = _table(given, f"structure, {pair!r}")
             words = [word.strip() for word in pair.split(",")]
             where = f"structure, {pair!r}"
             if len(words) != 2 or len(set(words)) < 2 or not {*words, *row} <= set(names):

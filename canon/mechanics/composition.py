@@ -24,6 +24,9 @@ def compose(first: Transformation, second: Transformation) -> Transformation:
 
     **Raises:** `InputError` when the counts differ, a name is used for different things, or solving fails.
     """
+    for map_ in (first, second):
+        if not isinstance(map_, Transformation):
+            raise InputError(f"a Transformation is expected, not {map_!r}")
     if len(first.space.Q) != second.space.n:
         raise InputError(f"{len(first.space.Q)} pairs cannot be put into {second.space.n}")
     if first.direction == "implicit":

@@ -14,7 +14,7 @@ from canon.display import latex
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.subject import Subject
 from canon.mechanics.transformation import Transformation, listed_types
 from canon.sign import is_complex
@@ -41,6 +41,7 @@ class GeneratingFunction:
     F: Formula
 
     def __init__(self, space: PhaseSpace, type: int | Sequence[int], F: Expression) -> None:  # noqa: A002
+        check_space(space)
         put = object.__setattr__
         put(self, "space", space)
         put(self, "type", listed_types(type))

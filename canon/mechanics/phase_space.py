@@ -332,6 +332,12 @@ class PhaseSpace:
         return f"$({row(self.old)}){to}$"
 
 
+def check_space(space: Any) -> None:
+    """**Raises** `InputError` for what is no phase space."""
+    if not isinstance(space, PhaseSpace):
+        raise InputError(f"a PhaseSpace is expected first, not {space!r}")
+
+
 def _copy(space: PhaseSpace, **changes: object) -> PhaseSpace:
     """A copy with some fields changed (the constructor reads names, so `dataclasses.replace` does not serve)."""
     copy = object.__new__(PhaseSpace)

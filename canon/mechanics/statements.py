@@ -11,11 +11,12 @@ import sympy as sp
 from canon.claim import Claim
 from canon.errors import InputError
 from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.subject import Subject
 
 
 def _about(space: PhaseSpace, H: Expression | None = None) -> Subject:
+    check_space(space)
     form = None if H is None else as_formula(H, "hamiltonian, H")
     return Subject(space, hamiltonian=form, domain=space.domain, functions=space.functions)
 

@@ -12,7 +12,7 @@ from canon.domain import Smoothness
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols, substituted
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.poisson import BracketMatrix, bracket_matrix, lagrange_matrix, standard_j
 from canon.mechanics.subject import Subject
 
@@ -86,6 +86,7 @@ class Transformation:
         p: Expression | Iterable[Expression] = (),
         generating_function: "GeneratingFunction | None" = None,
     ) -> None:
+        check_space(space)
         smoothness = Smoothness()
         formulas = {
             name: as_formulas(value, f"transformation, {name}", smoothness)

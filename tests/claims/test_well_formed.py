@@ -1,5 +1,9 @@
 """Claims that are made by hand in Python: what a file's reader would refuse is refused of them, too."""
 
+import copy
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+
 import pytest
 import sympy as sp
 
@@ -13,10 +17,12 @@ from canon import (
     PhaseSpace,
     Subject,
     Transformation,
+    algebra,
     bracket,
     identity,
     normal_form,
     verify,
+    verify_many,
 )
 
 SPACE = PhaseSpace("q", "p", new=("Q", "P"), positive="m")
@@ -73,6 +79,12 @@ def test_a_key_that_is_misspelt_is_not_left_out_in_silence():
         (lambda: SPACE.formula(q), "a text is expected"),
         (lambda: SPACE.symbols(None), "names are expected"),
         (lambda: SPACE.where(sp.Eq(sp.Tuple(q), sp.Tuple(p))), "which is no formula"),
+        (lambda: bracket(None, q, p, 1), "a PhaseSpace is expected"),
+        (lambda: Transformation("q", Q=q, P=p), "a PhaseSpace is expected"),
+        (lambda: algebra(SPACE, [q, p], equals="R^2"), "a table by names"),
+        (lambda: algebra(SPACE, {"A": q}, equals=3), "the name of an algebra"),
+        (lambda: algebra(SPACE, {"A": q, "B": p}, structure={"A,B": "A"}), "a table by names"),
+        (lambda: algebra(SPACE, {"A": q, "B": p}, structure={("A", "B"): {"A": 1}}), "a table by names"),
     ],
 )  # fmt: skip
 def test_what_is_no_claim_is_an_error_of_input(make, said):
@@ -143,3 +155,39 @@ def test_values_of_subs_that_are_put_in_one_after_the_other_are_refused():
     assert verify(identity(SPACE, nested.doit(), p**2)).status == "proved"
     at_once = sp.Subs(x * q**2, (q, x), (p, q))
     assert verify(identity(SPACE, at_once, q * p**2)).status == "proved"
+
+
+def test_many_claims_are_some_and_each_is_one():
+    """With batches of none nothing would be decided, and nobody would be told."""
+    true = bracket(SPACE, q, p, 1)
+    asked = [
+        (lambda: verify_many([true], batch=0), "a batch is a number of claims"),
+        (lambda: verify_many(true), "claims are expected"),
+        (lambda: verify_many([true], executor=5), "an executor of concurrent.futures is expected"),
+    ]
+    for make, said in asked:
+        assert said in refusal(lambda make=make: list(make()))
+    with ThreadPoolExecutor(1) as here:
+        found = dict(verify_many([None, true], executor=here, apart=False))
+    assert "a claim is expected, not None" in str(found[0])
+    assert found[1].status == "proved"
+
+
+def test_a_verdict_is_not_changed_and_a_set_may_hold_it():
+    claim = bracket(SPACE, q, p, 2)
+    verdict = verify(claim)
+    with pytest.raises(TypeError):
+        verdict.witness["q"] = "0"
+    with pytest.raises(TypeError):
+        verdict.detail["fails"] = ""
+    again = pickle.loads(pickle.dumps(verdict))  # noqa: S301 - our own
+    assert again == verdict == copy.deepcopy(verdict)
+    assert len({claim, bracket(SPACE, q, p, 2)}) == len({verdict, again}) == 1
+
+
+def test_a_program_that_has_told_sympy_not_to_evaluate():
+    space = PhaseSpace("q", "p")
+    x, y = space.old
+    N = {2: (x**2 + y**2) / 2, 4: -sp.Rational(15, 16) * (x**2 + y**2) ** 2}
+    with sp.evaluate(False):
+        assert verify(normal_form(space, (x**2 + y**2) / 2 + x**3, 4, N)).status == "proved"

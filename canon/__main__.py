@@ -13,6 +13,9 @@ CUT_SHORT = (
     else f": a file that Python has compiled is cut short: remove the folder {sys.pycache_prefix!r}"
 )
 
+HEARD = ("SIGINT", "SIGTERM", "SIGHUP")
+"""The signals that end a run, with what is known until then."""
+
 UNHEEDED = ("SYMPY_", "MPMATH_", "JAX_", "XLA_FLAGS", "MPLBACKEND", "MATPLOTLIBRC")
 """How the variables begin by which libraries are made to compute otherwise, or to fail: a verdict depends on none."""
 HEEDED = ("JAX_PLATFORM", "JAX_COMPILATION_CACHE_", "JAX_PERSISTENT_CACHE_")
@@ -28,7 +31,7 @@ def entry() -> None:
         os.environ["OPENBLAS_NUM_THREADS"] = "1"  # refused threads it interrupts the program, and crashes at its end
     import signal
 
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+    for name in HEARD:
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) in (signal.SIG_DFL, signal.default_int_handler):
             signal.signal(number, _leave)
@@ -39,7 +42,12 @@ def entry() -> None:
     except (OSError, MemoryError, EOFError) as error:
         _say(f"canon can't be loaded: {error or 'out of memory'}{CUT_SHORT if isinstance(error, EOFError) else ''}")
         os._exit(71)
-    loaded()
+    try:
+        loaded()
+    finally:  # the status is known: while Python ends, which takes large libraries a while, no signal changes it
+        for name in HEARD:
+            if hasattr(signal, name):
+                signal.signal(getattr(signal, name), signal.SIG_IGN)
 
 
 def _leave(*_: object) -> None:

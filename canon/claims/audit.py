@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from numbers import Integral
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 __all__ = ["AuditFailed", "AuditReport", "audit"]
 
 Array = np.ndarray
+LARGEST: Final = 100_000
+"""The most dimensions of a phase space whose variables are named."""
 
 
 def audit(
@@ -118,6 +120,8 @@ def variables(dimension: int | None = None, space: PhaseSpace | None = None) -> 
         raise InputError("the dimension of phase space is needed: dimension=2n", "dimension")
     if not isinstance(size, Integral) or size < 2 or size % 2:
         raise InputError(f"a phase space has an even dimension 2n, not {size!r}", "dimension")
+    if size > LARGEST:
+        raise InputError(f"a map of up to {LARGEST} dimensions can be audited, not of {size}", "dimension")
     if space is not None and size != 2 * space.n:
         raise InputError(f"{size} is not the dimension {2 * space.n} of the space", "dimension")
     if space is not None:

@@ -110,6 +110,8 @@ def test_what_is_no_map_is_an_input_error(bad: Any, message: str) -> None:
     [
         ({}, "dimension of phase space is needed"),
         ({"dimension": 3}, "even dimension"),
+        ({"dimension": 10**9}, "up to 100000 dimensions"),
+        ({"dimension": 2**70}, "up to 100000 dimensions"),
         ({"dimension": "4"}, "even dimension 2n, not '4'"),
         ({"dimension": 2, "samples": 0}, "at least one"),
         ({"dimension": 2, "samples": 1e3}, "whole number of samples"),

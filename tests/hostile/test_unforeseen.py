@@ -224,3 +224,16 @@ def test_a_program_without_threads_says_so(tmp_path: Path) -> None:
         done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=environment, cwd=tmp_path)
         assert done.returncode == status
         assert done.stderr == ("canon: the system gave no more: can't start new thread\n" if status else "")
+
+
+@pytest.mark.parametrize("name", start.HEARD)
+def test_no_signal_changes_a_status_that_is_known(name: str) -> None:
+    """While Python ends, its own handlers are gone: the process was ended by the signal, its report printed."""
+    program = (
+        "import atexit, os, signal, sys, canon.__main__ as start, canon.cli.main as loaded\n"
+        f"atexit.register(lambda: os.kill(os.getpid(), signal.{name}))\n"
+        "loaded.entry = lambda: sys.exit(3)\n"
+        "start.entry()"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stderr) == (3, "")

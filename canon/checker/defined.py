@@ -120,15 +120,16 @@ def is_upward(s: Statement, ends: Sequence[int | str]) -> bool:
     return is_positive(s, s.f.sub(high, low), strict=False, real=True)
 
 
-def keeps_inside(s: Statement, along: Mapping[str, int], ends: Sequence[int | str]) -> bool:
-    """Whether a path, between its ends, is seen to stay where the file's own sections have values."""
+def keeps_inside(s: Statement, along: Mapping[str, int], ends: Sequence[int | str], also: Sequence[int] = ()) -> bool:
+    """Whether a path, between its ends, is seen to stay where the file's own sections have values, and formulas `also`
+    have some."""
     f, t, kept = s.f, s.f.node("s", s.time), s.conditions
     low, high = ends
     walls = [f.sub(t, low)] if isinstance(low, int) else []
     walls += [f.sub(high, t)] if isinstance(high, int) else []
     try:
         s.conditions = [*kept, *((wall, "positive") for wall in walls)]
-        there = has_values(s, s.time, [f.substitute(a, along) for a in shared(s)])
+        there = has_values(s, s.time, [*(f.substitute(a, along) for a in shared(s)), *also])
     finally:
         s.conditions = kept
     return is_upward(s, ends) and there and not bounding(s, [*along, s.time])

@@ -52,7 +52,9 @@ def stationary(s: Statement) -> Case:
         zeros.append(f.sub(f.slope(momentum, t), f.substitute(f.slope(L, q), along)))
     hidden = [f.substitute(a, along) for a in unseen(s)]
     ends = [str(end) if x is None else x for end, x in zip(ends, places, strict=True)]
-    stays = "" if keeps_inside(s, along, ends) else "that the range runs upwards, and the path stays in the domain"
+    asked = [*path, f.substitute(L, along), *hidden] if s.verdict == "refuted" else []  # else the claim isn't about it
+    kept = keeps_inside(s, along, ends, asked)
+    stays = "" if kept else "that the range runs upwards, and the path stays in the domain"
     smooth = all(is_smooth(s, a, t) for a in (*path, f.substitute(L, along), *f.at(L, along), *hidden))
     trusted = "" if smooth else "that the path, and L along it, are smooth between its ends"
     trusted = trusted or stays

@@ -196,6 +196,21 @@ def test_an_integral_that_has_no_value_is_not_refuted() -> None:
         assert refuted(integral(f, "u", "-1", "1", "3"), {}) == expected
 
 
+def test_an_integral_without_an_integrand_for_these_values_is_not_refuted() -> None:
+    for demand, expected in (("sqrt(1 - k*u)", "confirmed in part"), ("sqrt(1 + k**2*u**2)", "confirmed")):
+        stated = integral(
+            f"1 + 0*{demand}", "u", "0", "1", "sign(1 - k)", symbols={"k": "real"}
+        )  # for k > 1 there is none
+        assert refuted(stated, {"k": "2"}) == expected
+
+
+def test_a_path_along_which_l_has_no_value_is_not_refuted() -> None:
+    """Lagrange's equation fails at a time; it isn't the claim's, where L is undefined at another one."""
+    for demand, expected in (("sqrt(1 - k*(t + 1))", "confirmed in part"), ("sqrt(1 + k**2*t**2)", "confirmed")):
+        keys, _ = path(f"v**2/2 + 0*{demand} - q*(1 - sign(1 - k))", "t")
+        assert refuted((keys, {"symbols": {"k": "real"}}), {"k": "2", "t": "-3/4"}) == expected
+
+
 def test_a_limit_where_nothing_comes_is_not_refuted() -> None:
     for side, expected in (("-", "confirmed in part"), ("+", "confirmed")):
         assert refuted(limit("x**2", "0", "1", side, said="positive"), {}) == expected

@@ -26,6 +26,7 @@ Degree = tuple[Fraction, ...]
 """The power of each base."""
 Power = Callable[[str, int], Degree]
 """The dimension of a name; of an arbitrary function that of its k-th argument, or, for k = 0, its own."""
+NOT_SEEN = "whether both values are in the domain isn't seen, which the map bounds: leave it out of this claim's file"
 NOT_CARRIED = "the surface is another one in other units: no formula on it has a dimension"
 
 
@@ -53,7 +54,16 @@ def in_other_units(
         change = tape.minus(moved(node), tape.times(moved.factor(claimed), node))
         residuals.append(Residual(f"{formula} in other units", question.chart.pull(change)))
     region = question.region(*functions).also(*there)
-    return question.decide(residuals, region)
+    found = question.decide(residuals, region)
+    return Outcome("undecided", note=NOT_SEEN) if found.status == "refuted" and _is_bound_by_map(question) else found
+
+
+def _is_bound_by_map(question: Question) -> bool:
+    """Whether the map restricts old variables to its image, or to what is assumed of the new ones."""
+    signs = (x.is_extended_nonnegative or x.is_extended_nonpositive or x.is_zero is False for x in question.space.new)
+    return question.chart.direction in ("backward", "implicit") or (
+        question.chart.direction == "forward" and any(signs)
+    )
 
 
 def _conditions(question: Question, written: Region) -> list[Node]:

@@ -62,6 +62,20 @@ def test_units_that_change_by_any_factor(status, function, equals, domain, expec
     assert status(_claim(function, equals), symbols=SYMBOLS, domain=domain) == expected
 
 
+@pytest.mark.parametrize(
+    ("sections", "expected"),
+    [
+        ({"symbols": 'Q = "positive"', "transformation": 'Q = ["q - 1"]\nP = ["p"]'}, "undecided"),
+        ({"transformation": 'q = ["1 + exp(Q)"]\np = ["P*exp(-Q)"]'}, "undecided"),
+        ({"transformation": 'Q = ["log(q - 1)"]\nP = ["p*(q - 1)"]'}, "proved"),
+        ({"transformation": 'Q = ["q - 1"]\nP = ["p"]'}, "refuted"),
+    ],
+)
+def test_other_units_beside_a_map(status, sections, expected):
+    """q sign(q - 1) is a length where the map says that q > 1."""
+    assert status(_claim("q*sign(q - 1)", "L", '{q = "L"}'), **sections) == expected
+
+
 def test_bases_of_ones_own(status):
     claim = _claim("q/R", "m/ft", '{q = "m", R = "ft"}', 'base = ["m", "ft"]')
     assert status(claim, symbols=SYMBOLS) == "proved"

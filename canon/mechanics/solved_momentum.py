@@ -81,6 +81,8 @@ def _undone(rest: Any, value: Any, guards: list[Any]) -> tuple[Any, Any] | None:
         guards.append(value - 1)
         return rest.args[0], sp.acosh(value)
     if isinstance(rest, sp.Pow) and isinstance(rest.exp, sp.Rational) and known_sign(rest.base) == "positive":
+        if rest.exp < 0:  # H falls with p²: its orbits are run through backward, round a maximum
+            return None
         guards.append(value)
         return rest.base, value ** (1 / rest.exp)
     return None

@@ -16,7 +16,7 @@ CUT_SHORT = (
 HEARD = ("SIGINT", "SIGTERM", "SIGHUP")
 """The signals that end a run, with what is known until then."""
 
-UNHEEDED = ("SYMPY_", "MPMATH_", "JAX_", "XLA_FLAGS", "MPLBACKEND", "MATPLOTLIBRC")
+UNHEEDED = ("SYMPY_", "MPMATH_", "JAX_", "XLA_FLAGS", "MPLBACKEND", "MATPLOTLIBRC", "PYTHONINTMAXSTRDIGITS")
 """How the variables begin by which libraries are made to compute otherwise, or to fail: a verdict depends on none."""
 HEEDED = ("JAX_PLATFORM", "JAX_COMPILATION_CACHE_", "JAX_PERSISTENT_CACHE_")
 """Those that say where jax computes, and where it keeps what it has compiled."""
@@ -27,6 +27,7 @@ def entry() -> None:
     _drop_the_working_folder()
     for name in [name for name in os.environ if name.startswith(UNHEEDED) and not name.startswith(HEEDED)]:
         del os.environ[name]
+    sys.set_int_max_str_digits(sys.int_info.default_max_str_digits)  # without a bound a number of 1 MB takes seconds
     if "OPENBLAS_NUM_THREADS" not in os.environ and not starts_threads(os.cpu_count() or 1):
         os.environ["OPENBLAS_NUM_THREADS"] = "1"  # refused threads it interrupts the program, and crashes at its end
     import signal

@@ -64,6 +64,18 @@ def test_variables_of_libraries_are_not_heeded(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
+def test_numbers_have_a_bound_whatever_python_is_told(tmp_path: Path) -> None:
+    """Without one a number of a megabyte is read for seconds, in a file, a certificate or a journal."""
+    (tmp_path / "long.toml").write_text(f"a = {'9' * 100_000}\n")
+    (tmp_path / "long.json").write_text(f'{{"certificate": 1, "checksum": {"9" * 100_000}}}\n')
+    environment = {**os.environ, "PYTHONINTMAXSTRDIGITS": "0", "PYTHONPATH": str(Path(__file__).resolve().parents[2])}
+    for words in (["verify", "long.toml"], ["certificate", "check", "long.json"]):
+        command = [*CANON, *words]
+        done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=60)
+        assert done.returncode == 3
+        assert "4300 digits" in done.stdout or "unreadable" in done.stdout
+
+
 def test_where_jax_computes_is_heeded(monkeypatch: pytest.MonkeyPatch) -> None:
     import canon.cli.main as loaded
 

@@ -12,6 +12,7 @@ from sympy.core.parameters import evaluate
 from canon.budget import Budget
 from canon.claim import Claim
 from canon.claims.agreement import alarm_within, compared
+from canon.claims.beside_forward import on_its_domain
 from canon.claims.confined import unconfined
 from canon.claims.kinds import Kind, kind_named
 from canon.claims.matters import mattering
@@ -148,7 +149,7 @@ def _decided(decide: Kind, question: Question) -> Outcome:
     """What the kind says, of a claim without the file's map where its domain is the same."""
     alone, seen = without_its_map(question)
     if alone is None or seen is None:
-        return on_image(question, unconfined(question, decide(question)), seen)
+        return on_its_domain(question, on_image(question, unconfined(question, decide(question)), seen))
     return grounds(seen, decide(alone))
 
 

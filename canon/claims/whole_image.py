@@ -221,8 +221,8 @@ def _is_right_inverse(question: Question, given: Map, solution: Mapping[Any, Any
 def holds_throughout(question: Question, condition: Condition, region: Region) -> bool:
     """Whether a condition holds throughout a region. Conditions of what stands inside of it are asked for besides."""
     tape = question.tape
-    first, *more = (tape.load(sp.factor(term)) if term.is_rational_function() else tape.load(term)
-                    for term in condition.terms)  # fmt: skip
+    terms: list[Any] = [sp.factor(term) if term.is_rational_function() else term for term in condition.terms]
+    first, *more = map(tape.load, terms)
     if any(r.kind == condition.kind and r.nodes == (first, *more) for r in region.requirements):
         return True
     if condition.kind == "positive" and not more:

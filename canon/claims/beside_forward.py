@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from canon.claims.chart import chart_of
 from canon.claims.outcome import Outcome
@@ -52,7 +52,7 @@ def _demanded(question: Question) -> Iterator[Condition]:
     """What the map's formulas demand, and what is said of new variables, in old ones."""
     subject, new = question.subject, {*question.space.new}
     assert subject.transformation is not None
-    given = {x: formula.expr for x, formula in subject.transformation.mapping.items()}
+    given: dict[Any, Any] = {x: formula.expr for x, formula in subject.transformation.mapping.items()}
     for formula in subject.transformation.formulas:
         yield from formula.conditions
     for condition in subject.domain.conditions:

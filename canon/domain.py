@@ -18,7 +18,7 @@ from canon.errors import InputError
 from canon.sign import Reality, known_sign
 from canon.sign import is_complex as _is_complex
 from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
-from canon.substitution import replaced
+from canon.substitution import parts_of, replaced
 
 Test = Callable[[Any], bool]
 ConditionKind = Literal["positive", "nonzero", "uncut", "slit", "regular"]
@@ -250,7 +250,7 @@ class Smoothness:
             if node in known:
                 stack.pop()
                 continue
-            parts = node.args if node.__class__ in _COMMON else _parts(node)
+            parts = node.args if node.__class__ in _COMMON else parts_of(node)
             try:
                 inner = [found for part in parts if (found := known[part])]
             except KeyError:
@@ -270,37 +270,6 @@ def conditions_of(*expressions: Any) -> tuple[Condition, ...]:
     """Where sympy expressions are all smooth, from their subexpressions as they stand: see `Smoothness`."""
     smoothness = Smoothness()
     return unique(*(smoothness(expression) for expression in expressions))
-
-
-def _parts(node: Any) -> tuple[Any, ...]:
-    """The subexpressions that are evaluated where the node is, bound variables of derivatives left out."""
-    if isinstance(node, sp.Subs):
-        _check_order(node)
-        return (*node.args[2].args, *_nodes_to_substitute(node))
-    return (node.expr,) if isinstance(node, sp.Derivative) else node.args
-
-
-def _check_order(node: Any) -> None:
-    """**Raises** `InputError` where it matters in which order the values of a `Subs` are put in.
-
-    sympy makes one of nested ones, Subs(x q, (x, q), (q, p)), and puts them in one after the other, which gives p²; in
-    all other uses of it they are put in at once.
-    """
-    names: Any = node.variables
-    for k, at in enumerate(node.point):
-        if later := sorted(at.free_symbols & {*names[k + 1 :]}, key=str):
-            raise InputError(
-                f"in {node}, {at} is put in for {names[k]} and then something for {later[0]}: write what is meant, as "
-                "by its .doit()"
-            )
-
-
-def _nodes_to_substitute(node: Any) -> list[Any]:
-    """What to look at inside a `Subs`: nothing more if it is the derivative of an arbitrary function."""
-    inner = node.expr
-    if isinstance(inner, sp.Derivative) and isinstance(inner.expr, AppliedUndef):
-        return [argument for argument in inner.expr.args if not argument.free_symbols & set(node.variables)]
-    return [inner.doit().xreplace(dict(zip(node.variables, node.point, strict=True)))]
 
 
 def _node_conditions(node: Any, is_complex: Test) -> tuple[Condition, ...]:

@@ -4,9 +4,11 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from canon.calls import at_places, derivative_of
 from canon.constants import FRAGILE, constant, is_constant, put_in
+from canon.errors import InputError
 
 QUOTIENTS: Final[dict[Any, tuple[Any, Any]]] = {
     sp.tan: (sp.sin, sp.cos), sp.cot: (sp.cos, sp.sin), sp.tanh: (sp.sinh, sp.cosh), sp.coth: (sp.cosh, sp.sinh),
@@ -70,3 +72,34 @@ def _derivative(derivative: Any, mapping: Mapping[Any, Any]) -> Any:
 
 def _fresh(symbol: Any) -> sp.Dummy:
     return sp.Dummy(symbol.name, **symbol.assumptions0)
+
+
+def parts_of(node: Any) -> tuple[Any, ...]:
+    """The subexpressions that are evaluated where the node is, bound variables of derivatives left out."""
+    if isinstance(node, sp.Subs):
+        _check_order(node)
+        return (*node.args[2].args, *_nodes_to_substitute(node))
+    return (node.expr,) if isinstance(node, sp.Derivative) else node.args
+
+
+def _check_order(node: Any) -> None:
+    """**Raises** `InputError` where it matters in which order the values of a `Subs` are put in.
+
+    sympy makes one of nested ones, Subs(x q, (x, q), (q, p)), and puts them in one after the other, which gives p²; in
+    all other uses of it they are put in at once.
+    """
+    names: Any = node.variables
+    for k, at in enumerate(node.point):
+        if later := sorted(at.free_symbols & {*names[k + 1 :]}, key=str):
+            raise InputError(
+                f"in {node}, {at} is put in for {names[k]} and then something for {later[0]}: write what is meant, as "
+                "by its .doit()"
+            )
+
+
+def _nodes_to_substitute(node: Any) -> list[Any]:
+    """What to look at inside a `Subs`: nothing more if it is the derivative of an arbitrary function."""
+    inner = node.expr
+    if isinstance(inner, sp.Derivative) and isinstance(inner.expr, AppliedUndef):
+        return [argument for argument in inner.expr.args if not argument.free_symbols & set(node.variables)]
+    return [inner.doit().xreplace(dict(zip(node.variables, node.point, strict=True)))]

@@ -28,7 +28,8 @@ from canon.errors import BudgetExceeded, InputError
 from canon.expression import Formula
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
-from canon.mechanics.phase_space import PhaseSpace, as_declared
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.stated_names import as_declared
 from canon.mechanics.subject import Subject
 from canon.verdict import Status
 

@@ -10,10 +10,11 @@ from canon.claims.verify import verify
 from canon.display import text_in_html
 from canon.domain import Condition
 from canon.mechanics.formulas import Expression
-from canon.mechanics.phase_space import PhaseSpace, as_declared
+from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.separation.coordinates import OrthogonalCoordinates, orthogonal_coordinates
 from canon.mechanics.separation.levi_civita import levi_civita
 from canon.mechanics.separation.staeckel import Separation, separation
+from canon.mechanics.stated_names import as_declared
 from canon.mechanics.statements import identity
 from canon.verdict import Verdict
 

@@ -6,7 +6,8 @@ from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, substituted
-from canon.mechanics.phase_space import Names, PhaseSpace, as_declared
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.stated_names import Names, as_declared
 from canon.mechanics.time_dependence import hamiltonian_shift
 from canon.mechanics.transformation import Transformation
 

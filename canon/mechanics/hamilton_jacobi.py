@@ -12,7 +12,8 @@ from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols, replaced
 from canon.mechanics.generating_function import GeneratingFunction
-from canon.mechanics.phase_space import PhaseSpace, as_declared
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.stated_names import as_declared
 from canon.mechanics.subject import Subject
 from canon.mechanics.transformation import Transformation
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from difflib import get_close_matches
-from typing import Any, TypeAlias, TypedDict
+from typing import Any
 
 import sympy as sp
 
@@ -17,48 +17,11 @@ from canon.mechanics.assumptions import check_words, symbol_with
 from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.relations import region_of
+from canon.mechanics.stated_names import Names, as_declared, listed_names, words_of
 from canon.vocabulary import Vocabulary
-
-Names: TypeAlias = str | sp.Symbol | Iterable[str | sp.Symbol]
 
 UNSTATED = ("q__", "p__")
 """The variables of claims that are about no phase space."""
-
-
-def _words(what: Any, name: Any) -> list[str]:
-    """The assumptions on a name, one or several."""
-    words = [what] if isinstance(what, str) else list(what) if isinstance(what, Iterable) else [what]
-    for word in words:
-        if not isinstance(word, str):
-            raise InputError(f"a word such as 'positive' is expected, not {word!r}", f"symbols, {name}")
-    return words
-
-
-def _listed(names: Names, where: str = "phase_space") -> tuple[str | sp.Symbol, ...]:
-    if isinstance(names, str):
-        return tuple(names.replace(",", " ").split())
-    if isinstance(names, bytes) or not isinstance(names, sp.Symbol | Iterable):
-        raise InputError(f"names are expected, as 'x y', ['x', 'y'] or symbols, not {names!r}", where)
-    listed = (names,) if isinstance(names, sp.Symbol) else tuple(names)
-    for name in listed:
-        if not isinstance(name, str | sp.Symbol):
-            raise InputError(f"a name or a symbol is expected, not {name!r}", where)
-    return listed
-
-
-class Declared(TypedDict):
-    """Two of the keywords of `PhaseSpace`."""
-
-    real: list[sp.Symbol]
-    complex: list[sp.Symbol]
-
-
-def as_declared(symbols: Iterable[Any]) -> Declared:
-    """Symbols as the keywords `real` and `complex` of `PhaseSpace` take them, by what is assumed of each."""
-    found = Declared(real=[], complex=[])
-    for symbol in symbols:
-        found["real" if symbol.is_real else "complex"].append(symbol)
-    return found
 
 
 @dataclass(frozen=True, init=False)
@@ -115,10 +78,10 @@ class PhaseSpace:
         if not isinstance(symbols, Mapping | None):
             raise InputError(f"a table name = assumptions is expected, not {symbols!r}", "symbols")
         for name, what in (symbols or {}).items():
-            (stated,) = _listed((name,), "symbols")
+            (stated,) = listed_names((name,), "symbols")
             if isinstance(stated, sp.Symbol):
                 stated = given.setdefault(stated.name, stated).name
-            words.setdefault(stated, []).extend(_words(what, name))
+            words.setdefault(stated, []).extend(words_of(what, name))
         keywords = {
             "positive": positive,
             "negative": negative,
@@ -130,7 +93,7 @@ class PhaseSpace:
             "function": functions,
         }
         for word, names in keywords.items():
-            for name in _listed(names):
+            for name in listed_names(names):
                 if isinstance(name, sp.Symbol):
                     check_symbol(name, word)
                     if given.setdefault(name.name, name) != name:
@@ -152,9 +115,9 @@ class PhaseSpace:
             check_words(given[name], words.get(name, ()))
             return given[name]
 
-        old, momenta = (tuple(symbol(name) for name in _listed(names)) for names in (q, p))
-        new_q, new_p = (tuple(symbol(name) for name in _listed(names)) for names in (new or ((), ())))
-        moment = symbol(_listed((time,), "time")[0])
+        old, momenta = (tuple(symbol(name) for name in listed_names(names)) for names in (q, p))
+        new_q, new_p = (tuple(symbol(name) for name in listed_names(names)) for names in (new or ((), ())))
+        moment = symbol(listed_names((time,), "time")[0])
         if not old or len(old) != len(momenta):
             raise InputError(f"{len(old)} coordinates and {len(momenta)} momenta", "phase_space")
         if len(new_q) != len(new_p):
@@ -191,7 +154,7 @@ class PhaseSpace:
             raise InputError(f"a Domain is expected, not {domain!r}: write space.where(...) for relations", "domain")
         put(self, "domain", domain or Domain())
         spoken = {name for name, given in words.items() if given}
-        listed = [name for names in (q, p, *(new or ())) for name in _listed(names) if isinstance(name, str)]
+        listed = [name for names in (q, p, *(new or ())) for name in listed_names(names) if isinstance(name, str)]
         put(self, "plain", frozenset(listed) - spoken)
 
     @property
@@ -225,13 +188,13 @@ class PhaseSpace:
 
         **Raises:** `InputError` for a name that is not declared, with the nearest one that is.
         """
-        found = tuple(self.symbol(name) for name in _listed(names))
+        found = tuple(self.symbol(name) for name in listed_names(names))
         return found[0] if len(found) == 1 else found
 
     def symbol(self, name: str | sp.Symbol) -> sp.Symbol:
         """The symbol with this name; **raises** `InputError` when it is not declared."""
         known = self.vocabulary
-        (stated,) = _listed((name,))
+        (stated,) = listed_names((name,))
         key = stated.name if isinstance(stated, sp.Symbol) else stated
         if key not in known:
             near = get_close_matches(key, known, 1)
@@ -289,7 +252,7 @@ class PhaseSpace:
 
     def with_complex(self, names: Names) -> "PhaseSpace":
         """The same space with the variables of these names complex."""
-        known = map(self.symbol, _listed(names))
+        known = map(self.symbol, listed_names(names))
         fresh: dict[Any, Any] = {x: symbol_with(x.name, ["complex"]) for x in known}
         sides = {side: tuple(fresh.get(x, x) for x in getattr(self, side)) for side in "qpQP"}
         domain = self.domain.substitute(fresh)

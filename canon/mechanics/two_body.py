@@ -9,7 +9,8 @@ import sympy as sp
 
 from canon.errors import InputError
 from canon.mechanics.formulas import as_expression
-from canon.mechanics.phase_space import PhaseSpace, as_declared
+from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.stated_names import as_declared
 from canon.mechanics.transformation import Transformation
 
 AXES = "xyz"

@@ -15,8 +15,9 @@ import sympy as sp
 from canon.claims.verify import verify
 from canon.mechanics.composition import compose, identity_transformation
 from canon.mechanics.generating_function import GeneratingFunction
-from canon.mechanics.phase_space import PhaseSpace, as_declared
+from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.poisson import poisson_bracket
+from canon.mechanics.stated_names import as_declared
 from canon.mechanics.statements import identity
 from canon.mechanics.transformation import Transformation
 

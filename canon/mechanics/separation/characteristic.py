@@ -11,9 +11,10 @@ import sympy as sp
 
 from canon.mechanics.formulas import as_formula
 from canon.mechanics.hamilton_jacobi import CompleteIntegral
-from canon.mechanics.phase_space import PhaseSpace, as_declared
+from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.separation.actions import RANGES
 from canon.mechanics.separation.staeckel import Separation
+from canon.mechanics.stated_names import as_declared
 from canon.sign import known_sign
 
 

@@ -1,0 +1,46 @@
+"""Names as a caller states them: one text, several names, or symbols of sympy's, with what is assumed of each."""
+
+from collections.abc import Iterable
+from typing import Any, TypeAlias, TypedDict
+
+import sympy as sp
+
+from canon.errors import InputError
+
+Names: TypeAlias = str | sp.Symbol | Iterable[str | sp.Symbol]
+
+
+def words_of(what: Any, name: Any) -> list[str]:
+    """The assumptions on a name, one or several."""
+    words = [what] if isinstance(what, str) else list(what) if isinstance(what, Iterable) else [what]
+    for word in words:
+        if not isinstance(word, str):
+            raise InputError(f"a word such as 'positive' is expected, not {word!r}", f"symbols, {name}")
+    return words
+
+
+def listed_names(names: Names, where: str = "phase_space") -> tuple[str | sp.Symbol, ...]:
+    if isinstance(names, str):
+        return tuple(names.replace(",", " ").split())
+    if isinstance(names, bytes) or not isinstance(names, sp.Symbol | Iterable):
+        raise InputError(f"names are expected, as 'x y', ['x', 'y'] or symbols, not {names!r}", where)
+    listed = (names,) if isinstance(names, sp.Symbol) else tuple(names)
+    for name in listed:
+        if not isinstance(name, str | sp.Symbol):
+            raise InputError(f"a name or a symbol is expected, not {name!r}", where)
+    return listed
+
+
+class Declared(TypedDict):
+    """Two of the keywords of `PhaseSpace`."""
+
+    real: list[sp.Symbol]
+    complex: list[sp.Symbol]
+
+
+def as_declared(symbols: Iterable[Any]) -> Declared:
+    """Symbols as the keywords `real` and `complex` of `PhaseSpace` take them, by what is assumed of each."""
+    found = Declared(real=[], complex=[])
+    for symbol in symbols:
+        found["real" if symbol.is_real else "complex"].append(symbol)
+    return found

@@ -7,7 +7,7 @@ nothing is said.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
@@ -20,6 +20,8 @@ from canon.errors import BudgetExceeded, EmptyDomain, InputError
 from canon.mechanics.formulas import assumed_of
 
 if TYPE_CHECKING:
+    import sympy as sp
+
     from canon.claims.question import Question
 
 ABOUT_ORBITS: Final = frozenset({"action", "average", "frequency", "normal_form"})
@@ -42,21 +44,21 @@ def on_its_domain(question: Question, outcome: Outcome) -> Outcome:
         or question.key("motion") is not None
     ):
         return outcome
-    for condition in dict.fromkeys(_demanded(question)):
+    for condition in dict.fromkeys(demanded(question)):
         if not _holds_anyway(question, condition):
             return Outcome("undecided", note=NOTE.format(condition=condition))
     return outcome
 
 
-def _demanded(question: Question) -> Iterator[Condition]:
-    """What the map's formulas demand, and what is said of new variables, in old ones."""
-    subject, new = question.subject, {*question.space.new}
+def demanded(question: Question, but: Collection[sp.Symbol] = ()) -> Iterator[Condition]:
+    """What a forward map's formulas demand, and what is said of new variables, in old ones; `but` keep their names."""
+    subject = question.subject
     assert subject.transformation is not None
-    given: dict[Any, Any] = {x: formula.expr for x, formula in subject.transformation.mapping.items()}
+    given: dict[Any, Any] = {x: f.expr for x, f in subject.transformation.mapping.items() if x not in but}
     for formula in subject.transformation.formulas:
         yield from formula.conditions
     for condition in subject.domain.conditions:
-        if names_of(condition) & new:
+        if names_of(condition) & {*given}:
             yield condition.substitute(given)
     for x, expression in given.items():
         yield from assumed_of(x, expression)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from canon.claims.beside_forward import demanded
 from canon.claims.chart import chart_of
 from canon.claims.determinant import determinant
 from canon.claims.flat_parts import seems_flat_in_parts
@@ -98,12 +99,17 @@ def _only_of(function: Formula, word: str, allowed: Sequence[sp.Symbol], questio
 
 
 def _domain(question: Question, constants: Sequence[sp.Symbol], *formulas: Formula) -> Domain:
-    """The domain in coordinates, momenta, constants and time: what speaks of a map's new side is left out."""
+    """The domain in coordinates, momenta, constants and time.
+
+    A map given forward restricts it, in old variables; what speaks of the new side of another map is left out.
+    """
     others = set(question.space.new) - set(constants)
     asked = question.subject.domain
     kept = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
     for formula in formulas:
         kept += formula.conditions
+    if question.chart.direction == "forward":
+        kept += demanded(question, but=constants)
     return Domain(tuple(dict.fromkeys(kept)), asked.surface)
 
 

@@ -60,3 +60,39 @@ def test_nothing_is_said_of_orbits_that_leave_what_the_map_allows(cut: str, kind
 def test_a_map_that_has_a_value_everywhere_changes_nothing(whole: str, kind: str) -> None:
     assert _status(WHOLE[whole], CLAIMS[kind], "1") == ("supported" if kind == "average" else "proved")
     assert _status(WHOLE[whole], CLAIMS[kind], "1001/1000") == "refuted"
+
+
+HAMILTON_JACOBI = """[phase_space]
+q = ["q"]
+p = ["p"]
+Q = ["Q"]
+P = ["P"]
+[symbols]
+{symbols}
+[hamiltonian]
+H = "p"
+[transformation]
+{given}
+[domain]
+where = [{where}]
+[[claim]]
+kind = "hamilton_jacobi"
+{claim}
+"""
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        'S = "alpha*q - alpha*t*{sign}sqrt(q**2)/q"\nconstants = ["alpha"]',
+        'W = "{sign}alpha*sqrt(q**2)"\nconstants = ["alpha"]\nenergy = "alpha"',
+        'W = "{sign}P*sqrt(q**2)"\nconstants = ["P"]\nenergy = "P"',
+    ],
+)
+@pytest.mark.parametrize("cut", [cut for cut in CUT if cut != "without a line"])
+def test_an_integral_is_one_where_the_map_given_forward_has_a_value(cut: str, claim: str) -> None:
+    given, symbols, where = CUT[cut]
+    for sign, truth in (("", "proved"), ("-", "refuted")):
+        text = HAMILTON_JACOBI.format(given=given, symbols=symbols, where=where, claim=claim.format(sign=sign))
+        (read,) = read_text(text).claims
+        assert verify(read).status == truth

@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
+from canon import InputError, PhaseSpace, identity
 from canon.calls import function
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
@@ -97,3 +98,21 @@ def test_a_function_of_sympys_with_the_same_name_does_not_change_its_derivatives
     first, second = function("shared")(*places).diff(a).diff(x), function("shared")(*places).diff(x).diff(a)
     assert not (first - second).expand().free_symbols - {x, a, s}
     assert function("shared") != sp.Function("shared")
+
+
+def test_derivatives_that_sympy_does_not_tell_apart_are_refused() -> None:
+    """Of sympy's Subs(∂₁V(a, b), (a, b), (q, q)) and the same of ∂₂V, the difference is 0 before anybody can look."""
+    space = PhaseSpace("q", "p", real="a b", functions="V")
+    q, p, a, b = map(space.symbol, "qpab")
+    V = space.function("V")
+    first, second = (sp.Subs(V(a, b).diff(name), (a, b), (q, q)) for name in (a, b))
+    assert first == second
+    for state in (lambda: identity(space, first, second), lambda: identity(space, V(q, q).diff(q), first + second)):
+        with pytest.raises(InputError, match="does not tell"):
+            state()
+    both = [sp.Subs(V(a, b).diff(a, b), names, (q, q)) for names in ((a, b), (b, a))]
+    assert verify(identity(space, *both)).status == "proved"
+    assert verify(identity(space, sp.Subs(V(a, b).diff(a), (a, b), (q, p)), V(q, p).diff(q))).status == "proved"
+    one, two = (V(a, b).diff(name).subs(a, q).subs(b, q) for name in (a, b))
+    assert verify(identity(space, one, two)).status == "refuted"
+    assert verify(identity(space, one + two, V(q, q).diff(q))).status == "proved"

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache
-from itertools import product
+from itertools import combinations, product
 from typing import Any, Final
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
+from canon.calls import Placed, at_places
 from canon.errors import InputError
 from canon.expression import Formula
 
@@ -69,6 +70,7 @@ def check_calls(formulas: Iterable[Formula | sp.Expr], where: str = "") -> None:
         expression: Any = formula.expr if isinstance(formula, Formula) else formula
         if not expression.has(AppliedUndef):
             continue
+        _check_places(expression, where)
         for call in sorted(expression.atoms(AppliedUndef), key=str):
             name, given = call.func.__name__, dict(getattr(call.func, "_kwargs", {}))
             given.pop("by_places", None)  # what tells the functions of `canon.calls` from sympy's
@@ -82,6 +84,28 @@ def check_calls(formulas: Iterable[Formula | sp.Expr], where: str = "") -> None:
             if known != len(call.args):
                 many = " and with ".join(map(str, sorted((known, len(call.args)))))
                 raise InputError(f"the function {name} is called with {many} arguments", where)
+
+
+def _check_places(expression: Any, where: str) -> None:
+    """**Raises** `InputError` for a derivative in sympy's words that sympy takes for another one.
+
+    Two Subs are equal for it where their places hold the same: with V(q, q), ∂₁V − ∂₂V is 0 before it can be looked at,
+    and ∂₁V + ∂₂V has become 2 ∂₁V. What canon writes itself are `Placed`.
+    """
+    for node in expression.atoms(sp.Subs) if expression.has(sp.Subs) else ():
+        if isinstance(node, Placed) or not node.expr.has(sp.Derivative):
+            continue
+        values: Any = node.point
+        alike = len({*values}) < len(values)
+        if alike and (found := at_places(node)) is not None:
+            _, orders, at = found
+            alike = any(m != n for (m, a), (n, b) in combinations(zip(orders, at, strict=True), 2) if a == b)
+        if alike:
+            raise InputError(
+                f"sympy does not tell {node} from the derivative by another place that holds the same: make it by "
+                "differentiating V(x, ...), a function of space.function(...), which tells its places apart",
+                where,
+            )
 
 
 def check_namesakes(formulas: Iterable[Formula | sp.Expr], where: str = "") -> None:

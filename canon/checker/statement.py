@@ -114,11 +114,16 @@ class Statement:
         self.conditions = [(a, kind) for a, kind in self.conditions if a not in for_new]
 
     def on_old_side(self) -> None:
-        """Leave the map out, but of refutations beside one that gives old variables by others.
+        """Leave out a map that gives old variables by others, but of refutations.
 
-        What is proved of all of them is so on the map's image, too; what refutes is to be one of its points.
+        What is proved of all old variables is so on the map's image, too; what refutes is to be one of its points. A
+        map that is given forward restricts both; what the claim calls its constants is none of the map's values.
         """
-        if self.verdict == "proved" or self.direction == "forward":
+        if self.direction == "forward":
+            for name in stated.own_names(self.claim) & {*self.images}:
+                del self.images[name]
+            self._restrict()
+        elif self.verdict == "proved":
             self.without_map()
 
     def parameter(self, name: Any) -> str:

@@ -290,3 +290,10 @@ def test_what_the_file_makes_false_is_not_confirmed(name: str) -> None:
 @pytest.mark.parametrize("name", sorted(TRUE))
 def test_what_holds_beside_the_rest_of_the_file_is_confirmed(name: str) -> None:
     assert status(TRUE[name]) == "confirmed", name
+
+
+def test_an_integral_is_asked_for_where_the_map_given_forward_has_a_value() -> None:
+    claim = {"kind": "hamilton_jacobi", "W": "a*(q**2)**(1/2)", "constants": ["a"], "energy": "a"}
+    H = {"hamiltonian": {"H": "p"}}
+    assert status(against(claim, {"q": "-1", "a": "1"}, **H)) == "confirmed"
+    assert status(against(claim, {"q": "-1", "a": "1"}, **H, **LOGARITHM)) == "rejected"

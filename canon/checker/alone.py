@@ -33,30 +33,28 @@ from typing import Any
 
 TRIALS, MOST_ROOTS, MOST_TERMS, MOST_TRIED, LONGEST, MOST_VALUES, HIGHEST = 25, 5, 40, 500, 4000, 200_000, 8
 MODULUS, SMALL, RANDOM = 24 * prod((3, 5, 7, 11, 13, 17, 19, 23)), (1, -1, 2, -2, 3, -3, 4, 5, 6, 7, 8), SystemRandom()
-SLOPES = {
-    "+": ["1", "1"], "*": ["b", "a"], "^": ["b*a**(b - 1)"], "sin": ["cos(a)"], "cos": ["-sin(a)"],
+SLOPES = {"+": ["1", "1"], "*": ["b", "a"], "^": ["b*a**(b - 1)"], "sin": ["cos(a)"], "cos": ["-sin(a)"],
     "exp": ["exp(a)"], "log": ["1/a"], "asin": ["(1 - a**2)**(-1/2)"], "acos": ["-(1 - a**2)**(-1/2)"],
     "atan": ["1/(1 + a**2)"], "atan2": ["b/(a**2 + b**2)", "-a/(a**2 + b**2)"], "asinh": ["(a**2 + 1)**(-1/2)"],
-    "acosh": ["(a - 1)**(-1/2)*(a + 1)**(-1/2)"], "atanh": ["1/(1 - a**2)"],
-}  # fmt: skip
-MEANINGS = {
-    "-": "a + (-1)*b", "/": "a*b**(-1)", "sqrt": "a**(1/2)", "cbrt": "a**(1/3)", "tan": "sin(a)/cos(a)",
+    "acosh": ["(a - 1)**(-1/2)*(a + 1)**(-1/2)"], "atanh": ["1/(1 - a**2)"]}  # fmt: skip
+MEANINGS = {"-": "a + (-1)*b", "/": "a*b**(-1)", "sqrt": "a**(1/2)", "cbrt": "a**(1/3)", "tan": "sin(a)/cos(a)",
     "cot": "cos(a)/sin(a)", "sec": "1/cos(a)", "csc": "1/sin(a)", "sinh": "(exp(a) - exp(-a))/2",
-    "cosh": "(exp(a) + exp(-a))/2", "tanh": "1 - 2/(exp(2*a) + 1)", "coth": "1 + 2/(exp(2*a) - 1)",
-}  # fmt: skip
+    "cosh": "(exp(a) + exp(-a))/2", "tanh": "1 - 2/(exp(2*a) + 1)", "coth": "1 + 2/(exp(2*a) - 1)"}  # fmt: skip
 SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^", ast.UAdd: 1, ast.USub: -1}
 FIELD = ["D(_H, {p}) - _qdot{i}", "D(_H, {q}) + _pdot{i}"]
-KINDS = {
-    "identity": ["_lhs - _rhs"], "bracket": ["bracket(_f, _g) - _equals"],
+KINDS = {"identity": ["_lhs - _rhs"], "bracket": ["bracket(_f, _g) - _equals"],
     "conserved": ["D(_f, {t}) + bracket(_f, _H)"], "equations_of_motion": FIELD, "hamiltonian_field": FIELD,
     "jacobi": ["bracket(_f, bracket(_g, _h)) + bracket(_g, bracket(_h, _f)) + bracket(_h, bracket(_f, _g))"],
-    "infinitesimal": ["D(_generator, {p}) - _dq{i}", "D(_generator, {q}) + _dp{i}"],
-}  # fmt: skip
+    "infinitesimal": ["D(_generator, {p}) - _dq{i}", "D(_generator, {q}) + _dp{i}"]}  # fmt: skip
 """What vanishes, for each degree of freedom where it says so; _f is what the claim has under f."""
-UNASKED = ("kind", "title", "source", "expect", "budget")
 MAPS = ("canonical", "fundamental_brackets", "new_hamiltonian", "generates", "generating_function")
-TYPES = {1: "qQ", 2: "qP", 3: "pQ", 4: "pP"}
-GIVES = {"q": "p-", "p": "q+", "Q": "P+", "P": "Q-"}
+SECTIONS = {"phase_space": {*"qpQP", "time"}, "hamiltonian": {"H"}, "transformation": {*"qpQP"}, "domain": {"where"},
+    MAPS[-1]: {"type", "F"}, "claim": 0, "symbols": 0, "definitions": 0, "title": 0, "source": 0}  # fmt: skip
+"""The sections of a file, and their keys where these are always the same."""
+OWN = {"hamiltonian_field": ["H"], "canonical": ["scale"], "generating_function": ["type", "F"]}
+"""Keys that claims of these kinds alone have."""
+UNASKED = ("kind", "title", "source", "expect", "budget")
+TYPES, GIVES = {1: "qQ", 2: "qP", 3: "pQ", 4: "pP"}, {"q": "p-", "p": "q+", "Q": "P+", "P": "Q-"}
 """p − ∂F/∂q = 0, q + ∂F/∂p = 0, P + ∂F/∂Q = 0, Q − ∂F/∂P = 0."""
 
 
@@ -96,10 +94,11 @@ class Claim:
         self.words = {n: [w] if isinstance(w, str) else w for n, w in tables.get("symbols", {}).items()}
         self.names, whole = [*chain(*sides.values()), space.get("time", "t")], json.dumps(tables, ensure_ascii=False)
         self.texts, explicit = dict(tables.get("definitions", {})), tables.get("transformation", {})
-        twice = {*self.texts} & {*self.names, *self.words} or len({*self.names}) < len(self.names)
-        taken = {*self.texts, *self.names, *self.words} & {"pi", "D", "bracket", *SLOPES, *MEANINGS}
+        named = [*self.texts, *self.names, *({*self.words} - {*self.names})]
+        every = [*named, "pi", "D", "bracket", *SLOPES, *MEANINGS]
         odd = re.search(r"(?<!\w)_", whole) or unicodedata.normalize("NFKC", whole) != whole
-        if twice or taken or odd or "complex" in str(self.words) or not all(map(str.isidentifier, self.names)):
+        odd = odd or {*tables} - {*SECTIONS} or any({*tables.get(s, {})} - k for s, k in SECTIONS.items() if k)
+        if len({*every}) < len(every) or odd or "complex" in str(self.words) or not all(map(str.isidentifier, named)):
             raise Stop("not shown", "names with two meanings, complex ones, or of another form")
         for key, value in (tables.get("hamiltonian", {}) | claim).items():
             parts = value if isinstance(value, list) else [value]
@@ -107,7 +106,7 @@ class Claim:
         self.pairs, self.variables, self.nonzero = [*zip(sides["q"], sides["p"], strict=True)], self.names, []
         said = {*re.findall(r"\w+", json.dumps([*self.texts.values()], ensure_ascii=False))}
         if self.kind in MAPS or {*sides["Q"], *sides["P"]} & said:
-            self.zeros = self.of_map(sides, explicit, claim if "F" in claim else tables.get("generating_function", {}))
+            self.zeros = self.of_map(sides, explicit, claim if self.kind == MAPS[-1] else tables.get(MAPS[-1], {}))
         elif self.kind == "involution":
             pairs = combinations(range(len(claim["functions"])), 2)
             self.zeros = [f"bracket(_functions{i}, _functions{j})" for i, j in pairs]
@@ -116,19 +115,22 @@ class Claim:
             self.zeros = [*dict.fromkeys(row.format(i=i, q=q, p=p, t=self.names[-1]) for row, i, q, p in each)]
         lists = {len(v) for key, v in claim.items() if isinstance(v, list) and key not in ("type", "functions")}
         asked = re.findall(r"(?<!\w)_([a-zA-Z]+)", str([self.zeros, *self.texts.values()]))
-        unread = {*claim, *self.domain} - {*asked, "type", "where"}
+        unread = {*claim} - ({*asked} - {*chain(*OWN.values())} | {*OWN.get(self.kind, ())})
         if not self.zeros or unread or lists - {len(self.pairs)}:
             raise Stop("not shown", f"what {min(unread, default='it')[:40]} says")
 
     def of_map(self, sides: Any, explicit: Any, generating: Any) -> list[str]:
         """Of a map: its generating function's equations; or brackets, and the gradient of K − cH."""
         n, forward, types = len(sides["q"]), "Q" in explicit, generating.get("type", [])
-        if [*map(len, sides.values())] != [n] * 4 or not explicit or self.kind not in MAPS:
+        if [*map(len, sides.values())] != [n] * 4 or {*explicit} not in ({*"QP"}, {*"qp"}) or self.kind not in MAPS:
             raise Stop("not shown", "a claim about new variables that isn't about a map of old ones to as many")
         self.texts |= dict(chain(*(zip(sides[side], explicit[side], strict=True) for side in explicit)))
         if self.kind in MAPS[-2:]:
             self.texts["_F"], types = generating["F"], [types] * n if isinstance(types, int) else types
             places = [(*GIVES[side], side, i) for i, one in zip(range(n), types, strict=True) for side in TYPES[one]]
+            within = cache(lambda f: {*f.of}.union(*(within(x) for x in f.of if isinstance(x, Formula))))
+            if within(self.known(self.texts["_F"])) & ({*self.names[:-1]} - {sides[side][i] for *_, side, i in places}):
+                raise Stop("not shown", "what the other variables do in a generating function")
             self.nonzero = [] if forward else [lagrange(explicit, "qp", *sides["Q"], *sides["P"]) if n == 1 else "0"]
             return [f"{sides[other][i]} {sign} D(_F, {sides[side][i]})" for other, sign, side, i in places]
         X, Y = ([*sides[a], *sides[b]] for a, b in (("QP", "qp") if forward else ("qp", "QP")))
@@ -145,7 +147,7 @@ class Claim:
 
     def read(self, text: Any, own: Any = None) -> Formula:
         """The formula of a text; `own` are names that stand for formulas. Names get a mark: none is Python's."""
-        marked = re.sub(r"(?<![\w.])[^\W\d]\w*", r"_\g<0>", " ".join(str(text).split()))
+        marked = re.sub(r"(?<![\w.])[^\W\d]\w*", r"_\g<0>", " ".join(str(text).replace("#", "?").split()))
         return self.built(ast.parse(marked, mode="eval").body, marked, own or {})
 
     def built(self, at: Any, text: str, own: Any) -> Formula:
@@ -173,7 +175,7 @@ class Claim:
         if name == "D":
             if (by := at.args[1].id[1:]) not in self.variables and (by not in self.words or by in self.texts):
                 raise Stop("not shown", f"a derivative by {by}")
-            return Formula("D", (x[0],), (by,) * range(HIGHEST + 1)[int(x[2].of[0]) if len(x) > 2 else 1])
+            return Formula("D", (x[0],), (by,) * range(HIGHEST + 1).index(*[f.of[0] for f in x[2:]] or [1]))
         if "function" in self.words.get(name, ()):
             return Formula(name, tuple(x), orders or (0,) * len(x))
         return self.made(name, *x, *orders)
@@ -323,6 +325,10 @@ def sample(claim: Claim, case: Any, prime: int) -> int:
         values = {m: prod(pow(kernel(name), int(n or 1), prime) for name, _, n in powers[m]) for m in polynomial}
         return sum(point.fraction(number(c).of[0], prime) * values[m] for m, c in polynomial.items()) % prime
 
+    scale = value(claim.texts.get("_scale", "1"))  # the claim first: a kernel's root may throw points away
+    constant = not all((scale * b - a) % prime for a, b in product(SMALL, SMALL))
+    if any(map(value, claim.zeros)) or not all(map(value, claim.nonzero)) or not constant:
+        raise Stop("not shown", "that all of it is 0, the map regular, and the scale a number that isn't 0")
     for k in case["kernels"]:
         own[k["name"]] = claim.read(k["stands for"], own)
     kernel, free = cache(lambda name: point.at(claim.read(name, own))), cache(lambda name: RANDOM.randrange(prime))
@@ -330,15 +336,11 @@ def sample(claim: Claim, case: Any, prime: int) -> int:
     if any(put(k.get("relation", {}), kernel) for k in case["kernels"]):
         raise Stop("not shown", "a relation")
     for text, entry in zip(claim.zeros, case["residuals"], strict=True):
-        residual, top, bottom = value(text), entry["numerator"], entry["denominator"]
         parts = sum(put(cofactor, free) * relations[name] for name, cofactor in entry["cofactors"].items())
-        if (put(top, free) - parts) % prime:
+        if (put(entry["numerator"], free) - parts) % prime:
             raise Stop("wrong", "a numerator isn't the sum of cofactors times relations")
-        if residual or put(top, kernel) or not put(bottom, kernel):
+        if put(entry["numerator"], kernel) or not put(entry["denominator"], kernel):
             raise Stop("not shown", f"{text[:60]} isn't seen to be 0 and the fraction that is stated")
-    scale = value("_scale") if "_scale" in claim.texts else 1
-    if all((scale * b - a) % prime for a, b in product(SMALL, SMALL)) or not all(map(value, claim.nonzero)):
-        raise Stop("not shown", "that the map is regular, and the scale a number that isn't 0")
     return len(point.roots)
 
 
@@ -359,9 +361,9 @@ def checked(data: Any) -> tuple[str, str]:
         rest = json.dumps({key: data[key] for key in data if key != "checksum"}, sort_keys=True, separators=(",", ":"))
         if hashlib.sha256(rest.encode()).hexdigest() != data["checksum"]:
             raise Stop("wrong", "the checksum")
-        claim, cases, primes = Claim(data["tables"]), data["cases"], [random_prime() for _ in range(16)]
+        claim, cases = Claim(data["tables"]), data["cases"]
         if data["verdict"] == "refuted" and data["witness"] and not cases:
-            return refuted(claim, data["witness"], primes[0])
+            return refuted(claim, data["witness"], random_prime())
         if data["verdict"] != "proved" or data["witness"] is not None or len(cases) != 1:
             raise Stop("not shown", "no proof, or one of several cases")
         done, tried, needed = 0, 0, TRIALS
@@ -369,7 +371,7 @@ def checked(data: Any) -> tuple[str, str]:
             if (tried := tried + 1) > MOST_TRIED + 20 * done or needed > TRIALS << MOST_ROOTS:
                 raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
             with suppress(Elsewhere):
-                needed = max(needed, TRIALS << sample(claim, cases[0], primes[tried & 15]))
+                needed = max(needed, TRIALS << sample(claim, cases[0], random_prime()))
                 done += 1
         return "shown", ""
     except Stop as stop:

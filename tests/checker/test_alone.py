@@ -175,6 +175,41 @@ FORGED = {
         {**SPACE, "claim": {"kind": "identity", "lhs": "sin(q, x=p)", "rhs": "sin(q)"}}, {},
     ),
     "a sine's slope for a sine": ({**SPACE, "claim": {"kind": "identity", "lhs": "sin[1](q)", "rhs": "sin(q)"}}, {}),
+    "a kernel whose root throws points away": (
+        {**SPACE, "claim": {"kind": "identity", "lhs": "sqrt(q**2)", "rhs": "q"}},
+        {"kernels": [{"name": "k", "stands for": "sqrt(q)", "relation": {"k^2": "1", "q": "-1"}}]},
+    ),
+    "roots of numbers, 0 modulo most primes": (
+        {**SPACE, "claim": {"kind": "identity", "rhs": "0", "lhs": "*".join(
+            f"(sqrt((sqrt({n}) - 1)**2) + sqrt({n}) - 1)" for n in (2, 3, 5, 7, 11))}}, {},
+    ),
+    "a remark": ({**SPACE, "claim": {"kind": "identity", "lhs": "q # + 1", "rhs": "q"}}, {}),
+    "an order below 0, of nothing": ({**SPACE, "claim": {"kind": "identity", "lhs": "D(q, q, -1)", "rhs": "0"}}, {}),
+    "half a derivative": ({**SPACE, "claim": {"kind": "identity", "lhs": "D(q, q, 1/2)", "rhs": "q"}}, {}),
+    "a Hamiltonian of the claim's own": (
+        {**SPACE, "hamiltonian": {"H": "p**2/2"}, "claim": {"kind": "conserved", "f": "q", "H": "0"}}, {},
+    ),
+    "a scale beside the Hamiltonian": (
+        {**SPACE, "hamiltonian": {"H": "0", "scale": "2"}, "transformation": {"Q": ["2*q"], "P": ["p"]},
+         "claim": {"kind": "canonical"}}, {},
+    ),
+    "a map forward and a value backward": (
+        {**SPACE, "transformation": {"Q": ["q + q**2"], "P": ["p"], "q": ["0"]}, "claim": {"kind": "canonical"}}, {},
+    ),
+    "a type beside another file's": (
+        {**SPACE, "transformation": {"Q": ["q"], "P": ["p"]}, "generating_function": {"type": 2, "F": "q*P"},
+         "claim": {"kind": "generates", "type": 1}}, {"residuals": [None] * 2},
+    ),
+    "a generating function of the other variables": (
+        {**SPACE, "transformation": {"Q": ["q"], "P": ["0*p"]},
+         "claim": {"kind": "generating_function", "type": 2, "F": "q*p + q*P"}}, {"residuals": [None] * 2},
+    ),
+    "a function without a name": (
+        {**SPACE, "symbols": {"": "function"}, "claim": {"kind": "identity", "lhs": "q.f(q)", "rhs": "p.g(q)"}}, {},
+    ),
+    "a section that isn't known": (
+        {**SPACE, "constraints": {"on": ["q"]}, "claim": {"kind": "bracket", "f": "q", "g": "p", "equals": "1"}}, {},
+    ),
     "nothing": ({**SPACE, "claim": {"kind": "involution", "functions": ["q"]}}, {"residuals": []}),
     "a sum of roots": (
         {**SPACE, "claim": {"kind": "identity", "lhs": "sqrt((q - p)**2)", "rhs": "q - p"}}, {},

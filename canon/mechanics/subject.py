@@ -1,8 +1,8 @@
 """What a claim is about: the phase space and whatever lives on it."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Final
 
 from canon.claim import Claim
 from canon.domain import Domain
@@ -18,12 +18,16 @@ if TYPE_CHECKING:
     from canon.mechanics.generating_function import GeneratingFunction
     from canon.mechanics.transformation import Transformation
 
+_OF_THE_SPACE: Final = Domain()
+"""What stands for the domain of the space: this very object, and no other without conditions."""
+
 
 @dataclass(frozen=True)
 class Subject:
     """All that the claims of one file share.
 
-    `domain` is the region that was asked for (`where` and `on`); each formula carries its own conditions besides.
+    `domain` is the region that was asked for (`where` and `on`), that of the space if left out; what `claim` states is
+    restricted to that of the space, too. Each formula carries its own conditions besides.
     `transformation` is the explicit one. Where there is none, claims are about the transformation that the generating
     function defines: `map` is the one or the other.
 
@@ -34,7 +38,7 @@ class Subject:
     hamiltonian: Formula | None = None
     generating_function: "GeneratingFunction | None" = None
     transformation: "Transformation | None" = None
-    domain: Domain = field(default_factory=Domain)
+    domain: Domain = _OF_THE_SPACE
     functions: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -49,6 +53,8 @@ class Subject:
         ):
             if not isinstance(value, kind):
                 raise InputError(f"what a claim is about can't be {value!r}: see what Subject is made of")
+        if self.domain is _OF_THE_SPACE:
+            object.__setattr__(self, "domain", self.space.domain)
         if self.hamiltonian is not None:
             object.__setattr__(self, "hamiltonian", as_formula(self.hamiltonian, "hamiltonian"))
         object.__setattr__(self, "functions", tuple(self.functions))
@@ -66,8 +72,11 @@ class Subject:
         **Raises:** `InputError` where a formula has a symbol that only shares its name with one of the space, or where
         two formulas have different symbols of one name, or call a function with different numbers of arguments.
         """
+        domain = self.space.domain & self.domain
+        kept = {*domain.conditions} <= {*self.domain.conditions} and {*domain.surface} <= {*self.domain.surface}
+        within = self if kept else replace(self, domain=domain)
         with recursion_told():
-            return self._claim(kind, keys, options)
+            return within._claim(kind, keys, options)
 
     def _claim(self, kind: str, keys: Mapping[str, object], options: Mapping[str, object]) -> Claim:
         shared = () if self.hamiltonian is None else (self.hamiltonian,)

@@ -191,3 +191,13 @@ def test_a_program_that_has_told_sympy_not_to_evaluate():
     N = {2: (x**2 + y**2) / 2, 4: -sp.Rational(15, 16) * (x**2 + y**2) ** 2}
     with sp.evaluate(False):
         assert verify(normal_form(space, (x**2 + y**2) / 2 + x**3, 4, N)).status == "proved"
+
+
+def test_claims_of_a_subject_are_restricted_as_its_space_is() -> None:
+    q, p = map(SPACE.symbol, "qp")
+    right, above = SPACE.where(q > 0), SPACE.where(p > 0)
+    keys = {"lhs": Formula(abs(q)), "rhs": Formula(q)}
+    for subject in (Subject(right), Subject(right, domain=above.domain), Subject(above, domain=right.domain)):
+        assert verify(subject.claim("identity", keys)).status == "proved"
+    assert verify(Claim("identity", Subject(right), keys)).status == "proved"
+    assert verify(Subject(above).claim("identity", keys)).status == "refuted"

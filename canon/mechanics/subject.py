@@ -27,7 +27,8 @@ class Subject:
     """All that the claims of one file share.
 
     `domain` is the region that was asked for (`where` and `on`), that of the space if left out; what `claim` states is
-    restricted to that of the space, too. Each formula carries its own conditions besides.
+    restricted to that of the space, too, and of those in which the map and its generating function were made. Each
+    formula carries its own conditions besides.
     `transformation` is the explicit one. Where there is none, claims are about the transformation that the generating
     function defines: `map` is the one or the other.
 
@@ -54,7 +55,7 @@ class Subject:
             if not isinstance(value, kind):
                 raise InputError(f"what a claim is about can't be {value!r}: see what Subject is made of")
         if self.domain is _OF_THE_SPACE:
-            object.__setattr__(self, "domain", self.space.domain)
+            object.__setattr__(self, "domain", self._stated_domain())
         if self.hamiltonian is not None:
             object.__setattr__(self, "hamiltonian", as_formula(self.hamiltonian, "hamiltonian"))
         object.__setattr__(self, "functions", tuple(self.functions))
@@ -72,11 +73,19 @@ class Subject:
         **Raises:** `InputError` where a formula has a symbol that only shares its name with one of the space, or where
         two formulas have different symbols of one name, or call a function with different numbers of arguments.
         """
-        domain = self.space.domain & self.domain
+        domain = self._stated_domain() & self.domain
         kept = {*domain.conditions} <= {*self.domain.conditions} and {*domain.surface} <= {*self.domain.surface}
         within = self if kept else replace(self, domain=domain)
         with recursion_told():
             return within._claim(kind, keys, options)
+
+    def _stated_domain(self) -> Domain:
+        """The domain of the space, and of those in which the map and its generating function were made."""
+        domain = self.space.domain
+        for made in (self.transformation, self.generating_function):
+            if made is not None and made.space.domain != self.space.domain:
+                domain = domain & made.space.domain
+        return domain
 
     def _claim(self, kind: str, keys: Mapping[str, object], options: Mapping[str, object]) -> Claim:
         shared = () if self.hamiltonian is None else (self.hamiltonian,)

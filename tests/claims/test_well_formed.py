@@ -201,3 +201,17 @@ def test_claims_of_a_subject_are_restricted_as_its_space_is() -> None:
         assert verify(subject.claim("identity", keys)).status == "proved"
     assert verify(Claim("identity", Subject(right), keys)).status == "proved"
     assert verify(Subject(above).claim("identity", keys)).status == "refuted"
+
+
+def test_a_map_and_its_generating_function_bring_the_domains_of_their_spaces() -> None:
+    """F = q P generates Q = |q|, P = p sign q where q > 0 alone."""
+    plane = PhaseSpace("q", "p", new=("Q", "P"))
+    q, p = map(plane.symbol, "qp")
+    right, keys = plane.where(q > 0), {"lhs": Formula(abs(q)), "rhs": Formula(q)}
+    F = GeneratingFunction(right, 2, q * plane.symbol("P"))
+    everywhere, there = (Transformation(space, Q=abs(q), P=p * sp.sign(q)) for space in (plane, right))
+    whole = GeneratingFunction(plane, 2, q * plane.symbol("P"))
+    assert verify(everywhere.generated_by(F)).status == verify(there.generated_by(whole)).status == "proved"
+    assert verify(everywhere.generated_by(whole)).status == "refuted"
+    assert verify(Subject(plane, transformation=there).claim("identity", keys)).status == "proved"
+    assert verify(Subject(plane, transformation=everywhere).claim("identity", keys)).status == "refuted"

@@ -17,6 +17,7 @@ from canon.claims.audit_subject import AuditSubject, formulas_as_map
 from canon.claims.implicit_map import ImplicitMap
 from canon.claims.invariance import checked_valence, loop_invariant, surface_invariant
 from canon.errors import InputError
+from canon.expected import whole_number
 from canon.numeric.points import DEFAULT, DEFAULT_POSITIVE, points_of
 
 if TYPE_CHECKING:
@@ -70,8 +71,7 @@ def audit(
     from canon.mechanics.transformation import Transformation
 
     start = time.monotonic()
-    if not isinstance(samples, Integral) or samples < 1:
-        raise InputError(f"a whole number of samples is needed, at least one, not {samples!r}", "samples")
+    whole_number(samples, "samples", 1)
     checked_valence(scale)
     for curves, name in ((loops, "loops"), (surfaces, "surfaces")):
         if not isinstance(curves, (list, tuple)):

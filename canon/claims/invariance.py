@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
-from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -13,6 +11,7 @@ from canon.claims.audit_subject import formulas_as_map
 from canon.claims.implicit_map import ImplicitMap
 from canon.claims.invariance_report import Invariance
 from canon.errors import InputError
+from canon.expected import finite_number, whole_number
 from canon.numeric.images import compare_loops, compare_surfaces
 from canon.numeric.loops import real
 from canon.numeric.map_shape import point_map
@@ -136,13 +135,11 @@ def cartan_loop_invariant(
 
 def checked_valence(scale: Any) -> None:
     """**Raises:** `InputError` for what is no valence: a finite number other than 0."""
-    if not (isinstance(scale, Real) and math.isfinite(scale) and scale != 0):
-        raise InputError(f"a finite number other than 0 is needed, not {scale!r}", "scale")
+    finite_number(scale, "scale", nonzero=True)
 
 
 def _checked_count(most: Any, name: str) -> None:
-    if not isinstance(most, Integral) or most < 1:
-        raise InputError(f"a whole number is needed, at least 1, not {most!r}", name)
+    whole_number(most, name, 1)
 
 
 def _some(shape: Loop | Array, directions: int) -> Array:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from numbers import Integral
 from typing import TYPE_CHECKING, Any, Final, overload
 
 import numpy as np
@@ -12,6 +11,7 @@ from canon.claims.audit import audit, variables
 from canon.claims.audit_subject import AuditSubject, formulas_as_map
 from canon.claims.repair_report import MapRepair, MatrixRepair
 from canon.errors import InputError
+from canon.expected import whole_number
 from canon.numeric.change import order_of_change
 from canon.numeric.differentiable import differentiable
 from canon.numeric.mixed_variables import Conditioned, Pattern, best_conditioned, condition_of
@@ -187,8 +187,7 @@ def _repaired_matrix(M: Array, method: str) -> MatrixRepair:
 
 
 def _samples(subject: AuditSubject, where: Points, samples: int, seed: int) -> Array:
-    if not isinstance(samples, Integral) or samples < 1:
-        raise InputError(f"a whole number of samples is needed, at least one, not {samples!r}", "samples")
+    whole_number(samples, "samples", 1)
     points = np.concatenate(list(where.blocks(samples, max(samples, 1), seed)))
     inside = points[subject.inside(points)]
     if not len(inside):

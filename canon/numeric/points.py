@@ -9,6 +9,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import listed
 from canon.numeric.counter import key_of, rows_of
 
 Array = np.ndarray
@@ -77,7 +78,7 @@ def points_of(domain: Any, names: Sequence[str], defaults: Sequence[tuple[float,
     elif domain is None:
         sides = list(defaults)
     else:
-        sides = list(domain)
+        sides = listed(domain, "pairs (low, high), or one pair,", "domain")
         if len(sides) == 2 and all(np.ndim(side) == 0 for side in sides):
             sides = [tuple(sides)] * size
     try:

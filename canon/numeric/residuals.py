@@ -97,7 +97,8 @@ def brackets(M: Array, E: Array) -> Brackets:
 def determinants(M: Array, E: Array, lengths: Array) -> tuple[Array, Array, Array]:
     """det M, a bound on its error, and the condition number of M (1-norm), in units of `lengths` of the variables.
 
-    The error is |det M| tr(|M⁻¹| E), with the factorisation's own rounding in E; it is infinite where M is singular.
+    The error is |det M| tr(|M⁻¹| E), with the factorisation's own rounding in E; where M is singular, or that is no
+    number, it is what Hadamard's inequality grants: Π(|mᵢ| + |eᵢ|) − Π|mᵢ| with the norms of rows.
     """
     size = M.shape[1]
     M, E = (array * lengths / lengths[:, None] for array in (M, E))
@@ -109,7 +110,17 @@ def determinants(M: Array, E: Array, lengths: Array) -> tuple[Array, Array, Arra
     spread = np.abs(M) @ inverse @ np.abs(M)
     with np.errstate(all="ignore"):
         relative = np.einsum("bji,bij->b", inverse, E + 3 * size * UNIT * spread)
-    return det, np.where(np.isnan(relative), np.inf, np.abs(det) * relative), condition
+        bound = np.abs(det) * relative
+        bound = np.where(np.isfinite(bound), bound, _singular(M, E))
+    return det, np.where(np.isnan(bound), np.inf, bound), condition
+
+
+def _singular(M: Array, E: Array) -> Array:
+    """How far det(M + E) may be from det M, for any M: each term of its expansion by rows keeps to Hadamard's bound."""
+    size = M.shape[1]
+    own = 3 * size**2 * UNIT * np.abs(M).max(axis=(1, 2), keepdims=True)  # the factorisation's rounding
+    rows, off = np.linalg.norm(M, axis=2), np.linalg.norm(E + own, axis=2)
+    return np.prod(rows + off, axis=1) - np.prod(rows, axis=1)
 
 
 def invariants(M: Array, E: Array, scale: float) -> tuple[Residuals, ...]:

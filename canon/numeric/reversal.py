@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from canon.errors import InputError
 from canon.numeric.differences import SAFETY, ULPS
 from canon.numeric.differentiable import Differentiable
 from canon.numeric.residuals import Residuals
@@ -26,12 +27,18 @@ def reversal_residuals(map: Differentiable, points: Array, involution: Callable[
     at a point a few roundings away.
     """
 
+    def reversed_(z: Array) -> Array:
+        turned = np.array(involution(np.array(z)), dtype=float)  # it may change its argument in place
+        if turned.shape != z.shape:
+            raise InputError(f"an involution takes points {z.shape} to points, not to {turned.shape}", "involution")
+        return turned
+
     def returned(z: Array) -> Array:
-        return involution(map.evaluate(involution(map.evaluate(z)))) - z
+        return reversed_(map.evaluate(reversed_(map.evaluate(z)))) - z
 
     with np.errstate(all="ignore"):
         middle = map.evaluate(points)
-        back, _ = map.linearise(involution(middle))
+        back, _ = map.linearise(reversed_(middle))
         residual = returned(points)
         carried = np.einsum("bij,bj->bi", np.abs(back), np.abs(middle) + np.abs(points))
         rng = np.random.default_rng(0)

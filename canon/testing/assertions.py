@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from canon.claims.audit import AuditReport, audit
+from canon.expected import function, whole_number
 
 __all__ = [
     "assert_canonical",
@@ -54,6 +55,11 @@ def assert_volume_preserving(map: Any, *, dimension: int | None = None, **option
     """|det M| = 1 at every sample (Liouville). **Returns** the audit's report."""
     report = audit(map, dimension=dimension, **options)
     found = report.volume
+    if not found.typical_bound < abs(report.scale) ** (report.dimension // 2):
+        raise AssertionError(
+            f"{name_of(map)}: volume could not be audited: at half of the points |det M| is known to "
+            f"± {found.typical_bound:.2g} only"
+        )
     if found.exceeds:
         raise AssertionError(
             f"{name_of(map)} does not preserve volume: |det M| is off by {found.size:.3g}, bound {found.bound:.2g}, "
@@ -81,6 +87,9 @@ def assert_reversible(
     from canon.numeric.worst import Tally
 
     names = variables(dimension)
+    whole_number(samples, "samples", 1)
+    if involution is not None:
+        function(involution, "an involution of points (N, 2n)", "involution")
     where = points_of(domain, names, [DEFAULT] * dimension)
     points = np.concatenate(list(where.blocks(samples, samples, seed)))
     mapped = differentiable(map, points, where.lengths)

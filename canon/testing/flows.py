@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from canon.errors import InputError
+from canon.expected import finite_number, listed, whole_number
 from canon.testing.assertions import name_of, place_of
 
 if TYPE_CHECKING:
@@ -46,6 +48,13 @@ def assert_hamiltonian_flow(
     from canon.numeric.precision import UNIT, double
 
     names = variables(dimension)
+    whole_number(samples, "samples", 1)
+    finite_number(tolerance, "tolerance", least=0.0)
+    moments_at = listed(times, "times at which to look", "times")
+    for t in moments_at:
+        finite_number(t, "times")
+    if not moments_at:
+        raise InputError("at least one time at which to look is needed", "times")
     where = points_of(domain, names, [DEFAULT] * dimension)
     points = np.concatenate(list(where.blocks(samples, samples, seed)))
     lengths = where.lengths
@@ -61,7 +70,7 @@ def assert_hamiltonian_flow(
     _check(began, allowed, points, names, f"{called} doesn't start where it should at t = 0")
 
     field = _field(hamiltonian, dimension, parameters, lengths)
-    for t in times:
+    for t in moments_at:
         moments = np.full((len(points), 1), float(t))
         rate, error = central_differences(lambda s: at(s[:, 0]), moments, np.array([max(abs(float(t)), 0.1)]), UNIT)
         reached = at(moments[:, 0])
@@ -110,7 +119,6 @@ def _field(
     lengths: Array,
 ) -> Callable[[Array], tuple[Array, Array]]:
     """J ∇H at points (N, 2n), and how far it may be off: exact formulas, or differences of a function."""
-    from canon.errors import InputError
     from canon.mechanics.hamiltonian import Hamiltonian
     from canon.numeric.differences import central_differences
     from canon.numeric.precision import UNIT, double
@@ -140,7 +148,6 @@ def _field(
 def _lowered(
     hamiltonian: Hamiltonian, dimension: int, parameters: Mapping[str, float]
 ) -> Callable[[Array], tuple[Array, Array]]:
-    from canon.errors import InputError
     from canon.numeric.lower import lower_map
     from canon.numeric.precision import UNIT, double
 

@@ -13,6 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import finite_number, function, whole_number
 from canon.numeric.map_shape import required
 from canon.testing.assertions import name_of
 
@@ -53,12 +54,22 @@ def assert_order(
     """
     from canon.numeric.precision import double
 
+    function(step, "a step", "step")
+    for count, name in ((order, "order"), (steps, "steps"), (refinements, "refinements")):
+        whole_number(count, name, 1)
+    finite_number(duration, "duration", nonzero=True)
+    finite_number(tolerance, "tolerance", least=0.0)
+    if not tolerance < 1:
+        raise InputError(f"an order less by 1 is another order: a tolerance is below 1, not {tolerance!r}", "tolerance")
     try:
         point = np.asarray(start, dtype=float)
     except (TypeError, ValueError) as reason:
         raise InputError(f"a phase point is a list of numbers: {reason}", "start") from reason
     if not point.ndim:
         raise InputError(f"a phase point is a list of numbers, not {start!r}", "start")
+    if not np.all(np.isfinite(point)):
+        raise InputError(f"a phase point is a list of finite numbers, not {start!r}", "start")
+    aim = None if exact is None else _aim(exact, point)
     ends = []
     with double():
         one = _of_points(step, point, duration / steps)
@@ -75,10 +86,10 @@ def assert_order(
             ends.append(np.array(z, dtype=float))
     if not np.all(np.isfinite(ends)):
         raise AssertionError(f"{name_of(step)} does not stay finite over the duration {duration:g}")
-    if exact is None:
+    if aim is None:
         errors = [float(np.linalg.norm(b - a)) for a, b in pairwise(ends)]
     else:
-        errors = [float(np.linalg.norm(end - np.asarray(exact, dtype=float))) for end in ends]
+        errors = [float(np.linalg.norm(end - aim)) for end in ends]
     if np.array_equal(ends[-1], point):
         raise InputError("the steps don't move it, as at an equilibrium: start elsewhere", "start")
     plateau = PLATEAU * float(np.finfo(float).eps) * (1 + float(np.linalg.norm(ends[-1])))
@@ -94,6 +105,17 @@ def assert_order(
             f"{name_of(step)} has order {measured:.2f}, not {order}: at halved steps its errors are {shown}"
         )
     return measured
+
+
+def _aim(exact: Any, point: Array) -> Array:
+    """The point that is reached exactly. **Raises** `InputError` for what is none."""
+    try:
+        aim = np.asarray(exact, dtype=float)
+    except (TypeError, ValueError) as reason:
+        raise InputError(f"a phase point is a list of numbers: {reason}", "exact") from reason
+    if aim.shape != point.shape or not np.all(np.isfinite(aim)):
+        raise InputError(f"a phase point like the start is expected, {point.shape[0]} finite numbers", "exact")
+    return aim
 
 
 def _of_points(step: Callable[..., Any], point: Array, h: float) -> Callable[[Array, float], Any]:

@@ -150,3 +150,41 @@ def test_a_method_that_is_better_on_linear_problems_is_caught() -> None:
     assert assert_order(on_line, 3, start=[0.7, 0.3], linear=True) == pytest.approx(3, abs=0.25)
     with pytest.raises(AssertionError, match="on_pendulum has order 2"):
         assert_order(on_pendulum, 3, start=[0.7, 0.3])
+
+
+@pytest.mark.parametrize(
+    "collapsing", [lambda z: z * 0, lambda z: np.array([z[0], z[0]]), lambda z: np.array([z[0] ** 2, z[1]]) * 1e-200]
+)
+def test_a_map_that_collapses_volume_is_caught(collapsing: Any) -> None:
+    with pytest.raises(AssertionError, match="does not preserve volume"):
+        assert_volume_preserving(collapsing, dimension=2, samples=20)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"order": 0}, "order: a whole number is needed, at least 1, not 0"),
+        ({"order": "2"}, "order: a whole number"),
+        ({"steps": 0}, "steps: a whole number"),
+        ({"duration": np.nan}, "duration: a finite number other than 0"),
+        ({"tolerance": np.nan}, "tolerance: a finite number, at least 0"),
+        ({"tolerance": 7.0}, "tolerance: an order less by 1 is another order"),
+        ({"exact": [0.1]}, "exact: a phase point like the start is expected, 2 finite numbers"),
+        ({"start": [np.nan, 0.1]}, "start: a phase point is a list of finite numbers"),
+    ],
+)
+def test_what_says_nothing_of_an_order_is_refused(options: dict[str, Any], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        assert_order(rk4, **{"order": 4, "start": [0.7, 0.3], **options})
+
+
+def test_involutions_are_given_copies_and_are_functions() -> None:
+    def in_place(points: Array) -> Array:
+        points[:, 1] *= -1
+        return points
+
+    assert_reversible(leapfrog, dimension=2, involution=in_place, samples=20)
+    with pytest.raises(InputError, match=r"involution: an involution of points .* is a function, not 3"):
+        assert_reversible(leapfrog, dimension=2, involution=3)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="samples: a whole number is needed, at least 1, not 0"):
+        assert_reversible(leapfrog, dimension=2, samples=0)

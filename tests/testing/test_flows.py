@@ -81,6 +81,10 @@ def test_bad_input() -> None:
         assert_hamiltonian_flow(turn, 1.0, dimension=2)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"a Hamiltonian is a number, not an array of shape \(2,\)"):
         assert_hamiltonian_flow(turn, lambda z: z, dimension=2)
+    with pytest.raises(InputError, match="at least one time"):
+        assert_hamiltonian_flow(turn, lambda z: 7 * energy(z), dimension=2, times=())
+    with pytest.raises(InputError, match="tolerance: a finite number, at least 0"):
+        assert_hamiltonian_flow(turn, lambda z: 7 * energy(z), dimension=2, tolerance=np.inf)
     space = PhaseSpace("x y", "u v")
     with pytest.raises(InputError, match="H has 2 degrees of freedom, the flow 1"):
         assert_hamiltonian_flow(turn, Hamiltonian(space, space.p[0]), dimension=2)

@@ -1,0 +1,73 @@
+"""What an argument of a public function has to be: one error for what is something else.
+
+Each **raises** an `InputError` that names the argument, says what was given, and what to give.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from numbers import Integral, Real
+from typing import Any, Final
+
+from canon.errors import InputError
+
+_MADE_BY: Final[Mapping[str, str]] = {
+    "PhaseSpace": 'one is made by PhaseSpace("q", "p")',
+    "Transformation": "one is made by Transformation(space, Q=..., P=...), or by F.transformation()",
+    "GeneratingFunction": "one is made by GeneratingFunction(space, type=2, F=...)",
+    "LieAlgebra": 'one is made by LieAlgebra.of(["A", "B"], {"A,B": "B"})',
+    "Claim": "one is made by a transformation's .canonical(), by bracket(space, f, g, equals), by read_file(path), ...",
+    "Verdict": "one is returned by verify(claim)",
+    "Symbol": 'one of a phase space is space.symbol("q")',
+}
+"""Where the values of these types come from."""
+
+
+def shown(value: Any) -> str:
+    """A value in an error: its text, where that is short."""
+    text = repr(value)
+    return text if len(text) <= 80 else f"{text[:60]}… ({type(value).__name__})"
+
+
+def instance_of(value: Any, kind: type, where: str) -> None:
+    """The value is of this type."""
+    if not isinstance(value, kind):
+        origin = _MADE_BY.get(kind.__name__, "")
+        raise InputError(
+            f"a {kind.__name__} is expected, not {shown(value)}" + (f": {origin}" if origin else ""), where
+        )
+
+
+def listed(value: Any, what: str, where: str) -> tuple[Any, ...]:
+    """A list of `what`, as a tuple; a text, a table and a set, which has no order, are none."""
+    if isinstance(value, (str, bytes, Mapping, set, frozenset)) or not isinstance(value, Iterable):
+        raise InputError(f"a list of {what} is expected, not {shown(value)}", where)
+    return tuple(value)
+
+
+def table(value: Any, what: str, where: str) -> None:
+    """A table (a dict) of `what`."""
+    if not isinstance(value, Mapping):
+        raise InputError(f"a table of {what} is expected, as {{name: value}}, not {shown(value)}", where)
+
+
+def whole_number(value: Any, where: str, least: int | None = None) -> None:
+    """A whole number, and no less than `least`."""
+    if not isinstance(value, Integral) or isinstance(value, bool) or (least is not None and value < least):
+        bound = "" if least is None else f", at least {least}"
+        raise InputError(f"a whole number is needed{bound}, not {shown(value)}", where)
+
+
+def finite_number(value: Any, where: str, *, least: float | None = None, nonzero: bool = False) -> None:
+    """A real and finite number, no less than `least`, and not 0 where `nonzero` says so."""
+    fits = isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
+    if not fits or (least is not None and value < least) or (nonzero and value == 0):
+        bound = (f", at least {least:g}" if least is not None else "") + (" other than 0" if nonzero else "")
+        raise InputError(f"a finite number{bound} is needed, not {shown(value)}", where)
+
+
+def function(value: Any, what: str, where: str) -> None:
+    """A function, to be called."""
+    if not callable(value):
+        raise InputError(f"{what} is a function, not {shown(value)}", where)

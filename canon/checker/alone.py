@@ -103,7 +103,7 @@ class Claim:
         for key, value in (tables.get("hamiltonian", {}) | claim).items():
             parts = value if isinstance(value, list) else [value]
             self.texts |= {f"_{key}": value} | {f"_{key}{i}": text for i, text in enumerate(parts)}
-        self.pairs, self.variables, self.nonzero = [*zip(sides["q"], sides["p"], strict=True)], self.names, []
+        self.pairs, self.variables = [*zip(sides["q"], sides["p"], strict=True)], self.names
         said = {*re.findall(r"\w+", json.dumps([*self.texts.values()], ensure_ascii=False))}
         if self.kind in MAPS or {*sides["Q"], *sides["P"]} & said:
             self.zeros = self.of_map(sides, explicit, claim if self.kind == MAPS[-1] else tables.get(MAPS[-1], {}))
@@ -131,7 +131,6 @@ class Claim:
             within = cache(lambda f: {*f.of}.union(*(within(x) for x in f.of if isinstance(x, Formula))))
             if within(self.known(self.texts["_F"])) & ({*self.names[:-1]} - {sides[side][i] for *_, side, i in places}):
                 raise Stop("not shown", "what the other variables do in a generating function")
-            self.nonzero = [] if forward else [lagrange(explicit, "qp", *sides["Q"], *sides["P"]) if n == 1 else "0"]
             return [f"{sides[other][i]} {sign} D(_F, {sides[side][i]})" for other, sign, side, i in places]
         X, Y = ([*sides[a], *sides[b]] for a, b in (("QP", "qp") if forward else ("qp", "QP")))
         self.pairs, self.variables = [*zip(Y[:n], Y[n:], strict=True)], [*Y, self.names[-1]]
@@ -327,8 +326,8 @@ def sample(claim: Claim, case: Any, prime: int) -> int:
 
     scale = value(claim.texts.get("_scale", "1"))  # the claim first: a kernel's root may throw points away
     constant = not all((scale * b - a) % prime for a, b in product(SMALL, SMALL))
-    if any(map(value, claim.zeros)) or not all(map(value, claim.nonzero)) or not constant:
-        raise Stop("not shown", "that all of it is 0, the map regular, and the scale a number that isn't 0")
+    if any(map(value, claim.zeros)) or not constant:
+        raise Stop("not shown", "that all of it is 0, and the scale a number that isn't 0")
     for k in case["kernels"]:
         own[k["name"]] = claim.read(k["stands for"], own)
     kernel, free = cache(lambda name: point.at(claim.read(name, own))), cache(lambda name: RANDOM.randrange(prime))
@@ -349,8 +348,8 @@ def refuted(claim: Claim, witness: Any, prime: int) -> tuple[str, str]:
     signs, point = {"real": 0, "positive": 1, "nonnegative": 1, "negative": -1}, Point(claim, prime)
     fits = [signs[word] * Fraction(witness[name]) >= 0 for name in witness for word in claim.words.get(name, ())]
     claim.texts = {name: str(Fraction(r)) for name, r in witness.items()} | claim.texts
-    wrong, fine = ([point.at(claim.known(text)) for text in texts] for texts in (claim.zeros, claim.nonzero))
-    if not point.rational or claim.domain or not all([*fits, *fine]):
+    wrong = [point.at(claim.known(text)) for text in claim.zeros]
+    if not point.rational or claim.domain or not all(fits):
         raise Stop("not shown", "a refutation that isn't one by fractions alone")
     return ("shown", "") if any(wrong) else ("wrong", "nothing fails at the witness")
 

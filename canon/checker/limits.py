@@ -73,7 +73,8 @@ def checked_apart(certificate: Any, seconds: float = SECONDS) -> Answer:
 
 def checked_alone(certificate: Any, seconds: float = SECONDS) -> Answer:
     """The answer of the checker in one file (`canon.checker.alone`): "shown", "not shown" or "wrong"."""
-    return _limited(certificate, seconds, _alone)
+    answer = _limited(certificate, seconds, _alone)
+    return Answer("not shown", answer.reasons) if answer.status == "not confirmed" else answer
 
 
 def _alone(certificate: Any) -> Answer:

@@ -1,4 +1,4 @@
-"""`canon certificate`: check certificates with the small checker, which shares no code with the deciders."""
+"""`canon certificate`: check certificates by two checkers, neither of which shares code with the deciders."""
 
 from __future__ import annotations
 
@@ -6,17 +6,23 @@ import argparse
 import os
 import re
 import sys
-from typing import Final
+from collections import Counter
+from itertools import chain
+from typing import TYPE_CHECKING, Any, Final
 
 from canon.cli.files import files_below
 from canon.cli.parser import BAD_INPUT, NOT_WRITTEN, Parser
 from canon.cli.spoken import complain, notation, shown
 
+if TYPE_CHECKING:
+    from canon.checker.check import Answer
+
 HELP: Final = "check certificates of proofs and refutations, or put them in Coq"
 DESCRIPTION: Final = "Works with certificates that `canon verify --certificate DIR` has written."
 CHECK: Final = (
-    "Derives from each claim's own text what must vanish, and checks the certificate's identities or its witness. "
-    "It shares no code with what has made the certificate."
+    "Derives from each claim's own text what must vanish, and checks the certificate's identities or its witness: by "
+    "the checker of all kinds of claims, and by the one in a single file of Python (`shown`, or nothing where it has "
+    "no means). They share no code with each other, nor with what has made the certificate."
 )
 EXPORT: Final = (
     "Writes theorems that each residual of the claim is 0 over the reals (or isn't, at a witness), with proofs that "
@@ -26,7 +32,8 @@ STATUS: Final = {
     "confirmed": 0, "confirmed in part": 2, "not confirmed": 2, "rejected": 1, "unreadable": BAD_INPUT,
     "shown": 0, "not shown": 2, "wrong": 1,
 }  # fmt: skip
-"""The exit status of each answer; of several files, the gravest: unreadable, rejected, in part, confirmed."""
+"""The exit status of each answer; of several, the gravest: unreadable, rejected or wrong, in part, confirmed. What the
+checker in one file can't show is no fault where the other one confirms it."""
 LONGEST: Final = 1000
 """Characters of the reasons that are printed; with --json all are."""
 _GRAVEST: Final = (0, 2, 1, BAD_INPUT)
@@ -41,7 +48,7 @@ def declare(parser: argparse.ArgumentParser) -> None:
     export.add_argument("file", metavar="CERTIFICATE", help="a certificate")
     export.add_argument("--coq", required=True, metavar="FILE.v", help="the file to be written")
     check.add_argument(
-        "--alone", action="store_true", help="ask the checker in one file instead: shown, not shown, or wrong"
+        "--alone", action="store_true", help="ask the checker in one file alone: shown, not shown, or wrong"
     )
     check.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
 
@@ -94,29 +101,43 @@ def _checked_with(path: str) -> str:
 
 
 def _check(arguments: argparse.Namespace) -> int:
+    from canon.checker.check import Answer
     from canon.checker.files import load
     from canon.checker.functions import Unreadable
     from canon.checker.limits import checked, checked_alone
     from canon.report.words import visible
 
-    answers: list[tuple[str, str, list[str]]] = []
+    rows: list[tuple[str, list[Answer]]] = []
     for name in _files(arguments.files):
         try:
-            answer = (checked_alone if arguments.alone else checked)(load(name))
-            answers.append((name, answer.status, list(answer.reasons)))
+            data = load(name)
+            answers = [checked_alone(data) if arguments.alone else checked(data)]
+            if not arguments.alone and answers[0].status != "rejected":
+                answers.append(checked_alone(data))
         except Unreadable as reason:
-            answers.append((name, "unreadable", [str(reason)]))
+            answers = [Answer("unreadable", (str(reason),))]
+        rows.append((name, answers))
         if not arguments.json:
-            _, status, reasons = answers[-1]
-            why = visible("; ".join(reasons))  # which quotes the file, as does its name
-            print(f"{status:<18} {visible(name)}{': ' if why else ''}{cut(why)}", flush=True)
+            words = ", ".join(answer.status for answer in _said(answers))
+            why = visible("; ".join(chain.from_iterable(answer.reasons for answer in _said(answers))))
+            print(f"{words:<18} {visible(name)}{': ' if why else ''}{cut(why)}", flush=True)  # both quote the file
     if arguments.json:
-        rows = [{"file": name, "status": status, "reasons": reasons} for name, status, reasons in answers]
-        print(notation({"format": 1, "certificates": rows}, indent=1))
-    elif len(answers) > 1:
-        counts = ((status, sum(answer[1] == status for answer in answers)) for status in STATUS)
-        print(f"\n{len(answers)} certificates: " + ", ".join(f"{n} {status}" for status, n in counts if n))
-    return max((STATUS[status] for _, status, _ in answers), key=_GRAVEST.index)
+        print(notation({"format": 1, "certificates": [_row(name, answers) for name, answers in rows]}, indent=1))
+    elif len(rows) > 1:
+        counts = Counter(answer.status for _, answers in rows for answer in _said(answers))
+        print(f"\n{len(rows)} certificates: " + ", ".join(f"{counts[word]} {word}" for word in STATUS if counts[word]))
+    return max((STATUS[answer.status] for _, answers in rows for answer in _said(answers)), key=_GRAVEST.index)
+
+
+def _said(answers: list[Answer]) -> list[Answer]:
+    """The first answer, and the other checker's, but for "not shown": that it has no means is no fault of the proof."""
+    return [*answers[:1], *(answer for answer in answers[1:] if answer.status != "not shown")]
+
+
+def _row(name: str, answers: list[Answer]) -> dict[str, Any]:
+    """What the JSON says of a certificate: the first answer, and the other checker's beside it."""
+    first, *others = [{"status": answer.status, "reasons": list(answer.reasons)} for answer in answers]
+    return {"file": name, **first, **({"in_one_file": others[0]} if others else {})}
 
 
 def cut(text: str) -> str:

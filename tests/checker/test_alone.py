@@ -278,6 +278,17 @@ def test_exponents_and_numbers_are_limited() -> None:
     assert forged({**SPACE, "claim": {"kind": "identity", "lhs": "0", "rhs": "0"}}, residuals=[entry])[0] == "wrong"
 
 
+def test_it_has_less_than_300_lines_of_code() -> None:
+    """Lines but for empty ones, comments and docstrings, none longer than the house's."""
+    text = FILE.read_text(encoding="utf-8")
+    docs = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Expr)]
+    said = {line for node in docs for line in range(node.lineno, (node.end_lineno or 0) + 1)
+            if isinstance(node.value, ast.Constant)}  # fmt: skip
+    lines = [line for number, line in enumerate(text.splitlines(), 1) if number not in said]
+    assert len([line for line in lines if line.strip() and not line.strip().startswith("#")]) < 300
+    assert max(map(len, lines)) <= 120
+
+
 def test_it_needs_nothing_but_python(tmp_path: Path) -> None:
     """A copy of the file, elsewhere, by a Python that sees no packages."""
     imported = [node for node in ast.walk(ast.parse(FILE.read_text(encoding="utf-8"))) if isinstance(node, ast.Import)]

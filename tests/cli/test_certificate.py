@@ -47,8 +47,24 @@ def test_each_proof_and_refutation_has_a_file_that_is_confirmed(
     assert sorted(os.listdir(folder)) == ["two.1.json", "two.2.json"]
     assert main(["certificate", "check", "out"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0].split() == ["confirmed", "out/claims/two.1.json"]
-    assert lines[-1] == "2 certificates: 2 confirmed"
+    assert lines[0].split() == ["confirmed,", "shown", "out/claims/two.1.json"]
+    assert lines[-1] == "2 certificates: 2 confirmed, 2 shown"
+
+
+def test_what_one_file_cannot_show_is_no_fault_and_what_it_finds_wrong_is_one(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("canon.checker.alone.checked", lambda data: ("not shown", "what it says"))
+    assert main(["certificate", "check", "out"]) == 0
+    assert "shown" not in capsys.readouterr().out
+    assert main(["certificate", "check", "--alone", "out"]) == 2
+    assert "not shown" in capsys.readouterr().out
+    monkeypatch.setattr("canon.checker.alone.checked", lambda data: ("wrong", "a numerator"))
+    assert main(["certificate", "check", "out"]) == 1
+    assert "confirmed, wrong   out/claims/two.1.json: a numerator" in capsys.readouterr().out
+    assert main(["certificate", "check", "--json", "out"]) == 1
+    row = json.loads(capsys.readouterr().out)["certificates"][0]
+    assert (row["status"], row["in_one_file"]) == ("confirmed", {"status": "wrong", "reasons": ["a numerator"]})
 
 
 def test_the_gravest_answer_is_the_exit_status(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

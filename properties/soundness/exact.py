@@ -5,9 +5,9 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from properties.soundness.branches import TINY
 from properties.soundness.formula import Formula, call, of, variable
 from properties.soundness.identities import HALF, Equation, acos, asin, atan, cos, exp, log, pi, sin, sqrt, tan
+from properties.soundness.rooted import TINY
 
 x, y, z, a = (variable(name) for name in ("x", "y", "z", "a"))
 sinh, cosh, tanh = (lambda u: call("sinh", u)), (lambda u: call("cosh", u)), (lambda u: call("tanh", u))

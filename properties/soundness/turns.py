@@ -11,7 +11,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from properties.soundness.branches import TINY
 from properties.soundness.formula import Formula, call, of, variable
 from properties.soundness.identities import (
     HALF,
@@ -29,6 +28,7 @@ from properties.soundness.identities import (
     sqrt,
     tan,
 )
+from properties.soundness.rooted import TINY
 
 
 @dataclass(frozen=True)

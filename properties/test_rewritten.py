@@ -26,8 +26,13 @@ def test_rules_hold_wherever_both_sides_are_defined(family):
             assert point is None, (family, name, point)
 
 
-def test_no_verdict_of_a_few_is_wrong_and_most_are_decided():
-    cases = (asked(seed) for seed in range(50_000_000, 50_000_040))
+@pytest.mark.parametrize(
+    "seeds",
+    [range(50_000_000, 50_000_012), pytest.param(range(50_000_012, 50_000_040), marks=pytest.mark.slow)],
+    ids=["twelve", "twenty-eight"],
+)
+def test_no_verdict_of_a_few_is_wrong_and_most_are_decided(seeds):
+    cases = (asked(seed) for seed in seeds)
     counts = [found for found in cases if found is not None]
     assert not [found for found in counts if any("wrong" in said or "crash" in said for said in found)]
     decided = [said.endswith(("proved", "refuted")) for found in counts for said in found]

@@ -25,7 +25,7 @@ def explicit(transformation: Transformation, direction: Direction, branch: int =
 
 
 def explicit_branches(transformation: Transformation, direction: Direction) -> tuple[Transformation, ...]:
-    """All branches that were found, those first that hold at the most sample points."""
+    """All branches that were found, those first that hold throughout the domain that was stated."""
     space = transformation.space
     targets = space.new if direction == "forward" else space.old
     if transformation.direction == "implicit":
@@ -34,7 +34,7 @@ def explicit_branches(transformation: Transformation, direction: Direction) -> t
         if len(space.Q) != space.n:
             raise InputError("a map to fewer variables has no inverse")
         given = {target: formula.expr for target, formula in transformation.mapping.items()}
-        solutions = branches(given, targets)
+        solutions = branches(given, targets, within=space.domain.conditions)
     return tuple(_transformation(transformation, direction, solution) for solution in solutions)
 
 
@@ -46,7 +46,8 @@ def _of_generating_function(transformation: Transformation, direction: Direction
     known, unknown = (F.old_conjugates, F.new_arguments) if forward else (F.new_conjugates, F.old_arguments)
     rest = F.new_conjugates if forward else F.old_conjugates
     formulas = F.conjugates()
-    return branches({y: formulas[y] for y in known}, unknown, {y: formulas[y] for y in rest})
+    rest_of_it = {y: formulas[y] for y in rest}
+    return branches({y: formulas[y] for y in known}, unknown, rest_of_it, within=F.space.domain.conditions)
 
 
 def _transformation(origin: Transformation, direction: Direction, solution: Solution) -> Transformation:

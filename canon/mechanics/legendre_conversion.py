@@ -31,7 +31,10 @@ def converted(F: GeneratingFunction, type: int | Sequence[int], branch: int = 0)
     value = F.F.expr + sp.Add(*(_sign(F, x) * x * y for x, y in gone))
     if gone:
         result = sp.Dummy("F")
-        found = branches({y: formulas[y] for _, y in gone}, [x for x, _ in gone], {result: value})
+        solved = {y: formulas[y] for _, y in gone}
+        besides = {y: value for y, value in formulas.items() if y not in solved}
+        conditions = F.space.domain.conditions
+        found = branches(solved, [x for x, _ in gone], {result: value}, within=conditions, besides=besides)
         if len(found) <= branch:
             raise InputError(f"the map has no generating function of type {type} that could be found")
         value = found[branch][result]
@@ -98,7 +101,8 @@ def _in_mixed_coordinates(transformation: Transformation, template: GeneratingFu
     known = template.new_arguments if forward else template.old_arguments
     unknown = template.old_conjugates if forward else template.new_conjugates
     rest = template.new_conjugates if forward else template.old_conjugates
-    found = branches({x: given[x] for x in known}, unknown, {y: given[y] for y in rest})
+    conditions = transformation.space.domain.conditions
+    found = branches({x: given[x] for x in known}, unknown, {y: given[y] for y in rest}, within=conditions)
     if not found:
         return None
     values = found[0]

@@ -4,38 +4,41 @@ What is found is a proposal: it satisfies the equations at sample points and the
 uses it has it verified as any other formula.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import product
-from random import Random
 from typing import Any, TypeAlias
 
 import sympy as sp
-from sympy.core.function import AppliedUndef
 
-from canon.mechanics.formulas import replaced
+from canon.domain import Condition, unique
+from canon.errors import InputError
+from canon.mechanics.formulas import as_formulas, replaced
 from canon.mechanics.one_form import tidy
+from canon.mechanics.solution_points import agrees, holds, sample_points
 
 Solution: TypeAlias = dict[Any, Any]
 
 _LARGEST = 8  # branches that are followed at once
 _MOST_KINKS = 2  # absolute values whose signs are chosen one by one
-_SAMPLES = 12
-_DIGITS = 30
 
 
 def branches(
     equations: Mapping[sp.Symbol, sp.Expr],
     unknowns: Sequence[sp.Symbol],
     also: Mapping[sp.Symbol, sp.Expr] | None = None,
+    *,
+    within: Sequence[Condition] = (),
+    besides: Mapping[sp.Symbol, sp.Expr] | None = None,
 ) -> tuple[Solution, ...]:
     """The solutions of y = equations[y] for `unknowns`, as functions of the y and whatever else occurs.
 
     **Arguments:** besides the equations, what else is wanted at the solutions, `also`: functions of the same variables,
-    each under a name of its own.
+    each under a name of its own; `within`, the conditions of a domain to which the solutions are restricted; `besides`,
+    further variables of which these may speak, as functions of the others.
 
-    **Returns:** the branches that are right at some sample point: smooth ones before those with absolute values, and
-    rare ones last; empty when sympy finds none. With arbitrary functions in the equations no branch can be sampled
-    and all are kept.
+    **Returns:** the branches that are right at some sample point: within a stated domain those first that are right at
+    all of them, smooth ones before those with absolute values, and rare ones last; empty when sympy finds none. With
+    arbitrary functions in the equations no branch can be sampled and all are kept.
     """
     wanted = dict(also or {})
     everything = (*unknowns, *wanted)
@@ -45,20 +48,44 @@ def branches(
     for solution in _solve(system, everything):
         readable = {x: tidy(_readable(solution[x])) for x in everything}
         plus, *others = _smooth(readable)
-        for form in (plus, readable, *others):
+        for form in (plus, readable, *others, _with_other_roots(readable)):
             if form not in found:
                 found.append(form)
         if len(found) >= _LARGEST:
             break
-    points = list(_samples(equations, unknowns, wanted))
+    points = list(sample_points(equations, unknowns, {**wanted, **(besides or {})}, within))
+    if within and not points:  # too thin to be met by chance
+        points = list(sample_points(equations, unknowns, wanted))
     if not points:
         return tuple(found)
-    right = [sum(_agrees(solution, point) for point in points) for solution in found]
+    right = [sum(map(_right_at(solution), points)) for solution in found]
     kinks = [any(value.has(sp.Abs, sp.sign) for value in solution.values()) for solution in found]
     rare = [2 * count < max(right) for count in right]
     minus = [sum(map(_minus_signs, solution.values())) for solution in found]
-    order = sorted((k for k in range(len(found)) if right[k]), key=lambda k: (kinks[k], rare[k], minus[k]))
+    partial = [bool(within) and count < len(points) for count in right]
+    order = sorted((k for k in range(len(found)) if right[k]), key=lambda k: (partial[k], kinks[k], rare[k], minus[k]))
     return tuple(found[k] for k in order)
+
+
+def _right_at(solution: Solution) -> Callable[[Solution], bool]:
+    """Whether a solution is right at a point: it is defined there, as claims have it, and gives the unknowns."""
+    try:
+        conditions = unique(*(formula.conditions for formula in as_formulas(solution.values())))
+    except InputError:  # a function that isn't in the language, which whoever wants the formulas will be told
+        conditions = ()
+    return lambda point: agrees(solution, point) and all(holds(condition, point) for condition in conditions)
+
+
+def _with_other_roots(solution: Solution) -> Solution:
+    """The same with odd roots of negative numbers, which are negative: x^(1/3) as -(-x)^(1/3)."""
+
+    def is_odd_root(part: sp.Expr) -> bool:
+        return isinstance(part, sp.Pow) and part.exp.is_Rational and part.exp.q > 1 and part.exp.q % 2 == 1
+
+    return {
+        x: value.replace(is_odd_root, lambda part: (-1) ** part.exp.p * (-part.base) ** part.exp)
+        for x, value in solution.items()
+    }
 
 
 def _minus_signs(expression: sp.Expr) -> int:
@@ -241,52 +268,3 @@ def _smooth(solution: Solution) -> Iterator[Solution]:
             return chosen.get(sp.Abs(inner), 1) * inner
 
         yield {x: tidy(value.replace(sp.Abs, side)) for x, value in solution.items()}
-
-
-def _samples(
-    equations: Mapping[sp.Symbol, sp.Expr], unknowns: Sequence[sp.Symbol], also: Mapping[sp.Symbol, sp.Expr]
-) -> Iterator[Solution]:
-    """Points at which all equations hold, found by choosing everything but their left sides."""
-    values = [*equations.values(), *also.values()]
-    occurring: set[Any] = {*unknowns, *(symbol for value in values for symbol in value.free_symbols)}
-    if any(value.atoms(AppliedUndef) for value in values):
-        return
-    random, count = Random(0), 0
-    for attempt in range(8 * _SAMPLES):
-        size = (1, 3)[attempt % 2]
-        point = {symbol: _choice(symbol, random, size) for symbol in sorted(occurring - {*equations}, key=str)}
-        for given in (equations, also):
-            point |= {name: replaced(value, point).evalf(_DIGITS) for name, value in given.items()}
-        if all(_suits(name, point[name]) for name in (*equations, *also)):
-            yield point
-            count += 1
-            if count == _SAMPLES:
-                return
-
-
-def _choice(symbol: sp.Symbol, random: Random, size: int) -> sp.Expr:
-    if symbol.is_integer:
-        return sp.Integer(random.randint(1, 4) * (-1 if symbol.is_negative else 1))
-    value = sp.Rational(random.randint(20, 1000), 1000) * size
-    if symbol.is_negative:
-        return -value
-    return value if symbol.is_nonnegative or random.random() < 0.5 else -value
-
-
-def _suits(symbol: sp.Symbol, value: sp.Expr) -> bool:
-    """Whether a sampled value is finite and what is assumed of its name."""
-    if not value.is_number or value.has(sp.zoo, sp.nan, sp.oo):
-        return False
-    if symbol.is_real and not value.is_real:
-        return False
-    if symbol.is_nonnegative and not value.is_nonnegative:
-        return False
-    return not (symbol.is_nonpositive and not value.is_nonpositive)
-
-
-def _agrees(solution: Solution, point: Solution) -> bool:
-    for unknown, formula in solution.items():
-        value = (replaced(formula, point) - point[unknown]).evalf(_DIGITS)
-        if not value.is_number or value.has(sp.nan, sp.zoo) or abs(complex(value)) > 1e-9:
-            return False
-    return True

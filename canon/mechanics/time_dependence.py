@@ -1,13 +1,17 @@
 """What a time-dependent transformation adds to the Hamiltonian: K = scale H + R."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
+from canon.mechanics.explicit import explicit_branches
 from canon.mechanics.formulas import Expression, as_expression, as_formula, replaced
 from canon.mechanics.one_form import Potential, potential, tidy
 from canon.mechanics.poisson import standard_j
+from canon.mechanics.solution_points import real_value, sample_points
 from canon.mechanics.transformation import Transformation
 
 
@@ -33,11 +37,64 @@ def hamiltonian_shift(transformation: Transformation) -> Potential | None:
 def transformed_hamiltonian(transformation: Transformation, H: Expression, scale: Expression = 1) -> sp.Expr:
     """K in the new variables: scale H + R with the old variables eliminated, up to a function of time.
 
-    For the map of a generating function R is dF/dt. The explicit formulas that this needs are solved for.
+    For the map of a generating function R is dF/dt. The explicit formulas that this needs are solved for; of several
+    solutions one is taken with which K is right at all sample points of the domain at which it is defined.
 
-    **Raises:** `InputError` when the formulas or R cannot be found.
+    **Raises:** `InputError` when the formulas or R cannot be found, or no solution will do throughout the domain.
     """
-    back = transformation.backward()
+    if transformation.direction == "backward":
+        return _with_old_eliminated(transformation, transformation, H, scale)
+    found = explicit_branches(transformation, "backward")
+    if not found:
+        transformation.backward()  # raises with what isn't found
+    points, asked = list(_points(transformation)), (as_expression(H), as_expression(scale))
+    for back in found:
+        K = _with_old_eliminated(transformation, back, H, scale)
+        if all(_is_new_hamiltonian(transformation, *asked, K, point) for point in points):
+            return K
+    raise InputError(
+        "H is not one function of the new variables throughout the domain: the old ones are "
+        f"{' or '.join(str(back) for back in found)}; restrict the domain to where one of these holds, as by "
+        "space.where('q > 0'), or choose one by .backward(branch)",
+        "transformation",
+    )
+
+
+def _points(transformation: Transformation) -> Iterator[dict[Any, Any]]:
+    """Sample points of the domain, with the values of the old and the new variables."""
+    F, space = transformation.generating_function, transformation.space
+    implicit = transformation.direction == "implicit" and F is not None
+    given = F.conjugates() if implicit else {x: formula.expr for x, formula in transformation.mapping.items()}
+    return sample_points(given, F.mixed if implicit else space.old, {}, space.domain.conditions)
+
+
+def _is_new_hamiltonian(
+    transformation: Transformation, H: sp.Expr, scale: sp.Expr, K: sp.Expr, point: Mapping[Any, Any]
+) -> bool:
+    """Whether K is what it has to be at a point, or has no value there; of a forward map its gradient is looked at."""
+    at = dict(point)
+    others: set[Any] = (K.free_symbols | H.free_symbols | scale.free_symbols) - {*at}
+    at |= {name: sp.Rational(-5 if name.is_negative else 5, 1 if name.is_integer else 7) for name in others}
+    if K.atoms(AppliedUndef) or H.atoms(AppliedUndef) or real_value(K, at) is None:
+        return True
+    F = transformation.generating_function
+    if transformation.direction == "implicit" and F is not None:
+        return _agree(real_value(K, at), real_value(scale * H + F.time_derivative(), at))
+    space, M, shift = transformation.space, transformation.jacobian(), shift_gradient(transformation)
+    slopes = sp.Matrix([[K.diff(x) for x in space.new]])
+    wanted = [scale * H.diff(x) + part for x, part in zip(space.old, shift, strict=True)]
+    found: Any = slopes * M
+    return all(_agree(real_value(a, at), real_value(b, at)) for a, b in zip(found, wanted, strict=True))
+
+
+def _agree(one: float | None, other: float | None) -> bool:
+    return one is None or other is None or abs(one - other) <= 1e-9 * (1 + abs(one) + abs(other))
+
+
+def _with_old_eliminated(
+    transformation: Transformation, back: Transformation, H: Expression, scale: Expression
+) -> sp.Expr:
+    """scale H + R in the new variables, where the old ones are what a backward map says."""
     images = {target: formula.expr for target, formula in back.mapping.items()}
     value = as_expression(scale) * replaced(as_expression(H), images)
     F = transformation.generating_function

@@ -204,7 +204,7 @@ class Transformation:
     def transformed(self, H: Expression, scale: Expression = 1) -> sp.Expr:
         """K in the new variables, up to a function of time: H with the old ones eliminated, and what time adds.
 
-        **Raises:** `InputError` when explicit formulas or an integral are not found.
+        **Raises:** `InputError` when explicit formulas or an integral are not found, or not right on all the domain.
         """
         from canon.mechanics.time_dependence import transformed_hamiltonian
 

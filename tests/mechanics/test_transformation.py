@@ -230,3 +230,41 @@ def test_a_map_of_which_one_half_moves_with_time_adds_to_the_hamiltonian(vanishe
         assert vanishes((shift.function - added).diff(z) for z in (x, y))
     assert moved.transformed(y**2 / 2) == P**2
     assert hamiltonian_shift(Transformation(space, Q=y, P=-x)).function == 0
+
+
+PLANE = PhaseSpace("q", "p", new=("Q", "P"))
+
+
+SQUARE = ("q**2", "p/(2*q)")
+
+
+@pytest.mark.parametrize(
+    ("region", "new", "old"),
+    [
+        ("q < 0", SQUARE, ("-sqrt(Q)", "-2*P*sqrt(Q)")),
+        ("q > 0", SQUARE, ("sqrt(Q)", "2*P*sqrt(Q)")),
+        ("-1.001 < q < -1", SQUARE, ("-sqrt(Q)", "-2*P*sqrt(Q)")),
+        ("q < 1", ("(q - 1)**2", "p/(2*(q - 1))"), ("1 - sqrt(Q)", "-2*P*sqrt(Q)")),
+        ("q < 0", ("q**3", "p/(3*q**2)"), ("-(-Q)**(1/3)", "3*P*(-Q)**(2/3)")),
+        ("q < 0", ("cosh(q)", "p/sinh(q)"), None),
+    ],
+)
+def test_the_domain_chooses_the_branch(region: str, new: tuple[str, str], old: tuple[str, str] | None) -> None:
+    space = PLANE.where(region)
+    forward = Transformation(space, Q=space.formula(new[0]), P=space.formula(new[1]))
+    back = forward.backward()
+    if old is not None:
+        wanted = [space.formula(text).expr for text in old]
+        assert [sp.simplify(a - b) for a, b in zip(back.expressions, wanted, strict=True)] == [0, 0]
+    q, p, Q, P = map(space.symbol, "qpQP")
+    at = {q: -sp.Rational(2001, 2000) if "q >" not in region else sp.Rational(1, 3), p: sp.Rational(3, 7)}
+    image = dict(zip((Q, P), (value.subs(at) for value in forward.expressions), strict=True))
+    assert abs(complex((forward.transformed(q**3 + p).subs(image) - (q**3 + p).subs(at)).evalf())) < 1e-12
+
+
+def test_without_a_domain_that_chooses_there_is_no_one_new_hamiltonian() -> None:
+    q, p, Q, P = map(PLANE.symbol, "qpQP")
+    square = Transformation(PLANE, Q=q**2, P=p / (2 * q))
+    assert sp.simplify(square.transformed(q**2 + q * p) - Q - 2 * P * Q) == 0
+    with pytest.raises(InputError, match="H is not one function of the new variables throughout the domain"):
+        square.transformed(q**3)

@@ -150,20 +150,29 @@ class Second:
         values = at_random(self.s)
         even = all(is_identity(values, f.sub(R[i][j], R[j][i])) for i, j in combinations(range(n), 2))
         S = [[f.sub(Q[i][j], f.slope(R[i][j], t)) for j in range(n)] for i in range(n)]
-        if even and self._is_definite(S, strict=False):
-            claim.unread -= {"field", "conjugate"}
-            return {word}, []
         if "field" not in claim:
+            return ({word}, []) if even and self._is_definite(S, strict=False) else (set(), [])
+        fields, zeros, turned = self._fields(P, R, Q)
+        if even and "conjugate" not in claim and self._is_definite(S, strict=False):
+            return ({word}, [*zeros, *turned]) if fields else (set(), [])
+        if not fields:
             return set(), []
-        rows = claim["field"]
-        rows = [[rows]] if isinstance(rows, str) else [[row] if isinstance(row, str) else row for row in rows]
-        fields = [[f.read(x, self.s.names) for x in row] for row in rows]
-        if any(len(u) != n for u in fields):
+        if "conjugate" in claim:
+            return ({"neither"}, [*zeros, *self._two_zeros(fields)]) if len(fields) == 1 else (set(), [])
+        frame = self.s.determinant(fields) if len(fields) == n else ZERO
+        return ({word}, [*zeros, *turned]) if self._vanishes_nowhere(frame) else (set(), [])
+
+    def _fields(self, P: Matrix, R: Matrix, Q: Matrix) -> tuple[list[list[int]], list[int], list[int]]:
+        """The claim's fields (none if not seen smooth), what is 0 if they solve Jacobi's equations, if conjoined."""
+        f, t, claim = self.f, self.t, self.s.claim
+        rows = [claim["field"]] if isinstance(claim["field"], str) else claim["field"]
+        fields = [[f.read(x, self.s.names) for x in ([row] if isinstance(row, str) else row)] for row in rows]
+        if any(len(u) != len(P) for u in fields):
             raise Unreadable("a field has a component for each coordinate")
         for x in (x for u in fields for x in u):
             self.s.without(x, {*self.s.q, *self.s.p, *claim["velocities"]})
         if not self._is_smooth(*(x for u in fields for x in u)):  # |sin t| solves what sin t does, but at its zeros
-            return set(), []
+            return [], [], []
         momenta, zeros = list[list[int]](), list[int]()
         for u in fields:
             slopes = [f.slope(x, t) for x in u]
@@ -171,12 +180,9 @@ class Second:
             momenta.append([f.add(self._dot(p, slopes), self._dot(r, u)) for p, r in zip(P, columns, strict=True)])
             push = [f.add(self._dot(r, slopes), self._dot(q, u)) for r, q in zip(R, Q, strict=True)]
             zeros += [f.sub(f.slope(m, t), x) for m, x in zip(momenta[-1], push, strict=True)]
-        if "conjugate" in claim:
-            return ({"neither"}, [*zeros, *self._two_zeros(fields)]) if len(fields) == 1 else (set(), [])
         pairs = combinations(range(len(fields)), 2)
-        zeros += [f.sub(self._dot(fields[i], momenta[j]), self._dot(fields[j], momenta[i])) for i, j in pairs]
-        frame = self.s.determinant(fields) if len(fields) == n else ZERO
-        return ({word}, zeros) if self._vanishes_nowhere(frame) else (set(), [])
+        turned = [f.sub(self._dot(fields[i], momenta[j]), self._dot(fields[j], momenta[i])) for i, j in pairs]
+        return fields, zeros, turned
 
     def _two_zeros(self, fields: Sequence[Sequence[int]]) -> list[int]:
         """The field at two times between the ends, where it has a slope. Raises Unknown where that isn't seen."""

@@ -28,6 +28,7 @@ from canon.claims.action_region import (
     oriented,
 )
 from canon.claims.chart import chart_of
+from canon.claims.idle_keys import none_idle
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.own_names import is_free_of
 from canon.claims.show import is_steep
@@ -252,6 +253,8 @@ def branch_of(question: Question, setting: Setting) -> str:
         raise InputError("H is periodic in the coordinate: say whether the branch is 'libration' or 'rotation'")
     if branch is None and not setting.motion.square.has(setting.q):
         raise InputError(f"H doesn't depend on {setting.q}: there is a rotation only, with a 'period'", "key 'branch'")
+    if branch == "rotation":
+        none_idle(question, "a libration", "well")
     return branch or "libration"
 
 

@@ -11,6 +11,7 @@ import sympy as sp
 from canon.claims.along_a_range import Range, Unproved, holds, is_positive, range_of
 from canon.claims.average_orbit import over_orbits
 from canon.claims.eternal import goes_on_for_ever, leaves_by, some_motion_lasts
+from canon.claims.idle_keys import none_idle
 from canon.claims.integral import integral_is
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
@@ -23,6 +24,13 @@ from canon.mechanics.formulas import as_formula, replaced
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
+
+OWN = {
+    "virial": ("bound",),
+    "motion": ("parameter", "from", "to", "antiderivative"),
+    "coordinate": ("energy", "branch", "well", "fixed"),
+}
+"""The keys of each of the ways in which an average is stated."""
 
 RATE = "the long-time average of the rate of something bounded is 0"
 
@@ -43,6 +51,9 @@ def average(question: Question) -> Outcome:
             "give either 'virial' with its 'bound', or a 'motion' in a 'parameter', 'from' and 'to', or a 'coordinate' "
             "with the name of its 'energy'"
         )
+    for way, words in OWN.items():
+        if way != given[0]:
+            none_idle(question, repr(way), *words)
     return ways[given[0]](question)
 
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from canon.claims.chart import chart_of
 from canon.claims.determinant import determinant
 from canon.claims.determined import determined
+from canon.claims.idle_keys import none_idle
 from canon.claims.independence import full_rank
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.show import with_value
@@ -50,6 +51,8 @@ def constraint(question: Question) -> Outcome:
     written = [word for word in ("forms", "functions") if question.key(word) is not None]
     if len(written) != 1:
         raise InputError("give either 'forms', linear in the velocities, or 'functions' of the coordinates and time")
+    if question.key("multipliers") is None:
+        none_idle(question, "'multipliers'", "qddot", "forces", *(["L"] if question.key("determined") is None else []))
     given = question.formulas(written[0])
     jets = motion(question)
     region = region_in_velocities(question, *given, *_others(question))

@@ -62,23 +62,39 @@ def classified_by_fields(
 
     **Raises:** `Unproved`; `InputError` where a field solves another equation, or the fields aren't conjoined.
     """
-    n, listed = len(second.P), [f"({', '.join(map(str, row))})" if len(row) > 1 else str(row[0]) for row in fields]
-    solved = [_solution(question, span, second, row, said) for row, said in zip(fields, listed, strict=True)]
+    n, listed = len(second.P), [_said(row) for row in fields]
+    solved = as_claimed(question, span, second, fields)
     conjugate = question.key("conjugate")
     if conjugate is not None:
-        if len(solved) > 1:
-            raise InputError("the zeros are those of one field", "key 'field'")
-        _two_zeros(question, span, solved[0], conjugate)
         zeros = [str(c) for c in conjugate]
         return False, {"theorem": "Jacobi: a field with two zeros inside", "field": listed[0], "at": zeros}
     if len(solved) != n:
         raise InputError(f"{n} fields are expected, one for each coordinate, or one with `conjugate`", "key 'field'")
-    _conjoined(question, span, solved)
     if _independent(question, span, determinant(question.tape, [field.u for field in solved])):
         said = "a field without a zero inside" if n == 1 else "conjoined fields, independent all along"
         return True, {"theorem": f"Jacobi: {said}", "field": "; ".join(listed)}
     what = "the field isn't shown to have no zero inside" if n == 1 else "the fields aren't shown to be independent"
     raise Unproved(f"{what}: where one has two zeros, name them under `conjugate`")
+
+
+def _said(row: Sequence[Formula]) -> str:
+    return f"({', '.join(map(str, row))})" if len(row) > 1 else str(row[0])
+
+
+def as_claimed(question: Question, span: Range, second: Accessory, fields: Fields) -> list[_Field]:
+    """The fields, shown to solve Jacobi's equations, and to be conjoined or to have the zeros that are named.
+
+    **Raises:** `Unproved`; `InputError` where a field solves another equation, or the fields aren't conjoined.
+    """
+    solved = [_solution(question, span, second, row, _said(row)) for row in fields]
+    conjugate = question.key("conjugate")
+    if conjugate is None:
+        _conjoined(question, span, solved)
+        return solved
+    if len(solved) > 1:
+        raise InputError("the zeros are those of one field", "key 'field'")
+    _two_zeros(question, span, solved[0], conjugate)
+    return solved
 
 
 def _solution(question: Question, span: Range, second: Accessory, row: Sequence[Formula], said: str) -> _Field:

@@ -23,7 +23,8 @@ from canon.claims.along_a_range import (
     stays_in_domain,
 )
 from canon.claims.determinant import determinant
-from canon.claims.jacobi_fields import Accessory, Fields, classified_by_fields
+from canon.claims.idle_keys import none_idle
+from canon.claims.jacobi_fields import Accessory, Fields, as_claimed, classified_by_fields
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.velocities import Motion, motion, velocity_names
 from canon.decide.answer import Witness
@@ -57,6 +58,10 @@ def stationary(question: Question) -> Outcome:
     word = question.key("extremum")
     if word is not None and word not in WORDS:
         raise InputError(f"one of {', '.join(WORDS)} is expected, not {word!r}", "key 'extremum'")
+    if word is None:
+        none_idle(question, "an 'extremum'", "field", "conjugate")
+    if question.key("field") is None:
+        none_idle(question, "a 'field'", "conjugate")
     L, path = question.formula("L"), question.formulas("path", question.space.n)
     fields, jets = question.key("field"), motion(question)
     _are_of_time(question, path)
@@ -196,15 +201,18 @@ def _classified(
         if not _definite(question, P, span, strict=True):
             continue
         legendre = {"theorem": "Legendre's condition", "positive": question.show(P[0][0])}
+        R, Q = ([[tape.scaled(x, sign) for x in row] for row in matrix] for matrix in (second.R, second.Q))
+        accessory = Accessory(P, R, Q)
         if _symmetric(question, second.R, span) and _definite(question, S, span, strict=False):
+            if fields is not None:
+                as_claimed(question, span, accessory, fields)
             return word, (
                 legendre,
                 {"theorem": "the second variation is a sum of squares", "S": question.show(S[0][0])},
             )
         if fields is None:
             raise Unproved("S has no sign that is known along the path: give solutions `field` of Jacobi's equation")
-        R, Q = ([[tape.scaled(x, sign) for x in row] for row in matrix] for matrix in (second.R, second.Q))
-        definite, step = classified_by_fields(question, span, Accessory(P, R, Q), fields)
+        definite, step = classified_by_fields(question, span, accessory, fields)
         return word if definite else "neither", (legendre, step)
     raise Unproved("∂²L/∂v² isn't shown to be definite along the path")
 

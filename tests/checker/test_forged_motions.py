@@ -56,7 +56,7 @@ def test_what_is_true_of_them_is_confirmed() -> None:
     assert status(complete("sqrt(2*E)", "E")) == "confirmed"
 
 
-def least(path: str = "sin(t)", L: str = "v**2/2 - q**2/2", to: str = "6", start: str = "0", **keys: str) -> Any:
+def least(path: str = "sin(t)", L: str = "v**2/2 - q**2/2", to: str = "6", start: str = "0", **keys: Any) -> Any:
     """A path that is to be a minimum; the residuals are left to the rules."""
     domain = {"domain": {"where": [keys.pop("where")]}} if "where" in keys else {}
     claim = {"kind": "stationary", "L": L, "velocities": ["v"], "path": [path], "from": start, "to": to}
@@ -91,6 +91,16 @@ def test_no_minimum_that_is_none(name: str) -> None:
     assert status(MINIMA[name]) != "confirmed", name
 
 
+@pytest.mark.parametrize("cases", [1, 2])
+@pytest.mark.parametrize(
+    "more",
+    [{"field": "sin(7*t)"}, {"field": "sinh(t - 1)", "conjugate": ["1", "2"]}, {"conjugate": ["1", "2"]}],
+)
+def test_no_field_that_is_none_beside_a_sum_of_squares(more: dict[str, Any], cases: int) -> None:
+    claim = {"kind": "stationary", "L": "(v**2 + q**2)/2", "velocities": ["v"], "path": ["sinh(t)"]}
+    assert status(of({**claim, "from": "0", "to": "6", "extremum": "minimum", **more}, cases)) != "confirmed"
+
+
 @pytest.mark.parametrize("name", sorted(CENTRED))
 def test_no_normal_form_that_is_none(name: str) -> None:
     N, H, domain = CENTRED[name]
@@ -106,6 +116,7 @@ def test_no_refutation_of_a_normal_form_without_a_quadratic_part() -> None:
 def test_minima_and_normal_forms_are_confirmed() -> None:
     """The same rules, where they hold: up to half a period, with a time that begins at 0."""
     assert status(least(to="3", field="sin(t)")) == "confirmed"
+    assert status(least("sinh(t)", "(v**2 + q**2)/2", field="cosh(t)")) == "confirmed"
     assert status(least("t", "v**2/2", time="positive")) == "confirmed"
     claim = {"kind": "normal_form", "order": 4, "N": {"4": "3/8*(q**2 + p**2)**2"}}
     assert status(of(claim, 0, hamiltonian=QUARTIC)) == "confirmed"

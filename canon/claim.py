@@ -41,19 +41,33 @@ class Claim:
             raise InputError(f"expect is one of {', '.join(EXPECTATIONS)}, not {self.expect!r}")
         if not isinstance(self.kind, str) or not isinstance(self.keys, Mapping):
             raise InputError(f"a claim has a kind and a table of keys, not {self.kind!r} and {self.keys!r}")
-        object.__setattr__(self, "keys", MappingProxyType(dict(self.keys)))
+        object.__setattr__(self, "keys", _frozen(self.keys))
 
     def __repr__(self) -> str:
         keys = "".join(f", {name}={value!r}" for name, value in self.keys.items())
         return f"Claim({self.kind!r} about {getattr(self.subject, 'map', None) or self.subject!r}{keys})"
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "keys": dict(self.keys)}
+        return {**self.__dict__, "keys": _thawed(self.keys)}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         for name, value in state.items():
-            object.__setattr__(self, name, MappingProxyType(value) if name == "keys" else value)
+            object.__setattr__(self, name, _frozen(value) if name == "keys" else value)
 
     def is_met_by(self, status: str) -> bool:
         """Whether a verdict of this status is what the claim's author expects."""
         return status in _MET.get(self.expect, (self.expect,))
+
+
+def _frozen(value: Any) -> Any:
+    """The same value, whose tables and lists nobody can change."""
+    if isinstance(value, Mapping):
+        return MappingProxyType({name: _frozen(item) for name, item in value.items()})
+    return tuple(map(_frozen, value)) if isinstance(value, (list, tuple)) else value
+
+
+def _thawed(value: Any) -> Any:
+    """The same value with tables that can be pickled."""
+    if isinstance(value, Mapping):
+        return {name: _thawed(item) for name, item in value.items()}
+    return tuple(map(_thawed, value)) if isinstance(value, tuple) else value

@@ -6,7 +6,7 @@ Each **raises** an `InputError` that names the argument, says what was given, an
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from numbers import Integral, Real
 from typing import Any, Final
 
@@ -41,9 +41,12 @@ def instance_of(value: Any, kind: type, where: str) -> None:
 
 def listed(value: Any, what: str, where: str) -> tuple[Any, ...]:
     """A list of `what`, as a tuple; a text, a table and a set, which has no order, are none."""
-    if isinstance(value, (str, bytes, Mapping, set, frozenset)) or not isinstance(value, Iterable):
-        raise InputError(f"a list of {what} is expected, not {shown(value)}", where)
-    return tuple(value)
+    try:
+        if not isinstance(value, (str, bytes, Mapping, set, frozenset)):
+            return tuple(value)  # matrices of sympy's, too, which have no __iter__
+    except TypeError:
+        pass
+    raise InputError(f"a list of {what} is expected, not {shown(value)}", where)
 
 
 def table(value: Any, what: str, where: str) -> None:
@@ -71,3 +74,25 @@ def function(value: Any, what: str, where: str) -> None:
     """A function, to be called."""
     if not callable(value):
         raise InputError(f"{what} is a function, not {shown(value)}", where)
+
+
+def formula_of(value: Any, where: str) -> Any:
+    """The formula of sympy's that a value stands for: an expression, or a number."""
+    import sympy as sp
+
+    try:
+        found = sp.sympify(value, strict=True)
+    except (sp.SympifyError, TypeError, ValueError):
+        found = None
+    if not isinstance(found, sp.Expr):
+        raise InputError(f"a formula of sympy's is expected, not {shown(value)}", where)
+    return found
+
+
+def numbers(value: Any, where: str) -> list[float]:
+    """A list of numbers, as floats."""
+    found = listed(value, "numbers", where)
+    try:
+        return [float(x) for x in found]
+    except (TypeError, ValueError) as reason:
+        raise InputError(f"a list of numbers is expected, not {shown(value)}", where) from reason

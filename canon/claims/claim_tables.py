@@ -16,6 +16,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.str import StrPrinter
 
 from canon.claim import Claim
+from canon.claims.keys import KEYS, WRITTEN
 from canon.claims.lost_conditions import lost_condition
 from canon.claims.reader import read_tables
 from canon.domain import Condition
@@ -88,7 +89,9 @@ def _as_written(formula: Formula) -> str:
 def _as_read(claim: Claim, text: Writer) -> Data:
     """The tables with formulas in this text; **raises** `InputError` unless they are read as this very claim."""
     kept = {"kind": claim.kind, "title": claim.title, "source": claim.source}
-    keys = {name: _plain(value, text) for name, value in claim.keys.items() if value is not None}
+    keys = {WRITTEN.get(name, name): _plain(value, text) for name, value in claim.keys.items() if value is not None}
+    if "brackets" in claim.keys and claim.kind in KEYS and "structure" in KEYS[claim.kind].keys:
+        keys["structure"] = {pair: _combination(row) for pair, row in keys["structure"].items()}
     tables = {**_sections(claim.subject, text), "claim": {**{k: v for k, v in kept.items() if v}, **keys}}
     reading = read_tables({**tables, "claim": [tables["claim"]]})
     for problem in reading.problems:
@@ -165,6 +168,11 @@ def _plain(value: Any, text: Writer) -> Any:
     if isinstance(value, (sp.Basic, Fraction)):
         return text_of(value) if isinstance(value, sp.Basic) else str(value)
     raise InputError(f"a value of type {type(value).__name__} can't be written into a claim file")
+
+
+def _combination(row: Mapping[str, str]) -> str:
+    """A linear combination of names, of which the texts of the coefficients are given, as one text."""
+    return " + ".join(f"({coefficient})*{name}" for name, coefficient in row.items()) or "0"
 
 
 def _formulas(value: Any) -> Any:

@@ -25,10 +25,11 @@ from canon.decide.tape import Node
 from canon.display import text_in_html
 from canon.domain import Domain
 from canon.errors import BudgetExceeded, InputError
+from canon.expected import instance_of, listed, table
 from canon.expression import Formula
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.stated_names import as_declared
 from canon.mechanics.subject import Subject
 from canon.verdict import Status
@@ -89,6 +90,8 @@ def closure(
     **Raises:** `InputError` for functions that are linearly dependent, an energy without H, or something in `over` that
     doesn't commute with a function.
     """
+    check_space(space)
+    table(functions, "functions", "functions")
     if H is None and energy is not None:
         raise InputError("closure on surfaces of constant energy needs H too, not only its value")
     if not functions:
@@ -262,6 +265,9 @@ def closure_of_fields(
 
     By their momentum functions p·X, for which {p·X, p·Y} = −p·[X, Y]; the sign is turned back.
     """
+    table(fields, "vector fields", "fields")
+    for x in listed(coordinates, "symbols", "coordinates"):
+        instance_of(x, sp.Symbol, "coordinates")
     momenta = [f"p_{x.name}" for x in coordinates]
     space = PhaseSpace([x.name for x in coordinates], momenta)
     renamed = dict(zip(coordinates, space.q, strict=True))

@@ -19,6 +19,7 @@ from canon.decide.sample import Sample
 from canon.decide.search import Finder
 from canon.decide.tape import Unsupported
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.numeric.implicit import MixedSolution, solve_mixed
 from canon.numeric.map_shape import of_any_form
 from canon.numeric.mixed_variables import Types
@@ -58,6 +59,9 @@ class ImplicitMap:
     tolerated: float = DEEP
 
     def __post_init__(self) -> None:
+        from canon.mechanics.generating_function import GeneratingFunction
+
+        instance_of(self.generating, GeneratingFunction, "generating_function")
         space = self.generating.space
         known = {symbol.name for symbol in (*space.parameters, space.t)}
         for name in self.parameters:

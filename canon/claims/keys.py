@@ -62,6 +62,9 @@ TENSOR: Final[Mapping[str, Key]] = {
 }
 """The keys that put another Poisson bracket in place of the canonical one."""
 
+WRITTEN: Final[Mapping[str, str]] = {"brackets": "structure"}
+"""Keys that the reader of files makes of others: what is claimed of a basis, not the bracket that is used."""
+
 _EQUALS: Final[Mapping[str, Key]] = {
     "equals": Key("algebra", optional=True),
     "structure": Key("brackets", optional=True),

@@ -8,15 +8,13 @@ from typing import Any, Final
 
 from canon.budget import is_budget
 from canon.claim import Claim
-from canon.claims.keys import KEYS
+from canon.claims.keys import KEYS, WRITTEN
 from canon.decide.to_accuracy import LEAST
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.subject import Subject
 
 _LISTS: Final = ("expressions", "per pair")
-_READ: Final = {"brackets": "structure"}
-"""Keys that the reader of files makes of others."""
 
 
 def check_claim(claim: Claim) -> None:
@@ -30,11 +28,11 @@ def check_claim(claim: Claim) -> None:
         return
     known = KEYS[claim.kind].keys
     for name, value in claim.keys.items():
-        if _READ.get(name, name) not in known:
+        if WRITTEN.get(name, name) not in known:
             near = get_close_matches(str(name), known, 1)
             meant = f"did you mean {near[0]!r}?" if near else f"known are {', '.join(known) or 'none'}"
             raise InputError(f"a claim of kind {claim.kind!r} has no key {name!r}: {meant}")
-        form = known[_READ.get(name, name)].form
+        form = known[WRITTEN.get(name, name)].form
         stated = value if form in _LISTS and isinstance(value, Sequence) else (value,)
         if value is not None and form in ("expression", *_LISTS):
             _check_formulas(stated, name)

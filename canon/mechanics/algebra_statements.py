@@ -140,6 +140,7 @@ def _stated(names: tuple[str, ...], equals: str | None, structure: Structure | N
             if frozenset(words) in seen:
                 raise InputError(f"the bracket of {words[0]} and {words[1]} is stated twice", where)
             seen.add(frozenset(words))
-            combination = {name: as_formula(value, where) for name, value in row.items()}
+            stated = {name: as_formula(value, where) for name, value in row.items()}
+            combination = {name: value for name, value in stated.items() if value.expr != 0}
             keys["brackets"] |= {",".join(words): combination}  # type: ignore[operator]
     return keys

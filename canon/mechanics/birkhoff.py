@@ -12,10 +12,11 @@ from math import gcd
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import whole_number
 from canon.mechanics.formulas import Expression, as_expression
 from canon.mechanics.graded_algebra import GradedAlgebra, Polynomial
 from canon.mechanics.homological import split
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.taylor_polynomial import homogeneous_parts
 
 Parts = dict[int, Polynomial]
@@ -87,6 +88,8 @@ def birkhoff_gustavson(space: PhaseSpace, H: Expression, order: int) -> NormalFo
     **Raises:** `InputError` where the origin is no equilibrium, or H isn't analytic there; `ValueError` for
     coefficients outside of exact arithmetic; `NoNormalForm` where H₂ isn't semisimple.
     """
+    check_space(space)
+    whole_number(order, "order", 2)
     algebra, (parts,) = homogeneous_parts(as_expression(H), space.old, order)
     return normalised(algebra, equilibrium(algebra, parts), order)
 

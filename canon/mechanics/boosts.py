@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import listed
 from canon.mechanics.formulas import as_expression
 from canon.mechanics.vanishing import sign_at_a_point, vanishes
 
@@ -27,7 +28,7 @@ def boost(velocity: Vector, c: Any = 1) -> sp.ImmutableMatrix:
     light = as_expression(c, "c")
     if vanishes(light) or (light.is_number and sign_at_a_point(light) != 1):
         raise InputError("the speed of light is positive", "c")
-    beta = sp.Matrix([as_expression(v, "velocity") / light for v in velocity])
+    beta = sp.Matrix([as_expression(v, "velocity") / light for v in listed(velocity, "components", "velocity")])
     if beta.shape != (3, 1):
         raise InputError(f"three components are expected, not {beta.rows}", "velocity")
     if any(b.is_real is False for b in beta.flat()):

@@ -6,7 +6,7 @@ from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, substituted
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.stated_names import Names, as_declared
 from canon.mechanics.time_dependence import hamiltonian_shift
 from canon.mechanics.transformation import Transformation
@@ -14,6 +14,7 @@ from canon.mechanics.transformation import Transformation
 
 def identity_transformation(space: PhaseSpace) -> Transformation:
     """Q = q, P = p."""
+    check_space(space)
     return Transformation(space, Q=tuple(map(as_formula, space.q)), P=tuple(map(as_formula, space.p)))
 
 

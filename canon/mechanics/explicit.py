@@ -3,6 +3,7 @@
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import whole_number
 from canon.mechanics.solving import Solution, branches
 from canon.mechanics.transformation import Direction, Transformation
 
@@ -12,8 +13,7 @@ def explicit(transformation: Transformation, direction: Direction, branch: int =
 
     **Raises:** `InputError` when sympy finds no solution, or fewer branches.
     """
-    if not isinstance(branch, int):
-        raise InputError(f"a branch is a number, not {branch!r}")
+    whole_number(branch, "branch", 0)
     if transformation.direction == direction:
         return transformation
     found = explicit_branches(transformation, direction)

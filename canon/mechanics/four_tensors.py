@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import listed
 from canon.mechanics.boosts import boost
 from canon.mechanics.formulas import as_expression
 from canon.mechanics.vanishing import vanishes
@@ -126,7 +127,7 @@ class FourTensor:
 
 def four_vector(components: Vector) -> FourTensor:
     """The contravariant four-vector (a⁰, a¹, a², a³)."""
-    return FourTensor(list(components), "u")
+    return FourTensor(list(listed(components, "four components", "components")), "u")
 
 
 def four_velocity(velocity: Vector, c: Any = 1) -> FourTensor:
@@ -181,7 +182,7 @@ def doppler(velocity: Vector, direction: Vector, c: Any = 1) -> Any:
 
 
 def _three(vector: Vector, where: str) -> list[Any]:
-    found = [as_expression(entry, where) for entry in vector]
+    found = [as_expression(entry, where) for entry in listed(vector, "three components", where)]
     if len(found) != 3:
         raise InputError(f"three components are expected, not {len(found)}", where)
     return found

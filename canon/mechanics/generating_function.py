@@ -12,6 +12,7 @@ import sympy as sp
 from canon.claim import Claim
 from canon.display import latex
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols
 from canon.mechanics.phase_space import PhaseSpace, check_space
@@ -172,6 +173,7 @@ class GeneratingFunction:
 
     def generates(self, transformation: Transformation) -> Claim:
         """Claims that F generates this explicit transformation."""
+        instance_of(transformation, Transformation, "transformation")
         return transformation.generated_by(self)
 
     def subject(self) -> Subject:

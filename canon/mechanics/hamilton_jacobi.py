@@ -9,10 +9,11 @@ from canon.claim import Claim
 from canon.display import latex
 from canon.domain import Domain
 from canon.errors import InputError
+from canon.expected import listed
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols, replaced
 from canon.mechanics.generating_function import GeneratingFunction
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.stated_names import as_declared
 from canon.mechanics.subject import Subject
 from canon.mechanics.transformation import Transformation
@@ -45,7 +46,8 @@ class CompleteIntegral:
         constants: sp.Symbol | Sequence[sp.Symbol],
         energy: Expression | None = None,
     ) -> None:
-        alphas = (constants,) if isinstance(constants, sp.Symbol) else tuple(constants)
+        check_space(space)
+        alphas = (constants,) if isinstance(constants, sp.Symbol) else listed(constants, "symbols", "constants")
         values = {
             "space": space,
             "H": as_formula(H, "hamiltonian, H"),

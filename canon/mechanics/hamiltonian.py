@@ -12,7 +12,7 @@ from canon.expression import Formula
 from canon.mechanics import statements
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
 from canon.mechanics.one_form import Potential, exterior_derivative, potential
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.poisson import poisson_bracket
 
 
@@ -24,6 +24,7 @@ class Hamiltonian:
     H: Formula
 
     def __init__(self, space: PhaseSpace, H: Expression) -> None:
+        check_space(space)
         object.__setattr__(self, "space", space)
         object.__setattr__(self, "H", as_formula(H, "hamiltonian, H"))
         check_symbols([self.H], space.vocabulary, "hamiltonian, H")

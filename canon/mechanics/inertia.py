@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import listed
 from canon.mechanics.formulas import as_expression
 from canon.mechanics.vanishing import sign_at_a_point, vanishes
 
@@ -65,7 +66,10 @@ def point_masses(masses: Iterable[Any], places: Iterable[Vector]) -> RigidBody:
 
     **Raises:** `InputError` where their numbers differ, there are none, or the whole mass is 0.
     """
-    weights, points = [as_expression(m, "masses") for m in masses], [_vector(r, "places") for r in places]
+    weights, points = (
+        [as_expression(m, "masses") for m in listed(masses, "masses", "masses")],
+        [_vector(r, "places") for r in listed(places, "places", "places")],
+    )
     if not weights or len(weights) != len(points):
         raise InputError(f"{len(weights)} masses at {len(points)} places", "masses")
     return composite([RigidBody(m, r, sp.ImmutableMatrix.zeros(3, 3)) for m, r in zip(weights, points, strict=True)])
@@ -95,10 +99,11 @@ def polyhedron(vertices: Iterable[Vector], faces: Iterable[Sequence[int]], densi
     **Raises:** `InputError` for a face with fewer than three corners or with one that there isn't, and for faces that
     don't close or are seen from inside (every edge must be run through once in each sense).
     """
-    corners, listed = [_vector(v, "vertices") for v in vertices], [tuple(f) for f in faces]
-    _check_faces(listed, len(corners))
+    corners = [_vector(v, "vertices") for v in listed(vertices, "vertices", "vertices")]
+    sides = [listed(face, "numbers of corners", "faces") for face in listed(faces, "faces", "faces")]
+    _check_faces(sides, len(corners))
     volume, first, second = sp.Integer(0), sp.zeros(3, 1), sp.zeros(3, 3)
-    for face in listed:
+    for face in sides:
         a = corners[face[0]]
         for i, j in pairwise(face[1:]):
             b, c = corners[i], corners[j]
@@ -139,7 +144,7 @@ def _spread(d: Any) -> Any:
 
 
 def _vector(value: Any, where: str) -> sp.ImmutableMatrix:
-    entries = [as_expression(x, where) for x in value]
+    entries = [as_expression(x, where) for x in listed(value, "three components", where)]
     if len(entries) != 3:
         raise InputError(f"three components are expected, not {len(entries)}", where)
     return sp.ImmutableMatrix(entries)
@@ -147,7 +152,8 @@ def _vector(value: Any, where: str) -> sp.ImmutableMatrix:
 
 def _square(value: Any, where: str) -> sp.ImmutableMatrix | None:
     """Three rows of three exact entries; None for another shape."""
-    rows = value.tolist() if isinstance(value, sp.MatrixBase) else [list(row) for row in value]
+    rows = value.tolist() if isinstance(value, sp.MatrixBase) else listed(value, "rows", where)
+    rows = [listed(row, "entries", where) for row in rows]
     if len(rows) != 3 or any(len(row) != 3 for row in rows):
         return None
     return sp.ImmutableMatrix([[as_expression(entry, where) for entry in row] for row in rows])

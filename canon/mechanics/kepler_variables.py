@@ -9,7 +9,7 @@ import sympy as sp
 
 from canon.errors import InputError
 from canon.mechanics.formulas import Expression, as_formula
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.transformation import Transformation
 
 
@@ -25,6 +25,7 @@ def delaunay_variables(space: PhaseSpace, k: Expression = 1, m: Expression = 1) 
 
     **Raises:** `InputError` for another number of degrees of freedom.
     """
+    check_space(space)
     if space.n not in (2, 3) or len(space.Q) != space.n:
         raise InputError("Delaunay's variables are those of two or three degrees of freedom", "space")
     strength: Any = as_formula(k).expr
@@ -59,6 +60,7 @@ def poincare_variables(space: PhaseSpace) -> Transformation:
 
     **Raises:** `InputError` for another number of degrees of freedom.
     """
+    check_space(space)
     if space.n not in (2, 3) or len(space.Q) != space.n:
         raise InputError("Poincaré's variables are those of two or three degrees of freedom", "space")
     angles, actions = space.q, space.p

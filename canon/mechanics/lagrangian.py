@@ -2,18 +2,20 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
 from canon.claim import Claim
 from canon.display import latex
 from canon.errors import InputError
+from canon.expected import instance_of, listed, whole_number
 from canon.expression import Formula
 from canon.mechanics import statements
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols, replaced
 from canon.mechanics.hamiltonian import Hamiltonian
 from canon.mechanics.one_form import tidy
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.solving import branches
 
 
@@ -29,9 +31,8 @@ class Lagrangian:
     velocities: tuple[sp.Symbol, ...]
 
     def __init__(self, space: PhaseSpace, L: Expression, velocities: sp.Symbol | Sequence[sp.Symbol]) -> None:
-        names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
-        if len(names) != space.n:
-            raise InputError(f"{len(names)} velocities for {space.n} coordinates", "velocities")
+        check_space(space)
+        names = _velocities(space, velocities)
         L = as_formula(L, "L")
         check_symbols([L], space.vocabulary, "L")
         object.__setattr__(self, "space", space)
@@ -62,6 +63,7 @@ class Lagrangian:
 
         **Raises:** `InputError` when no solution is found, as for a singular Lagrangian.
         """
+        whole_number(branch, "branch", 0)
         equations = dict(zip(self.space.p, self.momenta(), strict=True))
         found = branches(equations, self.velocities)
         if len(found) <= branch:
@@ -76,13 +78,26 @@ class Lagrangian:
         return f"$L = {latex(self.L.expr)}$"
 
 
+def _velocities(space: PhaseSpace, given: Any) -> tuple[sp.Symbol, ...]:
+    """The velocities, one for each coordinate. **Raises** `InputError` for what are none."""
+    names = (given,) if isinstance(given, sp.Symbol) else listed(given, "symbols", "velocities")
+    for name in names:
+        instance_of(name, sp.Symbol, "velocities")
+        if name in (*space.old, *space.new, space.t):
+            raise InputError(f"{name} is a variable of the phase space: a velocity has a name of its own", "velocities")
+    if len(names) != space.n or len({*names}) < len(names):
+        raise InputError(f"{len({*names})} velocities for {space.n} coordinates", "velocities")
+    return names
+
+
 def lagrangian_of(hamiltonian: Hamiltonian, velocities: sp.Symbol | Sequence[sp.Symbol], branch: int = 0) -> Lagrangian:
     """The inverse transform: L = p v - H with v = dH/dp solved for the momenta.
 
     **Raises:** `InputError` when no solution is found.
     """
     space = hamiltonian.space
-    names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
+    whole_number(branch, "branch", 0)
+    names = _velocities(space, velocities)
     qdot, _ = hamiltonian.equations()
     found = branches(dict(zip(names, qdot, strict=True)), space.p)
     if len(found) <= branch:

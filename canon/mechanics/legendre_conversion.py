@@ -6,10 +6,11 @@ from dataclasses import dataclass
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import instance_of, whole_number
 from canon.mechanics.generating_function import MOMENTA, GeneratingFunction
 from canon.mechanics.one_form import potential, tidy
 from canon.mechanics.solving import branches
-from canon.mechanics.transformation import Transformation
+from canon.mechanics.transformation import Transformation, listed_types
 
 
 def converted(F: GeneratingFunction, type: int | Sequence[int], branch: int = 0) -> GeneratingFunction:  # noqa: A002
@@ -22,6 +23,8 @@ def converted(F: GeneratingFunction, type: int | Sequence[int], branch: int = 0)
     **Raises:** `InputError` when sympy finds no solution (the map may have no function of that type: the identity has
     none of type 1).
     """
+    type = listed_types(type)  # noqa: A001
+    whole_number(branch, "branch", 0)
     aim = (type,) * F.space.n if isinstance(type, int) else tuple(type)
     template = GeneratingFunction(F.space, aim, 0)
     formulas = F.conjugates()
@@ -69,6 +72,7 @@ def recovered(transformation: Transformation, type: int | Sequence[int]) -> Reco
 
     **Raises:** `InputError` when the map cannot be written in u, or an integral is not found.
     """
+    instance_of(transformation, Transformation, "transformation")
     space = transformation.space
     template = GeneratingFunction(space, type, 0)
     if transformation.direction == "implicit":

@@ -8,6 +8,7 @@ import sympy as sp
 from canon.claim import Claim
 from canon.display import latex
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.expression import Formula
 from canon.mechanics import statements
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols, replaced
@@ -126,6 +127,10 @@ class InfinitesimalTransformation:
         **Raises:** `InputError` where no closed form is found, or the space has no new variables.
         """
         space, images = self.space, []
+        instance_of(parameter, sp.Symbol, "parameter")
+        if parameter in (*space.old, *space.new, space.t):
+            said = f"{parameter} is a variable of the phase space: the parameter is another symbol, as a real one"
+            raise InputError(said, "parameter")
         if len(space.Q) != space.n:
             raise InputError("name the new variables in the phase space first")
         for x in space.old:

@@ -11,6 +11,7 @@ from canon.calls import function
 from canon.display import latex
 from canon.domain import Domain
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.expression import Formula, read, read_relation
 from canon.mechanics.admissible import check_symbol
 from canon.mechanics.assumptions import check_words, symbol_with
@@ -297,8 +298,7 @@ class PhaseSpace:
 
 def check_space(space: Any) -> None:
     """**Raises** `InputError` for what is no phase space."""
-    if not isinstance(space, PhaseSpace):
-        raise InputError(f"a PhaseSpace is expected first, not {space!r}")
+    instance_of(space, PhaseSpace, "space")
 
 
 def _copy(space: PhaseSpace, **changes: object) -> PhaseSpace:

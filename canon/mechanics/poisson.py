@@ -11,18 +11,21 @@ import sympy as sp
 
 from canon.display import latex
 from canon.errors import InputError
+from canon.expected import instance_of, listed, whole_number
 from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import Expression, as_expression, check_symbols
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 
 
 def standard_j(n: int) -> sp.ImmutableMatrix:
     """J = [[0, 1], [-1, 0]] with n-by-n blocks: the matrix of the brackets of (q, p)."""
+    whole_number(n, "n", 0)
     return sp.ImmutableMatrix(2 * n, 2 * n, lambda i, j: int(j == i + n) - int(i == j + n))
 
 
 def poisson_bracket(f: Expression, g: Expression, space: PhaseSpace) -> sp.Expr:
     """{f, g} in the old variables of `space`. Goldstein, Poole and Safko (2002), eq. 9.67."""
+    check_space(space)
     with recursion_told():
         values = as_expression(f), as_expression(g)
         check_symbols(values, space.vocabulary)
@@ -43,6 +46,11 @@ def lagrange_bracket(u: sp.Symbol, v: sp.Symbol, q: Sequence[Expression], p: Seq
 
     Goldstein, Poole and Safko (2002), eq. 9.79; the matrix of these is inverse (up to sign) to that of the {u, v}.
     """
+    for name, value in (("u", u), ("v", v)):
+        instance_of(value, sp.Symbol, name)
+    q, p = listed(q, "formulas", "q"), listed(p, "formulas", "p")
+    if len(q) != len(p):
+        raise InputError(f"{len(q)} coordinates and {len(p)} momenta", "q, p")
     terms = []
     for x, y in zip(map(as_expression, q), map(as_expression, p), strict=True):
         terms.append(x.diff(u) * y.diff(v))
@@ -92,7 +100,8 @@ def _shown(entry: Any) -> Any:
 
 def bracket_matrix(functions: Sequence[Expression], space: PhaseSpace, names: Sequence[str] = ()) -> BracketMatrix:
     """The Poisson brackets of all pairs of `functions` in the old variables; each pair is computed once."""
-    values = [as_expression(function) for function in functions]
+    check_space(space)
+    values = [as_expression(function) for function in listed(functions, "functions", "functions")]
     if not values:
         raise InputError("no functions to take brackets of")
     check_symbols(values, space.vocabulary)
@@ -112,6 +121,7 @@ def bracket_matrix(functions: Sequence[Expression], space: PhaseSpace, names: Se
 
 def lagrange_matrix(variables: Sequence[sp.Symbol], q: Sequence[Expression], p: Sequence[Expression]) -> BracketMatrix:
     """The Lagrange brackets of all pairs of `variables`, of which q and p are functions."""
+    variables = listed(variables, "symbols", "variables")
     size = len(variables)
     values = sp.ImmutableMatrix(size, size, lambda i, j: lagrange_bracket(variables[i], variables[j], q, p))
     return BracketMatrix(values, tuple(latex(variable) for variable in variables))

@@ -79,7 +79,7 @@ def _right_at(solution: Solution) -> Callable[[Solution], bool]:
 def _with_other_roots(solution: Solution) -> Solution:
     """The same with odd roots of negative numbers, which are negative: x^(1/3) as -(-x)^(1/3)."""
 
-    def is_odd_root(part: sp.Expr) -> bool:
+    def is_odd_root(part: Any) -> bool:
         return isinstance(part, sp.Pow) and part.exp.is_Rational and part.exp.q > 1 and part.exp.q % 2 == 1
 
     return {

@@ -10,6 +10,7 @@ import sympy as sp
 
 from canon.claim import Claim
 from canon.errors import InputError
+from canon.expected import listed
 from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols
 from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.subject import Subject
@@ -105,7 +106,7 @@ def hamiltonian_field(
 
 def legendre(space: PhaseSpace, H: Expression, L: Expression, velocities: sp.Symbol | Sequence[sp.Symbol]) -> Claim:
     """H is the Legendre transform of L, with momenta dL/dv and a Hessian in the velocities that is not singular."""
-    names = (velocities,) if isinstance(velocities, sp.Symbol) else tuple(velocities)
+    names = (velocities,) if isinstance(velocities, sp.Symbol) else listed(velocities, "symbols", "velocities")
     speeds = tuple(_symbol(space, name, "velocities") for name in names)
     return _about(space, H).claim("legendre", {"L": as_formula(L), "velocities": speeds})
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 from canon.claim import Claim
 from canon.domain import Domain
 from canon.errors import InputError
+from canon.expected import table
 from canon.expression import Formula
 from canon.mechanics.admissible import check_calls, check_namesakes
 from canon.mechanics.extent import check_extent, recursion_told
@@ -73,6 +74,7 @@ class Subject:
         **Raises:** `InputError` where a formula has a symbol that only shares its name with one of the space, or where
         two formulas have different symbols of one name, or call a function with different numbers of arguments.
         """
+        table(keys, "a kind's own keys", "keys")
         domain = self._stated_domain() & self.domain
         kept = {*domain.conditions} <= {*self.domain.conditions} and {*domain.surface} <= {*self.domain.surface}
         within = self if kept else replace(self, domain=domain)

@@ -63,9 +63,10 @@ def transformed_hamiltonian(transformation: Transformation, H: Expression, scale
 def _points(transformation: Transformation) -> Iterator[dict[Any, Any]]:
     """Sample points of the domain, with the values of the old and the new variables."""
     F, space = transformation.generating_function, transformation.space
-    implicit = transformation.direction == "implicit" and F is not None
-    given = F.conjugates() if implicit else {x: formula.expr for x, formula in transformation.mapping.items()}
-    return sample_points(given, F.mixed if implicit else space.old, {}, space.domain.conditions)
+    if transformation.direction == "implicit" and F is not None:
+        return sample_points(F.conjugates(), F.mixed, {}, space.domain.conditions)
+    given = {x: formula.expr for x, formula in transformation.mapping.items()}
+    return sample_points(given, space.old, {}, space.domain.conditions)
 
 
 def _is_new_hamiltonian(

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from math import inf, isfinite, nan, pi, sin, sqrt, ulp
 
 from canon.errors import InputError
+from canon.expected import finite_number
 
 SMALL = 0.5
 """Below this angle θ − sin θ and the ratio's slope are taken from their series."""
@@ -41,6 +42,8 @@ def fastest_descent(across: float, down: float, g: float = 9.80665) -> Descent:
 
     **Raises:** `InputError` for an end point that isn't beside and not above the beginning, or a g that isn't positive.
     """
+    for value, name in ((across, "across"), (down, "down"), (g, "g")):
+        finite_number(value, name)
     for value, name in ((across, "across"), (g, "g")):
         if not (isfinite(value) and value > 0):
             raise InputError(f"a positive number is expected, not {value}", name)

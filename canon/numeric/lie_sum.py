@@ -23,6 +23,7 @@ import sympy as sp
 from flint import arb, arb_series
 
 from canon.errors import InputError
+from canon.expected import formula_of, instance_of, listed, table, whole_number
 from canon.numeric.actions.balls import Ball, ball_function, ball_of, precision
 from canon.numeric.actions.bounded import Bounded, bounded
 from canon.numeric.values import in_enough_bits
@@ -71,8 +72,9 @@ def nested_bracket(
 
     **Raises:** `InputError` where f or a derivative of G has no value there.
     """
+    whole_number(k, "k", 0)
     flow = _Flow(f, G, q, p)
-    start = [at[x] for x in flow.variables]
+    start = flow.point(at)
 
     def compute() -> Ball:
         coefficients = flow.coefficients([ball_of(x) for x in start], k)[0]
@@ -87,7 +89,7 @@ def lie_sum(f: Any, G: Any, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], at: 
     **Raises:** `InputError` where f or a derivative of G has no value at the point.
     """
     flow = _Flow(f, G, q, p)
-    start = [at[x] for x in flow.variables]
+    start = flow.point(at)
     found: tuple[Ball, float, int] | None = None
     for bits in BITS:
         with precision(bits):
@@ -104,10 +106,21 @@ class _Flow:
     """f and Hamilton's equations of G as functions of balls and of power series in balls."""
 
     def __init__(self, f: Any, G: Any, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol]) -> None:
-        self.variables = (*q, *p)
+        f, G = formula_of(f, "f"), formula_of(G, "G")
+        self.variables = (*listed(q, "symbols", "q"), *listed(p, "symbols", "p"))
+        for x in self.variables:
+            instance_of(x, sp.Symbol, "q, p")
         rates = [G.diff(y) for y in p] + [-G.diff(x) for x in q]
         self.rates = [ball_function(rate, self.variables) for rate in rates]
         self.f = ball_function(f, self.variables)
+
+    def point(self, at: Any) -> list[Any]:
+        """The numbers of a phase point. **Raises** `InputError` where one is missing."""
+        table(at, "numbers", "at")
+        for x in self.variables:
+            if x not in at:
+                raise InputError(f"a number for {x} is missing", "at")
+        return [at[x] for x in self.variables]
 
     def coefficients(self, start: Sequence[Ball], order: int) -> list[list[Ball]]:
         """Taylor's coefficients, up to the order, of f and of each variable along the flow."""

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from math import fsum, isfinite, sqrt
 
 from canon.errors import InputError
+from canon.expected import numbers
 
 STEPS = 200
 
@@ -42,7 +43,7 @@ def ray_through_layers(indices: Sequence[float], thicknesses: Sequence[float], a
 
     **Raises:** `InputError`.
     """
-    n, d = [float(x) for x in indices], [float(x) for x in thicknesses]
+    n, d = numbers(indices, "indices"), numbers(thicknesses, "thicknesses")
     if not n or len(n) != len(d):
         raise InputError("one index and one thickness are expected for each layer", "indices")
     for values, where in ((n, "indices"), (d, "thicknesses")):
@@ -121,7 +122,7 @@ def _dot(a: Sequence[float], b: Sequence[float]) -> float:
 
 
 def _unit(vector: Sequence[float], where: str) -> list[float]:
-    found = [float(x) for x in vector]
+    found = numbers(vector, where)
     size = sqrt(_dot(found, found))
     if len(found) not in (2, 3) or not (isfinite(size) and size > 0):
         raise InputError("a vector of two or three numbers, not all 0, is expected", where)

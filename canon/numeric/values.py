@@ -8,6 +8,7 @@ from typing import Any, Final
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import formula_of, table
 from canon.numeric.actions.balls import Ball, ball_function, ball_of, precision
 from canon.numeric.actions.bounded import Bounded, bounded
 
@@ -25,6 +26,8 @@ def value_at(expression: Any, point: Mapping[sp.Symbol, Any]) -> Bounded:
 
     **Raises:** `InputError` for a symbol without a number, and where the formula has no finite value.
     """
+    expression = formula_of(expression, "expression")
+    table(point, "numbers", "point")
     symbols = tuple(point)
     function = ball_function(expression, symbols)
     numbers = [ball_of(number) for number in point.values()]

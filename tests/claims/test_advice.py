@@ -108,7 +108,7 @@ def test_in_python():
         (lambda: Transformation(space, Q=None, P=p), "an expression is expected, not None"),  # pyright: ignore
         (lambda: Transformation(space, Q=lambda: q, P=p), "an expression is expected, not <function"),  # pyright: ignore
         (lambda: verify(same.canonical), "call it"),  # pyright: ignore
-        (lambda: proof(verify(same.canonical())), "a claim is expected, and then its verdict"),  # pyright: ignore
+        (lambda: proof(verify(same.canonical())), "claim: a Claim is expected, not Verdict"),  # pyright: ignore
     ):
         with pytest.raises(InputError, match=said.replace("*", r"\*").replace("(", r"\(")):
             wrong()

@@ -12,6 +12,7 @@ import sympy as sp
 from flint import fmpq, fmpq_mat
 
 from canon.errors import InputError
+from canon.expected import table
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.coefficients import Number
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
@@ -63,6 +64,7 @@ def algebra_of_matrices(matrices: Mapping[str, Rows]) -> MatrixAlgebra:
 
     **Raises:** `Dependent`, `NotClosed`, or `InputError` where the matrices aren't square of one size.
     """
+    table(matrices, "matrices", "matrices")
     names = tuple(matrices)
     real, imaginary = _parts(matrices)
     size = real[0].nrows()

@@ -13,6 +13,8 @@ import sympy as sp
 from flint import fmpq, fmpq_mat
 
 from canon.errors import InputError
+from canon.expected import instance_of, listed, whole_number
+from canon.expected import table as table_of
 from canon.expression import Vocabulary, read
 from canon.mechanics.algebra import full_tables, linear
 from canon.mechanics.algebra.coefficients import (
@@ -48,7 +50,11 @@ class LieAlgebra:
     _full: fmpq_mat | None = field(init=False, repr=False, compare=False, hash=False)
 
     def __post_init__(self) -> None:
-        size = len(self.names)
+        names = _letters(self.names)
+        table_of(self.constants, "structure constants", "constants")
+        for name in names:
+            instance_of(name, str, "names")
+        size = len(names)
         if len(set(self.names)) < size:
             raise InputError("a name of the basis is given twice")
         table = antisymmetric(self.names, self.constants)
@@ -113,11 +119,17 @@ class LieAlgebra:
         return frozenset(found)
 
     def bracket_of(self, a: int, b: int) -> Combination:
-        """[e_a, e_b] by positions."""
+        """[e_a, e_b] by positions, from 0; **raises** `InputError` where there is none."""
+        for place in (a, b):
+            whole_number(place, "position", 0)
+            if place >= self.dimension:
+                raise InputError(f"there is no position {place} in a basis of {self.dimension}", "position")
         return MappingProxyType(self._table.get((a, b), {}))
 
     def bracket(self, x: Mapping[str, Any], y: Mapping[str, Any]) -> dict[str, Number]:
         """[x, y] for elements given as {name: coefficient}; **raises** `InputError` for a name not in the basis."""
+        for z in (x, y):
+            table_of(z, "coefficients", "element")
         left, right = ({self.position(name): exact(value) for name, value in z.items()} for z in (x, y))
         total: dict[int, Number] = {}
         for a, u in left.items():
@@ -240,6 +252,11 @@ class LieAlgebra:
         return LieAlgebra(tuple(names) or tuple(f"e{k + 1}" for k in range(size)), constants)
 
 
+def _letters(names: Any) -> tuple[Any, ...]:
+    """The names of a basis; a text is one of single letters."""
+    return tuple(names) if isinstance(names, str) else listed(names, "names", "names")
+
+
 def _tex(name: str) -> str:
     return sp.latex(sp.Symbol(name))
 
@@ -249,6 +266,8 @@ def structure(names: Sequence[str], brackets: Mapping[str, Any]) -> LieAlgebra:
 
     **Raises:** `InputError` for a pair or a name that isn't of the basis, or where `LieAlgebra` does.
     """
+    names = _letters(names)
+    table_of(brackets, "brackets", "brackets")
     places = {name: k for k, name in enumerate(names)}
     constants: dict[tuple[int, int], dict[int, Any]] = {}
     for pair, value in brackets.items():

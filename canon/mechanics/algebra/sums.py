@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from canon.errors import InputError
+from canon.expected import instance_of, table
 from canon.mechanics.algebra.coefficients import Number, exact
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
@@ -16,6 +17,8 @@ def direct_sum(*algebras: LieAlgebra) -> LieAlgebra:
     The basis is that of the summands in turn; where a name occurs in several, all names get the number of their
     summand, as `x_1` and `x_2`.
     """
+    for algebra in algebras:
+        instance_of(algebra, LieAlgebra, "algebras")
     names = _distinct([algebra.names for algebra in algebras])
     constants: dict[tuple[int, int], dict[int, Number]] = {}
     start = 0
@@ -35,6 +38,9 @@ def semidirect_sum(algebra: LieAlgebra, ideal: LieAlgebra, action: Mapping[str, 
     **Raises:** `InputError` for a name that isn't of g, a matrix of another size, or where D isn't a homomorphism into
     the derivations of h: Jacobi's identity then fails, and the triple is named.
     """
+    for name, given in (("algebra", algebra), ("ideal", ideal)):
+        instance_of(given, LieAlgebra, name)
+    table(action, "matrices", "action")
     n, size = algebra.dimension, ideal.dimension
     names = _distinct([algebra.names, ideal.names])
     constants: dict[tuple[int, int], dict[int, Any]] = {pair: dict(row) for pair, row in algebra.constants.items()}

@@ -12,6 +12,7 @@ from typing import Any, Final
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import formula_of, shown
 from canon.expression import read
 from canon.numeric.actions.angle import angle_of
 from canon.numeric.actions.balls import Ball, ball_function, ball_of, precision
@@ -225,12 +226,15 @@ def motion(
 
     **Raises:** `InputError` where H is no such formula.
     """
+    for name, given in (("q", q), ("p", p)):
+        if not isinstance(given, (str, sp.Symbol)):
+            raise InputError(f"a name or a symbol is expected, not {shown(given)}", name)
     q, p = (x if isinstance(x, sp.Symbol) else sp.Symbol(x, real=True) for x in (q, p))
     values = {name: _number(value, name) for name, value in (parameters or {}).items()}
     if isinstance(H, str):
         symbols = {q.name: q, p.name: p, **{name: sp.Symbol(name, real=True) for name in values}}
         H = read(H, Vocabulary(symbols), "H").expr
-    H = sp.sympify(H, strict=True)
+    H = formula_of(H, "H")
     H = H.subs({symbol: values[symbol.name] for symbol in H.free_symbols if symbol.name in values})
     profile = profile_of(H, q, p)
     lowest = 0.0 if q.is_positive else -float("inf")

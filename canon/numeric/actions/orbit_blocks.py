@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import formula_of as expected_formula
 from canon.expression import read
 from canon.numeric.actions.oscillation import Scalar
 from canon.numeric.lower import lower
@@ -41,7 +42,7 @@ def formula_of(text: Any, variable: str, parameters: Mapping[str, Any], where: s
     if isinstance(text, str):
         names = {name: sp.Symbol(name, real=True) for name in (variable, *parameters)}
         text = read(text, Vocabulary(names), where).expr
-    formula = sp.sympify(text, strict=True)
+    formula: Any = expected_formula(text, where)
     values = {name: sp.Rational(value) if isinstance(value, float) else value for name, value in parameters.items()}
     formula = formula.subs({s: symbol if s.name == variable else values.get(s.name, s) for s in formula.free_symbols})
     strange = formula.free_symbols - {symbol}

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from typing import Any, Final, NamedTuple
 
+from canon.errors import InputError
 from canon.numeric.exact.carlson import carlson_rf
 
 _MEANS: Final = 14
@@ -38,7 +39,12 @@ def pendulum_actions(
     """
     import jax.numpy as jnp
 
-    m = 1 - m1 if above_bottom is None else jnp.asarray(above_bottom)
+    if above_bottom is None:
+        if m1 is None:
+            raise InputError("a complementary parameter m1, or m above_bottom, is needed", "m1")
+        m = 1 - m1
+    else:
+        m = jnp.asarray(above_bottom)
     m1 = 1 - m if m1 is None else jnp.asarray(m1)
     turning = m1 < 0
     # of rotations, 1/m in the place of m, and −m1/m in that of m1

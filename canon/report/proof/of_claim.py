@@ -12,6 +12,7 @@ from typing import Any
 from canon.claim import Claim
 from canon.claims.worker import Entry
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.report.proof_file import NOTATIONS, document, rendered
 from canon.report.record import claim_record
 from canon.verdict import Verdict
@@ -56,6 +57,8 @@ class Proof:
 
         **Raises:** `InputError` for another ending, or where there is no certificate; `OSError`.
         """
+        if not isinstance(path, (str, os.PathLike)):
+            raise InputError(f"a path is expected, not {path!r}", "path")
         place = Path(path)
         if place.suffix == ".json":
             text = json.dumps(self._certificate(), indent=1, ensure_ascii=False) + "\n"
@@ -101,13 +104,19 @@ def proof(claim: Claim, verdict: Verdict | None = None, *, budget: float = 10.0)
     **Raises:** `InputError` where the claim is ill-posed, or can't be written as a claim file (of which its certificate
     speaks): a domain with a condition that is no inequality, for example.
     """
+    from canon.checker.check import check
     from canon.claims.certificate_data import certificate
     from canon.claims.claim_tables import claim_tables
     from canon.claims.verify import verify
 
-    if not isinstance(claim, Claim):
-        raise InputError(f"a claim is expected, and then its verdict, if it has one; not {type(claim).__name__}")
+    instance_of(claim, Claim, "claim")
+    if verdict is not None:
+        instance_of(verdict, Verdict, "verdict")
+        if (verdict.kind, verdict.title) != (claim.kind, claim.title):
+            raise InputError(f"this is the verdict on another claim, of kind {verdict.kind!r}", "verdict")
     tables = claim_tables(claim)
     answer = verify(claim, budget=budget) if verdict is None else verdict
     data = certificate(claim, answer, tables) if answer.status in ("proved", "refuted") else None
+    if verdict is not None and data is not None and (found := check(data)).status == "rejected":
+        raise InputError(f"this verdict isn't that of the claim: {'; '.join(found.reasons)}", "verdict")
     return Proof(answer, data, tables, claim_record(Entry("", claim.index, claim), claim, answer))

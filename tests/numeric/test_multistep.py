@@ -13,7 +13,8 @@ from canon.numeric.integrate import advance, integrate, start
 from canon.numeric.integrators import compositions, separable
 from canon.numeric.integrators.catalogue import METHODS as ALL
 from canon.numeric.integrators.measure import errors, measure_step
-from canon.numeric.integrators.multistep import GRID, METHODS, Stormer, _differences, _sums, _weights
+from canon.numeric.integrators.multistep import METHODS, Stormer
+from canon.numeric.integrators.multistep_weights import GRID, differences, sums_of, weights
 
 HENON_HEILES = separable(lambda p: p, lambda q: jnp.stack([-q[0] - 2 * q[0] * q[1], -q[1] - q[0] ** 2 + q[1] ** 2]))
 STATE = (np.array([0.11, -0.22]), np.array([0.385, 0.33]))
@@ -50,8 +51,8 @@ def test_a_step_keeps_no_structure() -> None:
 @pytest.mark.parametrize("terms", [8, 12])
 def test_weights_integrate_polynomials_exactly(terms: int) -> None:
     """With a = t^m, of every degree that the terms allow: q'' = a and its differences are known numbers."""
-    delta, phi = _differences(terms)
-    kick, shown = ([*map(float, _weights(each))] for each in (delta, phi))
+    delta, phi = differences(terms)
+    kick, shown = ([*map(float, weights(each))] for each in (delta, phi))
     for m in range(terms):
         past = [Fraction(-j) ** m for j in range(terms)]
         q = [Fraction(t) ** (m + 2) / ((m + 1) * (m + 2)) for t in (-1, 0, 1)]
@@ -67,7 +68,7 @@ def test_weights_integrate_polynomials_exactly(terms: int) -> None:
 @pytest.mark.parametrize("method", METHODS, ids=lambda method: method.name)
 def test_rounded_weights_make_no_damping(method: Stormer) -> None:
     """Their sums of order 0 and 1 are exact, as numbers of the machine: 1 and 0."""
-    kick = [Fraction(float(w)) for w in _sums(method.terms, False).kick]
+    kick = [Fraction(float(w)) for w in sums_of(method.terms, False).kick]
     assert sum(kick) == 1
     assert sum(j * w for j, w in enumerate(kick)) == 0
     assert all((w * GRID).denominator == 1 for w in kick)

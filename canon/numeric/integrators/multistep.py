@@ -6,18 +6,14 @@ Summed once, it looks like a leapfrog whose kick knows the past: π += h Σ β_j
 fixed combination of the past forces beside the momentum, which is made of both where it is asked for. Per step these
 are the cheapest methods there are for smooth motions; they keep no structure, and where h is too long they blow up.
 
-The weights β alternate and grow as 2^k: their rounding would act as a force along the past, a damping, and rounded
-sums of them drift. So they are rounded as differences, δ_m of Σ δ_m ∇^m, on a grid on which their sums are exact; and
-with compensated sums, the second differences of the forces are what is remembered and summed.
+With compensated sums, the second differences of the forces are what is remembered and summed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import lru_cache
-from math import comb
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -25,14 +21,13 @@ import numpy as np
 from canon.errors import InputError
 from canon.numeric.compensated import add_small_product
 from canon.numeric.integrators.compositions import SOFRONIOU_SPALETTA_10
+from canon.numeric.integrators.multistep_weights import sums_of
 from canon.numeric.integrators.nystrom_8 import NYSTROM_8
 from canon.numeric.integrators.problem import Shear, Splitting, State
 from canon.numeric.integrators.splitting import SplittingMethod
 from canon.numeric.integrators.stepper import Past, Stepper, Time
 from canon.numeric.integrators.traits import Traits
 
-GRID: Final = 2**44
-"""The differences' coefficients are multiples of 1/GRID: so all β of up to thirteen terms are exact numbers."""
 WRITTEN_OUT: Final = 12
 """Coordinates up to which one orbit is computed number by number: XLA makes one native loop of that."""
 
@@ -82,50 +77,6 @@ class _Carry(NamedTuple):
     lost: Any
 
 
-def _differences(terms: int) -> tuple[list[Fraction], list[Fraction]]:
-    """δ_m of Σ δ_m ∇^m a = (q_{n+1} − 2q_n + q_{n−1})/h², and φ_m of Σ φ_m ∇^m a = (q_n − q_{n−1})/h² − v_n/h.
-
-    ∇ = 1 − e^{−hD} in e^{hD} − 2 + e^{−hD} over (hD)², and in 1 − e^{−hD} − hD over (hD)²: with L = −ln(1 − ∇) = hD,
-    ∇²/(1 − ∇)/L² and (∇ − L)/L². Henrici (1962), Discrete Variable Methods, 6.1.
-    """
-    log = [Fraction(1, m + 1) for m in range(terms + 2)]  # L/∇
-    square = [sum((log[i] * log[m - i] for i in range(m + 1)), Fraction(0)) for m in range(terms + 1)]
-    inverse = [Fraction(1)]
-    for m in range(1, terms + 1):
-        inverse.append(-sum((square[i] * inverse[m - i] for i in range(1, m + 1)), Fraction(0)))
-    delta = [sum(inverse[: m + 1], Fraction(0)) for m in range(terms)]
-    phi = [-sum((log[i + 1] * inverse[m - i] for i in range(m + 1)), Fraction(0)) for m in range(terms)]
-    return delta, phi
-
-
-def _weights(differences: Sequence[Fraction]) -> np.ndarray:
-    """The coefficients of a_{n−j} in Σ δ_m ∇^m a_n."""
-    count = len(differences)
-    rows = [sum(differences[m] * comb(m, j) for m in range(j, count)) for j in range(count)]
-    return np.array([float((-1) ** j * row) for j, row in enumerate(rows)])
-
-
-class _Sums(NamedTuple):
-    """w_j and e_j: the kick is Σ w_j H_{n−j}, and π_n − p_n = h Σ e_j H_{n−j} of the forces H = F; with compensated
-    sums, of their second differences, beside F_n and −F_n/2 + `slope` ∇F_n. `turned` has the w for each place of H_n.
-    """
-
-    kick: np.ndarray
-    shown: np.ndarray
-    slope: float
-    turned: np.ndarray
-
-
-@lru_cache(maxsize=16)
-def _sums(terms: int, compensated: bool) -> _Sums:
-    delta, phi = ([Fraction(round(x * GRID), GRID) for x in each] for each in _differences(terms))
-    skipped = 2 if compensated else 0
-    kick, shown = _weights(delta[skipped:]), _weights(phi[skipped:])
-    count = len(kick)
-    turned = np.array([[kick[(place - j) % count] for j in range(count)] for place in range(count)])
-    return _Sums(kick, shown, float(phi[1]), turned)
-
-
 def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
     import jax
     import jax.numpy as jnp
@@ -133,7 +84,7 @@ def _stepper(method: Stormer, problem: Splitting, compensated: bool) -> Stepper:
 
     kinetic, potential = (part for part in problem.parts if isinstance(part, Shear))
     clocked = problem.clock is not None
-    sums = _sums(method.terms, compensated)
+    sums = sums_of(method.terms, compensated)
     kept = len(sums.kick)
     starter = lru_cache(1)(lambda: method.starter.stepper(problem))
     each = jax.tree.map

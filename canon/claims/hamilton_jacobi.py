@@ -17,6 +17,7 @@ from canon.claims.determinant import determinant
 from canon.claims.flat_parts import seems_flat_in_parts
 from canon.claims.outcome import Outcome, Residual, combined, exact
 from canon.claims.own_names import is_free_of
+from canon.claims.same_points import has_the_same_points
 from canon.claims.special_parameters import not_zero_for_any_parameters
 from canon.decide.derivative import derivative, substitute
 from canon.decide.nowhere_zero import has_no_zero
@@ -129,11 +130,12 @@ def _complete(
         return Outcome("undecided", method=answer.method, note=f"is det d2{word}/dq dalpha = {shown} identically zero?")
     point = answer.witness.as_table() if answer.witness is not None else {}
     step = {"determinant": shown, "is not 0 at": point}
-    fixed = frozenset(tape.support(node) & {tape.symbol(s) for s in question.space.parameters if s not in constants})
-    conditions = domain.conditions
+    parameters = {tape.symbol(s) for s in question.space.parameters if s not in constants}
+    fixed = frozenset(tape.support(node) & parameters)
+    free = not fixed and not tape.functions_of([node]) and has_the_same_points(tape, region, parameters)
     whole = (
-        (not fixed and not tape.functions_of([node]))
-        or not_zero_for_any_parameters(tape, node, fixed, conditions)
+        free
+        or (not region.surface and not_zero_for_any_parameters(tape, node, fixed, domain.conditions))
         or has_no_zero(tape, node, region, question.budget)
     )
     note = "" if whole else "complete at one point; not shown at all values of the parameters"

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 from canon.claims.bracket import keys_domain, tensor_of
 from canon.claims.determinant import determinant
 from canon.claims.outcome import Outcome, combined, merged
+from canon.claims.same_points import has_the_same_points
 from canon.claims.scale import never_zero
 from canon.claims.show import is_short
 from canon.claims.special_parameters import not_zero_for_any_parameters
@@ -151,7 +152,7 @@ def _ranked(
     tape, witness = question.tape, answer.witness
     fixed = frozenset(tape.support(minor) & _parameters(question, everywhere))
     conditions = question.domain().conditions
-    exact = question.method != "numeric" and not (region.surface and everywhere is not None)
+    exact = question.method != "numeric" and not region.surface
     shown = exact and not_zero_for_any_parameters(tape, minor, fixed, conditions, quick=quick)
     if exact and quick and not shown:
         return Outcome("supported")
@@ -175,10 +176,11 @@ def _ranked(
     if _on_every_cell(question, pulled, region, everywhere):
         return replace(proved, method="minor, cell by cell", arguments=({**step, "theorem": COMPONENTS},))
     free = not fixed and not tape.functions_of([minor])
+    free = free and has_the_same_points(tape, region, _parameters(question, everywhere))
     if everywhere is None and (free or _harmless(tape, minor, fixed, conditions)):
         return proved
     gaps = ["on other components of the domain"] if everywhere is not None else []
-    gaps += ["at special values of parameters"] if fixed else []
+    gaps += ["at special values of parameters"] if fixed or everywhere is None else []
     note = f"full rank at one point; not shown {' or '.join(gaps)}"
     return Outcome("supported", method="witness", numeric=numeric, detail=detail, note=note)
 

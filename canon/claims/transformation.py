@@ -14,6 +14,7 @@ import sympy as sp
 
 from canon.claims.chart import Chart
 from canon.claims.outcome import Finding, Outcome, combined, exact
+from canon.claims.same_points import has_the_same_points
 from canon.claims.scale import Brackets, scale_of
 from canon.claims.shears import by_shears
 from canon.claims.special_parameters import MEROMORPHIC, not_zero_for_any_parameters
@@ -142,24 +143,40 @@ def _fails_generically(question: Question, names: set[sp.Symbol], written: Seque
 def _shown_generically(
     question: Question, node: Node, region: Region, names: set[sp.Symbol], conditions: Sequence[Condition]
 ) -> bool:
-    """A node that isn't 0 at one point isn't 0 at almost all values of these parameters, whatever the others are."""
+    """A node that isn't 0 at one point isn't 0 at almost all values of these parameters, whatever the others are.
+
+    Of whole numbers that is seen of rational functions alone: (-1)**n - 1 is 0 at every other n. A point of the domain
+    decides for all values at which it is one; where the domain hangs on parameters, and on a surface that does, the
+    node must be one that vanishes on no open set, or analytic on a connected domain.
+    """
     tape = question.tape
-    if tape.functions_of([node]):
+    reached = tape.reach([node])
+    whole = {name for name in names if name.is_integer}
+    if tape.functions_of([node]) or any(tape.symbols_of(i) & whole and not _rational(tape, i) for i in reached):
         return False
+    parameters = frozenset(tape.symbol(s) for s in question.space.parameters)
     others = frozenset(tape.symbol(s) for s in question.space.parameters if s not in names) & tape.support(node)
-    if not_zero_for_any_parameters(tape, node, others, conditions):
+    if not region.surface and not_zero_for_any_parameters(tape, node, others, conditions):
         return True
     if others:
         return False
-    if all(_meromorphic(tape, i) or not tape.symbols_of(i) & names for i in tape.reach([node])):
+    if not region.surface and all(_meromorphic(tape, i) for i in reached):
         return True
+    if all(_meromorphic(tape, i) or not tape.symbols_of(i) & names for i in reached):
+        return has_the_same_points(tape, region, parameters)
+    if region.surface or tape.functions_of(region.nodes()):
+        return False
     cells = cells_of(tape, region, [node], question.budget)
     return cells is not None and len(cells) == 1 and cells[0].connected
 
 
+def _rational(tape: Tape, node: Node) -> bool:
+    return tape.ops[node][0] in "nsc+*"
+
+
 def _meromorphic(tape: Tape, node: Node) -> bool:
     op = tape.ops[node]
-    return op[0] in "nsc+*" or (op[0] == "f" and op[1] in MEROMORPHIC)
+    return _rational(tape, node) or (op[0] == "f" and op[1] in MEROMORPHIC)
 
 
 def _generated_at_all_values(question: Question) -> Outcome:

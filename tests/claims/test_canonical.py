@@ -183,6 +183,28 @@ def test_one_failure_is_not_generic_on_both_sides_of_an_absolute_value(status):
     assert status(claim, **sections) == "supported"
 
 
+@pytest.mark.parametrize(
+    ("symbol", "Q", "domain"),
+    [
+        ('a = "real"', "sqrt(q**2)", 'where = ["q > a"]'),
+        ('a = "real"', "q + (a - 1)*(abs(q) - q)", 'where = ["q > a"]'),
+        ('a = "nonzero"', "q**2/(2*a)", 'on = ["q - abs(a)"]'),
+        ('a = "integer"', "q*(-1)**(a + 1)", ""),
+    ],
+)
+def test_one_failure_is_not_generic_where_the_domain_hangs_on_the_parameter(status, symbol, Q, domain):
+    """Canonical for every a > 0, or every odd one; not for some others."""
+    claim = 'kind = "canonical_when"\nsolutions = [{a = "1"}]'
+    assert status(claim, symbols=symbol, transformation=forward(Q, "p"), domain=domain) == "supported"
+
+
+def test_one_failure_is_generic_where_the_bracket_is_analytic_or_the_domain_fixed(status):
+    claim = 'kind = "canonical_when"\nsolutions = [{a = "1"}]'
+    for Q, domain in (("a*q", 'where = ["q > a"]'), ("q + (a - 1)*(abs(q) - q)", ""), ("a*q", 'on = ["q - 1"]')):
+        sections = {"symbols": 'a = "real"', "transformation": forward(Q, "p"), "domain": domain}
+        assert status(claim, **sections) == "proved"
+
+
 def test_a_generated_map_is_canonical_at_all_values(status):
     claim = 'kind = "canonical_when"\nsolutions = [{a = "1"}]'
     assert status(claim, symbols='a = "real"', generating_function='type = 2\nF = "a*q*P"') == "refuted"

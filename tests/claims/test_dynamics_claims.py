@@ -130,3 +130,28 @@ def test_a_hessian_that_only_poles_could_make_vanish(status):
 def test_a_legendre_transform_of_a_part(status):
     claim = 'kind = "legendre"\nL = "(v + abs(v))**2/8"\nvelocities = ["v"]'
     assert status(claim, hamiltonian='H = "p**2/2"') == "supported"
+
+
+@pytest.mark.parametrize("where", ["q > d", "q > V(q)", "q > n"])
+@pytest.mark.parametrize(
+    "keys",
+    [
+        'kind = "legendre"\nL = "v**2/4*(1 - sign(q - 10**9))"\nvelocities = ["v"]',
+        'kind = "euler_lagrange"\nL = "v**2/4*(1 - sign(q - 10**9))"\nvelocities = ["v"]\nqddot = ["0"]',
+        'kind = "hamilton_jacobi"\nS = "c*(abs(q - 10**9) - q + 10**9)"\nconstants = ["c"]',
+    ],
+)
+def test_what_is_regular_for_some_parameters_need_not_be_for_others(status, where, keys):
+    """Beyond 10⁹ the determinant is 0, and for d = 10¹⁰ the domain is there: too far to be sampled."""
+    sections = {"symbols": 'd = "real"\nV = "function"\nn = "integer"', "domain": f'where = ["{where}"]'}
+    H = 'H = "0*p"' if "jacobi" in keys else 'H = "p**2/2"'
+    assert status(keys, space=LINE, hamiltonian=H, **sections) == "supported"
+
+
+def test_an_integral_on_a_surface_that_hangs_on_a_parameter(status):
+    """(q − 1) is 0 on the surface q = d for d = 1."""
+    claim = 'kind = "hamilton_jacobi"\nS = "c*(q - 1)**2/2"\nconstants = ["c"]'
+    sections = {"space": LINE, "hamiltonian": 'H = "0*p"', "symbols": 'd = "real"'}
+    assert status(claim, domain='on = ["q - d"]', **sections) == "supported"
+    assert status(claim, domain='on = ["q - 2"]', **sections) == "proved"
+    assert status(claim, domain='where = ["q > d"]', **sections) == "proved"

@@ -47,10 +47,8 @@ def is_exact(s: Statement, written: Sequence[int]) -> bool:
 
 
 def is_nearly(s: Statement, minors: Sequence[int], names: Sequence[str]) -> bool:
-    """Whether what isn't 0 at a point, one of these, is so nearly everywhere, whatever the parameters are.
-
-    On a surface, which may be another one for other parameters, a rational function may be 0 throughout a part."""
-    if not s.surface and all(is_rational(s, a, names) for a in minors):
+    """Whether what isn't 0 at a point, one of these, is so nearly everywhere, whatever the parameters are."""
+    if all(is_rational(s, a, names) for a in minors):
         return True
     return any(is_nowhere_zero(s, a) or is_somewhere(s, a, names) for a in minors)
 

@@ -83,7 +83,7 @@ def canonical_when(s: Statement) -> list[Case]:
     ]
     trusted = "that it fails at almost all values of the parameters, and not only at those tried"
     return [Case([s.f.substitute(z, t) for z in zeros], images=t) for t in tables] + [
-        Case([], [zeros], trusted="" if not s.surface and all(is_rational(s, z) for z in zeros) else trusted)
+        Case([], [zeros], trusted="" if all(is_rational(s, z) for z in zeros) else trusted)
     ]
 
 

@@ -229,10 +229,3 @@ def test_a_kernel_that_is_real_is_confirmed() -> None:
         "sqrt(x + 1)**2", "x + 1", kernels=(ROOT,), residual=relation, atoms={"((x+1)**(1/2))": [{"g1": "1"}, ONE]}
     )
     assert str(check(own)) == "confirmed"
-
-
-def test_a_failure_at_one_value_on_a_surface_of_another_is_not_generic() -> None:
-    """q/a is 1 on q = |a| for every a > 0."""
-    sections: Any = {"symbols": {"a": "nonzero"}, "transformation": {"Q": ["x**2/(2*a)"], "P": ["p"]}}
-    claim = {"kind": "canonical_when", "solutions": [{"a": "1"}]}
-    assert status(of(claim, cases=2, domain={"on": ["x - abs(a)"]}, **sections)) != "confirmed"

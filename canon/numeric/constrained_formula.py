@@ -8,10 +8,9 @@ from typing import Any
 import sympy as sp
 
 from canon.numeric.gradient import gradient
-from canon.numeric.integrators.constrained import Constrained, ConstrainedHamiltonian, Drag, Held, check_on_surface
+from canon.numeric.integrators.constrained import Constrained, ConstrainedHamiltonian, Drag, Held
 from canon.numeric.integrators.multipliers import FEW
 from canon.numeric.lower import lower
-from canon.numeric.precision import double
 from canon.numeric.similar_formulas import similar_formulas
 
 
@@ -86,11 +85,3 @@ def _stacked(formulas: Sequence[Any], symbols: tuple[sp.Symbol, ...]) -> Callabl
         return jnp.stack([jnp.broadcast_to(jnp.asarray(v, x.dtype), x.shape[1:]) for v in lowered(*x, now)])
 
     return function
-
-
-def faults_at(problem: Held, q: Sequence[float], p: Sequence[float], t: float) -> Sequence[str]:
-    """What is wrong with a state: that it is not on the surface, or does not move along it."""
-    import jax.numpy as jnp
-
-    with double():
-        return check_on_surface(problem, jnp.asarray(q, dtype=float), jnp.asarray(p, dtype=float), t)

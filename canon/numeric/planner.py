@@ -101,10 +101,7 @@ def run_with_step(
 
     **Raises:** `InputError` where that is too many steps.
     """
-    if duration / step > MOST_STEPS:
-        raise InputError(
-            f"a step of {step:g} over {duration:g} makes {duration / step:.2g} steps: at most {MOST_STEPS:.0e}"
-        )
+    check_steps(duration, step)
     steps = max(int(np.ceil(duration / step * (1 - 1e-12))), 1)
     task = Task(problem, method, state, duration, samples, t0, engine)
     search = Search(task, None, exact, None, watch, keep, resume(task) if resume else Progress())
@@ -119,6 +116,14 @@ def run_with_step(
         error = distance(run, coarse) / (1 if exact else (run.total / coarse.total) ** method.traits.order - 1)
         error = max(error, LEAST * (1.0 if exact or run.compensated else float(np.sqrt(run.total))))
     return _planned(search, run, coarse, error, tuple(reversed(search.trials)), Verdict(True))
+
+
+def check_steps(duration: float, step: float) -> None:
+    """**Raises:** `InputError` where steps of this length are too many."""
+    if duration / step > MOST_STEPS:
+        raise InputError(
+            f"a step of {step:g} over {duration:g} makes {duration / step:.2g} steps: at most {MOST_STEPS:.0e}"
+        )
 
 
 def _planned(

@@ -12,13 +12,11 @@ import numpy as np
 
 from canon.errors import InputError
 from canon.numeric.attainable import attainable
-from canon.numeric.constrained_formula import faults_at
 from canon.numeric.engines import settled
 from canon.numeric.gradient import gradient
-from canon.numeric.integrators.constrained import Held
 from canon.numeric.observe import observe
 from canon.numeric.operations import operations_per_step
-from canon.numeric.planner import Planned, run_for_accuracy, run_with_step
+from canon.numeric.planner import Planned, check_steps, run_for_accuracy, run_with_step
 from canon.numeric.step_search import BUDGET_USED, Task
 from canon.scenes.external import NAME as EXTERNAL
 from canon.scenes.external import run_externally
@@ -27,6 +25,7 @@ from canon.scenes.methods import Choice, choose, chosen_for
 from canon.scenes.monitors import Reading, read_monitors
 from canon.scenes.monitors.flow import Flow
 from canon.scenes.monitors.price import price
+from canon.scenes.on_surface import faults_at
 from canon.scenes.problem import Problem, problem_of
 from canon.scenes.regularised import NAME as REGULARISED
 from canon.scenes.regularised import is_regularised, run_regularised
@@ -89,6 +88,9 @@ def simulate(
     """
     entered = time.monotonic()
     _check_start(scene)
+    _check_constraints(scene)
+    if scene.settings.step is not None:
+        check_steps(scene.settings.duration, scene.settings.step)
     begun = time.process_time()
     settings = scene.settings
     if near := get_close_matches(settings.integrator or "", AS_A_WHOLE, 1, 0.8):
@@ -137,7 +139,6 @@ def _run(
     """The run by an integrator of this package, begun at the monotonic time `entered`."""
     settings = scene.settings
     problem = problem_of(scene.model, exact=settings.integrator is None)
-    _check_constraints(scene, problem)
     choice = choose(problem, settings.accuracy, settings.integrator, "integrator")
     state = (np.array(scene.q), np.array(scene.p))
     looking = time.process_time()
@@ -204,14 +205,13 @@ def _check_start(scene: Scene) -> None:
         raise InputError("the equations of motion are not finite at the initial state: is a body at a singularity?")
 
 
-def _check_constraints(scene: Scene, problem: Problem) -> None:
+def _check_constraints(scene: Scene) -> None:
     """Refuse an initial state that is off its constraints."""
     q, p = scene.q, scene.p
-    for own, model in zip(problem.beside or (problem,), scene.model.beside or (scene.model,), strict=True):
-        if isinstance(own.value, Held):
-            faults = faults_at(own.value, q[: len(model.q)], p[: len(model.p)], scene.settings.start)
-            if faults:
-                raise InputError(f"the initial state is not on its constraints: {'; '.join(faults)}")
+    for model in scene.model.beside or (scene.model,):
+        faults = faults_at(model, q[: len(model.q)], p[: len(model.p)], scene.settings.start)
+        if faults:
+            raise InputError(f"the initial state is not on its constraints: {'; '.join(faults)}")
         q, p = q[len(model.q) :], p[len(model.p) :]
 
 

@@ -5,11 +5,11 @@ Slots are (q, p), arrays (n, …). A constraint's force is −λ ∂g/∂q with 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
-from canon.numeric.integrators.multipliers import Rows, along, combined, dot, products, solve_active, stacked
+from canon.numeric.integrators.multipliers import Rows, along, combined, products, solve_active, stacked
 
 MOST_ITERATIONS: Final = 40
 
@@ -183,24 +183,3 @@ def onto_surface(problem: Held, q: Any, p: Any, t: Any) -> tuple[Any, Any]:
 
     q = lax.fori_loop(0, MOST_ITERATIONS, closer, q)
     return q, tangent_momentum(problem, q, p, t, 2 * newton_turns(problem))
-
-
-def check_on_surface(problem: Held, q: Any, p: Any, t: Any, *, tolerance: float = 1e-8) -> Sequence[str]:
-    """What is wrong with a state's constraints: messages, none where it lies on the surface and moves along it."""
-    import jax.numpy as jnp
-
-    values, rows, rates = gradients(problem, q, t)
-    velocity = problem.rates(q, p, t)[0]
-    found = []
-    for k, (value, row, rate) in enumerate(zip(values, rows, rates, strict=True), 1):
-        length = jnp.sqrt(dot(row, row))
-        if k - 1 in problem.strings:
-            if bool(jnp.any(value > tolerance * length * jnp.maximum(1.0, jnp.max(jnp.abs(q))))):
-                found.append(f"constraint {k}, a string, is stretched by {float(jnp.max(value / length)):.3g}")
-            continue
-        if bool(jnp.any(jnp.abs(value) > tolerance * length * jnp.maximum(1.0, jnp.max(jnp.abs(q))))):
-            found.append(f"constraint {k} is missed by {float(jnp.max(jnp.abs(value))):.3g}")
-        speed = dot(row, velocity) + rate
-        if bool(jnp.any(jnp.abs(speed) > tolerance * length * jnp.maximum(1.0, jnp.max(jnp.abs(velocity))))):
-            found.append(f"the velocity leaves constraint {k} at the rate {float(jnp.max(jnp.abs(speed))):.3g}")
-    return found

@@ -110,7 +110,7 @@ class Builder:
             return CONSTANTS[name]
         if name in CALLABLE:
             raise InputError(f"{name!r} {where} is a built-in function and not declared as a name")
-        raise InputError(vocabulary.unknown(name, where))
+        raise InputError(vocabulary.unknown(name, where, compared=self.measure.compares(vocabulary.words)))
 
     def use(self, name: str, where: str, through: str = "") -> None:
         """Record that `name` is used. **Raises** `InputError` if it is out of place."""
@@ -164,7 +164,7 @@ class Builder:
         if vocabulary.declares(name):
             raise InputError(f"{name!r} {where} is declared as a name, not as a function: write a product with *")
         if name not in CALLABLE:
-            raise InputError(vocabulary.unknown(name, where))
+            raise InputError(vocabulary.unknown(name, where, compared=self.measure.compares(vocabulary.words)))
         if name == "D":
             return self.derivative(node, values, where)
         if name == "bracket":

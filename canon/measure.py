@@ -33,6 +33,9 @@ EFFORT: Final = 1_000_000
 FORMULAS: Final = 5
 """How many formulas of that much work a file may hold."""
 
+COMPARED: Final = 10_000
+"""How many words the unknown names of a file are compared with in all, to say which are meant: tenths of a second."""
+
 _HEADS: Final = (
     sp.Add, sp.Mul, sp.Pow, sp.exp, sp.log, sp.Abs, sp.sign, sp.atan2, AppliedUndef, sp.Derivative, sp.Subs, sp.Tuple,
     sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.asin, sp.acos, sp.atan, sp.sinh, sp.cosh, sp.tanh, sp.coth,
@@ -51,6 +54,7 @@ class Measure:
     def __init__(self) -> None:
         self._spent = 0
         self._before = 0
+        self._compared = 0
         self._known: dict[Any, tuple[int, int, bool]] = {}
 
     def size(self, expression: Any) -> int:
@@ -68,6 +72,11 @@ class Measure:
             raise InputError("too much work to read: shorten the formula, or divide it over several claims")
         if self._before + self._spent > FORMULAS * EFFORT:
             raise InputError("too much work to read all formulas up to here: divide them over several files")
+
+    def compares(self, words: int) -> bool:
+        """Whether an unknown name may still be compared with so many words: a file may have thousands of such names."""
+        self._compared += words
+        return self._compared <= COMPARED
 
     def begin(self) -> Measure:
         """Itself, for a further formula: what has been spent counts for the file only."""

@@ -9,12 +9,13 @@ from typing import Any, Final
 import sympy as sp
 
 from canon.claims import document
+from canon.claims.combinations import coefficients
 from canon.claims.document import Table, key
 from canon.claims.names import Names
 from canon.errors import InputError
 from canon.expression import Formula, Vocabulary, read
+from canon.measure import Measure
 from canon.mechanics.algebra.names import read_name
-from canon.mechanics.vanishing import vanishes
 
 FORMS: Final = ("basis", "matrices", "algebra", "brackets")
 """The forms of keys that are read here (see `canon.claims.keys`)."""
@@ -101,22 +102,22 @@ def _brackets(
             raise InputError(f"the bracket of {words[0]} and {words[1]} is stated twice", place)
         given.add(frozenset(words))
         formula = names.counted(read(document.expression_text(item, place), own, place, names.measure), place)
-        found[",".join(words)] = _combination(formula, symbols, place)
+        found[",".join(words)] = _combination(formula, symbols, names.measure, place)
         if words[0] == words[1] and found[",".join(words)]:
             raise InputError(f"the bracket of {words[0]} with itself is 0", place)
     return found
 
 
-def _combination(formula: Formula, symbols: Mapping[str, sp.Symbol], place: str) -> dict[str, Formula]:
+def _combination(
+    formula: Formula, symbols: Mapping[str, sp.Symbol], measure: Measure, place: str
+) -> dict[str, Formula]:
     """The coefficients of a linear combination of the basis."""
-    expression: Any = formula.expr
-    slopes = {name: expression.diff(symbol) for name, symbol in symbols.items() if expression.has(symbol)}
-    if any(slope.has(*symbols.values()) for slope in slopes.values()):
+    found = coefficients(formula.expr, symbols.values(), measure, place)
+    if found is None:
         raise InputError("a linear combination of basis names is expected", place)
-    rest = expression - sp.Add(*(slope * symbols[name] for name, slope in slopes.items()))
-    if not vanishes(sp.expand(rest)):
-        raise InputError("a linear combination of basis names is expected", place)
+    names = formula.names - set(symbols)
     return {
-        name: Formula(slope, formula.conditions, str(slope), formula.names - set(symbols))
-        for name, slope in slopes.items()
+        name: Formula(found[symbol], formula.conditions, str(found[symbol]), names)
+        for name, symbol in symbols.items()
+        if symbol in found
     }

@@ -154,8 +154,8 @@ def _own_dimension(
         pulled = [question.chart.pull(n) for n in (node, growth)]
         try:
             balls = evaluate_again(tape, pulled, sample, 64)
-            ratio = float((balls[pulled[1]] / balls[pulled[0]]).mid())
-            power = Fraction(ratio).limit_denominator(DENOMINATORS)
+            ratio = balls[pulled[1]] / balls[pulled[0]]  # which is complex where values are
+            power = Fraction(float(getattr(ratio, "real", ratio).mid())).limit_denominator(DENOMINATORS)
         except (AttributeError, ArithmeticError, OutOfDomain, Unsupported, ValueError, OverflowError, KeyError):
             return None
         rest = Residual("", tape.minus(pulled[1], tape.scaled(pulled[0], power)))

@@ -49,7 +49,8 @@ def read_dimensions(value: Any, bases: tuple[str, ...], names: Names, where: str
     for name, given in document.table(value, where).items():
         place = f"{where}, {name[:80]!r}"
         if not names.vocabulary.declares(name):
-            raise InputError(names.vocabulary.unknown(name), place)
+            compared = names.measure.compares(names.vocabulary.words)
+            raise InputError(names.vocabulary.unknown(name, compared=compared), place)
         if name in names.vocabulary.definitions:
             raise InputError(f"{name!r} is an abbreviation: its dimension follows from its formula", place)
         is_function = name in names.vocabulary.functions

@@ -31,6 +31,10 @@ class Given:
     formula: Callable[[Any, str], Formula]
 
 
+def _unknown(given: Given, word: str) -> str:
+    return given.vocabulary.unknown(word, compared=given.names.measure.compares(given.vocabulary.words))
+
+
 def _call(given: Given, text: Any, where: str) -> sp.Expr:
     """A function that the file declares, of different names."""
     call = given.formula(text, where).expr
@@ -48,7 +52,7 @@ def _tables(given: Given, value: Any, where: str) -> tuple[dict[sp.Symbol, Formu
         solution: dict[sp.Symbol, Formula] = {}
         for word, stated in document.table(item, place).items():
             if not given.vocabulary.declares(word):
-                raise InputError(given.vocabulary.unknown(word), place)
+                raise InputError(_unknown(given, word), place)
             solution[given.parameter(word, place)] = given.formula(stated, f"{place}, {word!r}")
         if not solution:
             raise InputError("the table is empty", place)
@@ -100,7 +104,7 @@ def _fixed(given: Given, value: Any, where: str) -> dict[sp.Symbol, Formula]:
     for word, stated in document.table(value, where).items():
         symbol = given.vocabulary.symbols.get(word)
         if symbol is None:
-            raise InputError(given.vocabulary.unknown(word), where)
+            raise InputError(_unknown(given, word), where)
         found[symbol] = given.formula(stated, f"{where}, {word!r}")
     return found
 

@@ -7,6 +7,7 @@ from typing import Any
 import sympy as sp
 
 from canon.claims import document
+from canon.claims.combinations import coefficients, seen_to_vanish
 from canon.claims.document import Table, key
 from canon.claims.names import Names
 from canon.errors import InputError
@@ -44,7 +45,8 @@ def read_tensor(table: Table, names: Names) -> dict[str, Any]:
     )
     for i in range(n):
         for j in range(i + 1):
-            if not vanishes(sp.expand(matrix[i][j].expr + matrix[j][i].expr)):
+            both = matrix[i][j].expr + matrix[j][i].expr
+            if both != 0 and not seen_to_vanish(both, names.measure, where):
                 raise InputError(
                     f"not antisymmetric: row {j + 1}, column {i + 1} and row {i + 1}, column {j + 1}", where
                 )
@@ -98,7 +100,7 @@ def _from_structure(table: Table, names: Names) -> dict[str, Any]:
                 raise
             advice = "; a basis element that is in no pair is known by coordinates = [...], a list of all of them"
             raise InputError(error.message + advice, error.where) from None
-        if not _is_linear(formula.expr, coordinates):
+        if coefficients(formula.expr, coordinates, names.measure, place) is None:
             raise InputError("a linear combination of basis names is expected", place)
         i, j = listed.index(a), listed.index(b)
         if i == j and not vanishes(formula.expr):
@@ -106,12 +108,3 @@ def _from_structure(table: Table, names: Names) -> dict[str, Any]:
         matrix[i][j] = formula
         matrix[j][i] = Formula(-formula.expr, formula.conditions, f"-({formula})", formula.names)
     return {"coordinates": coordinates, "tensor": tuple(tuple(row) for row in matrix)}
-
-
-def _is_linear(expression: Any, coordinates: tuple[sp.Symbol, ...]) -> bool:
-    """Whether an expression is a combination of the coordinates with constant coefficients."""
-    slopes = [expression.diff(x) for x in coordinates]
-    if any(slope.has(*coordinates) for slope in slopes):
-        return False
-    rest = sp.expand(expression - sp.Add(*(s * x for s, x in zip(slopes, coordinates, strict=True))))
-    return vanishes(rest) is True

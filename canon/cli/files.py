@@ -5,7 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
+from typing import Final
+
+ADVISED: Final = 10
+"""Of so many names that are no file's it is said which one may be meant."""
+COMPARED: Final = 2_000
+"""With so many files of its folder such a name is compared: ten times that takes half a second."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +38,7 @@ def claim_files(names: Iterable[str]) -> tuple[list[ClaimFile], list[Missing]]:
     """
     found: list[ClaimFile] = []
     missing: list[Missing] = []
+    absent = 0
     for name in names:
         if "\0" in name:
             missing.append(Missing(name, "no file's name has the character NUL in it"))
@@ -43,7 +51,8 @@ def claim_files(names: Iterable[str]) -> tuple[list[ClaimFile], list[Missing]]:
         elif os.path.lexists(name) or _refused(name):
             found.append(ClaimFile(name, Path(name)))
         else:
-            missing.append(Missing(name, f"no such file or folder{_nearest(name)}"))
+            absent += 1
+            missing.append(Missing(name, f"no such file or folder{_nearest(name) if absent <= ADVISED else ''}"))
     return _once(found), list(dict.fromkeys(missing))
 
 
@@ -119,8 +128,9 @@ def _nearest(name: str) -> str:
 
     parent, base = os.path.split(name)
     try:
-        others = os.listdir(parent or os.curdir)
-    except OSError:
+        with os.scandir(parent or os.curdir) as entries:
+            others = sorted(entry.name for entry in islice(entries, COMPARED))
+    except (OSError, ValueError):
         return ""
     near = get_close_matches(base, others, n=1, cutoff=0.7)
     return f"; is {os.path.join(parent, near[0])!r} meant?" if near else ""

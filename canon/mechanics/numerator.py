@@ -17,10 +17,13 @@ import flint
 import sympy as sp
 from flint import acb, arb, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
 
+from canon.mechanics.multiplied import terms_of_power
 from canon.mechanics.principal_values import Unknown, ball, power
 
 LARGEST: Final = 96
 """The highest dimension of an algebra of roots whose characteristic polynomial is taken."""
+MOST: Final = 100_000
+"""The most terms of a polynomial."""
 LONGEST: Final = 20000
 """The most operations of an expression that is brought to normal form."""
 
@@ -37,6 +40,7 @@ class Numerator:
         gens = self.ring.gens()
         # of a lexicographic order the first generator is the highest: the last atoms come first
         self.generator = {atom: gens[count - 1 - k] for k, atom in enumerate(self.atoms)}
+        self.place = {str(g): k for k, g in enumerate(gens)}
         self.roots: dict[Any, tuple[fmpq_mpoly, fmpq_mpoly]] = {}
         self.relations: list[tuple[fmpq_mpoly, int, fmpq_mpoly]] = []
         for atom in self.atoms:
@@ -105,13 +109,16 @@ class Numerator:
             above, below = self.ring.constant(0), one
             for part in e.args:
                 a, b = self.fraction(part)
-                above, below = (above + a, below) if b == below else (above * b + a * below, below * b)
+                if b == below:
+                    above = above + a
+                else:
+                    above, below = self._product(above, b) + self._product(a, below), self._product(below, b)
             return self.reduced(above), self.reduced(below)
         if e.is_Mul:
             above, below = one, one
             for part in e.args:
                 a, b = self.fraction(part)
-                above, below = self.reduced(above * a), self.reduced(below * b)
+                above, below = self.reduced(self._product(above, a)), self.reduced(self._product(below, b))
             return above, below
         if e.is_Pow and e.exp.is_Integer:
             return self._to_a_power(*self.fraction(e.base), int(e.exp))
@@ -127,11 +134,27 @@ class Numerator:
             above, below, n = below, above, -n
         if below == 0:
             raise Unknown
+        for polynomial in (above, below):
+            self._admit(terms_of_power(len(polynomial), n), n * int(polynomial.total_degree()))
         return self.reduced(above**n), self.reduced(below**n)
+
+    def _admit(self, terms: int, degree: int) -> None:
+        """Raises `Unknown` where a polynomial would have too many terms: as many as that, or all of its degree."""
+        if terms > MOST and math.comb(degree + len(self.atoms), degree) > MOST:
+            raise Unknown
+
+    def _product(self, a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:
+        """a b. Raises `Unknown` where that is too long."""
+        if a and b:
+            self._admit(len(a) * len(b), int(a.total_degree() + b.total_degree()))
+        return a * b
 
     def reduced(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """Its remainder by the relations, the highest generator first."""
-        for _, _, relation in reversed(self.relations):
+        for t, order, relation in reversed(self.relations):
+            times = int(polynomial.degrees()[self.place[str(t)]]) // order
+            if times > 1 and polynomial:
+                self._admit(terms_of_power(len(relation) - 1, times) * len(polynomial), times * relation.total_degree())
             _, polynomial = divmod(polynomial, relation)
         return polynomial
 

@@ -14,11 +14,14 @@ import sympy as sp
 from flint import arb
 from sympy.core.function import AppliedUndef
 
+from canon.mechanics.multiplied import counted
 from canon.mechanics.numerator import Numerator
 from canon.mechanics.principal_values import ball_of
 from canon.sign import declared
 
 BITS: Final = (128, 1024, 8192)
+FEW: Final = 2_000
+"""So many terms are multiplied out in a fraction of a second."""
 
 
 def vanishes(expression: Any) -> bool | None:
@@ -43,6 +46,15 @@ def vanishes(expression: Any) -> bool | None:
     if any(_excludes_zero(expression, there, BITS[1]) for there in values[:1]):
         return False
     return None
+
+
+def vanishes_multiplied_out(expression: Any) -> bool | None:
+    """The same, where the answer may show only when all is multiplied out, arguments of functions too; which is done
+    where that has few terms."""
+    found = vanishes(expression)
+    if found is not None or any(terms > FEW for _, terms in counted(expression)):
+        return found
+    return vanishes(sp.expand(expression))
 
 
 def sign_at_a_point(expression: Any) -> int | None:

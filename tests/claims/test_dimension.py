@@ -37,6 +37,13 @@ def test_dimensions(status, function, equals, expected):
     assert status(_claim(function, equals), symbols=SYMBOLS, domain=domain) == expected
 
 
+@pytest.mark.parametrize("function", ["1j*q", "1j**1j", "q*sqrt(1j)"])
+def test_a_value_that_is_complex_is_no_error(ask, function):
+    (verdict,) = ask(_claim(function, "L**2"), symbols=SYMBOLS, domain='where = ["q > 0"]')
+    assert verdict.status == "refuted"
+    assert "note" not in verdict.detail
+
+
 def test_the_answer_names_the_dimension(ask):
     (verdict,) = ask(_claim("2*pi*sqrt(R/g)", "L"), symbols=SYMBOLS)
     assert verdict.detail["dimensions"] == ["T"]

@@ -14,7 +14,6 @@ from canon.claims.matrix_algebra import closings, entries_of
 from canon.claims.question import Question
 from canon.claims.scaled_matrices import scaled_matrices, unscaled
 from canon.claims.structure_constants import find_constants
-from canon.claims.verify import verify
 from canon.errors import InputError
 from canon.mechanics.algebra.from_matrices import algebra_of_matrices
 from canon.mechanics.algebra.identify import Identification, identify
@@ -43,9 +42,12 @@ class AlgebraTable:
     note: str = ""
 
 
-def algebra_table(claim: Claim, *, budget: float = 10.0, seed: int = 0) -> AlgebraTable:
-    """The algebra of a claim of one of `KINDS`. **Raises:** `InputError` where the claim is ill-posed."""
-    verdict = verify(claim, budget=budget, seed=seed)
+def algebra_table(claim: Claim, verdict: Verdict, *, budget: float = 10.0, seed: int = 0) -> AlgebraTable:
+    """The algebra of a claim of one of `KINDS`, which was answered so.
+
+    **Raises:** `InputError` where the claim is ill-posed, `BudgetExceeded` where the time is over, as far as somebody
+    looks at the clock: what names an algebra doesn't.
+    """
     question = Question(claim, Budget(budget), seed)
     try:
         algebra = {"algebra": _of_functions, "matrix_algebra": _of_matrices, "group": _of_group}[claim.kind](question)

@@ -26,7 +26,7 @@ def coefficients(
     """
     own, slopes, rests = {*basis}, dict[sp.Symbol, list[Any]](), list[Any]()
     for term in sp.Add.make_args(expression):
-        named = term.free_symbols & own
+        named: set[Any] = term.free_symbols & own
         _spend(measure, SLOPE * len(named) * measure.size(term), where)
         parts = {symbol: term.diff(symbol) for symbol in sorted(named, key=str)}
         if any(slope.free_symbols & own for slope in parts.values()):

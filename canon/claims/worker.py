@@ -52,7 +52,8 @@ class Settings:
 
     `certificates` is the folder into which a certificate of each proof and refutation goes (None: nowhere); `proof`,
     the notation of the proofs that are to be written out (None: none); `accuracy`, what sampled residuals are to be
-    bounded by (None: what double precision shows).
+    bounded by (None: what double precision shows); `recording`, whether its record may take as long
+    again as the verdict.
     """
 
     budget: float = 10.0
@@ -62,6 +63,7 @@ class Settings:
     certificates: str | None = None
     proof: str | None = None
     accuracy: float | None = None
+    recording: bool = False
 
     def seconds(self, entry: Entry) -> float:
         """Return the budget of this claim; its own wins."""
@@ -71,6 +73,7 @@ class Settings:
     def grace(self, entry: Entry) -> float:
         """Return how many seconds past its budget a claim is left alone before its worker is killed."""
         writing = 0.0 if self.certificates is None and self.proof is None else CERTIFICATE_SECONDS + 2.0
+        writing += self.seconds(entry) if self.recording else 0.0
         return writing + self.grace_of(self.seconds(entry))
 
     @staticmethod

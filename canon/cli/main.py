@@ -55,7 +55,7 @@ exit status of verify:
 """
 
 
-HEARING: Final = ("verify", "certificate")
+HEARING: Final = ("verify", "algebra", "certificate")
 """The commands that hear Ctrl-C in the first thread: their work is done in other processes, or in short steps; and
 certificates are checked under a timer, which the first thread alone has."""
 COMPILING: Final = ("simulate", "cost", "hard")

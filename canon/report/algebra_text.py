@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from canon.budget import Budget
+from canon.deadline import within
+from canon.errors import BudgetExceeded
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.casimirs import casimirs
 from canon.mechanics.algebra.coefficients import as_sympy
@@ -17,11 +20,42 @@ from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.report.words import visible
 
 if TYPE_CHECKING:
+    from canon.claim import Claim
     from canon.claims.algebra_table import AlgebraTable
+    from canon.claims.worker import Entry, Settings
     from canon.mechanics.algebra.identify import Identification
+    from canon.verdict import Verdict
 
 WIDEST = 12
 """The largest dimension whose brackets and Killing form are shown as square tables."""
+
+
+def recorded(settings: Settings, form: str, entry: Entry, claim: Claim, verdict: Verdict) -> dict[str, Any]:
+    """The algebra of a claim in a form ("record", "text" or "latex"), as `shown`, beside the verdict and whether it
+    is `expected`: what a worker answers. A verdict stands, whatever happens to its algebra."""
+    from canon.claims.algebra_table import AlgebraTable, algebra_table
+
+    def shown(table: AlgebraTable) -> Any:
+        if form == "record":
+            return as_record(table, entry.file)
+        return as_latex(table) if form == "latex" else "\n".join(as_text(table, entry.file))
+
+    def found() -> Any:
+        return shown(algebra_table(claim, verdict, budget=seconds, seed=settings.seed))
+
+    seconds = settings.seconds(entry)
+    answer = {"verdict": verdict.status, "expected": claim.is_met_by(verdict.status)}
+    note = str(verdict.detail.get("note", ""))
+    if not note.startswith("stopped"):  # or its worker is there no more, and this is asked of another process
+        try:
+            return {**answer, "shown": within(Budget(seconds), found)}
+        except BudgetExceeded:
+            note = f"its algebra isn't found within {seconds:g} s"
+        except MemoryError:
+            note = "its algebra isn't found: out of memory"
+        except Exception as error:
+            note = f"its algebra isn't found: stopped by an internal error, {type(error).__name__}: {error}"[:300]
+    return {**answer, "shown": shown(AlgebraTable(claim, verdict, None, None, None, note))}
 
 
 def as_record(table: AlgebraTable, file: str) -> dict[str, Any]:

@@ -101,3 +101,43 @@ def test_bad_input_is_named(tmp_path, capsys):
     assert "no claim of kind algebra, matrix_algebra, group is in it" in capsys.readouterr().err
     assert main(["algebra", str(tmp_path / "absent.toml")]) == 3
     assert "absent.toml" in capsys.readouterr().err
+
+
+def test_what_takes_too_long_costs_its_own_algebra(tmp_path, capsys):
+    """One raised an error that took all others along, another took minutes, whatever the budget."""
+    n = 8
+    names = ", ".join(f'"x{k}"' for k in range(n)), ", ".join(f'"p{k}"' for k in range(n))
+    pairs = [(j, k) for j in range(n) for k in range(j)]
+    turns = ", ".join(f'L{j}_{k} = "x{j}*p{k} - x{k}*p{j}"' for j, k in pairs)
+
+    def matrix(j: int, k: int) -> str:
+        rows = [[{(j, k): "s", (k, j): "-s"}.get((a, b), f"{a - b}*sin(s)") for b in range(n)] for a in range(n)]
+        return str(rows).replace("'", '"')
+
+    turned = ", ".join(f"L{j}_{k} = {matrix(j, k)}" for j, k in pairs)
+    text = f"""[phase_space]
+q = [{names[0]}]
+p = [{names[1]}]
+[symbols]
+s = "real"
+[[claim]]
+kind = "algebra"
+equals = "so(8)"
+basis = {{{turns}}}
+[[claim]]
+kind = "matrix_algebra"
+equals = "so(8)"
+basis = {{{turned}}}
+[[claim]]
+kind = "algebra"
+equals = "heisenberg(1)"
+basis = {{Q = "x0", P = "p0", E = "1"}}
+budget = 20
+"""
+    path = tmp_path / "dear.toml"
+    path.write_text(text)
+    assert main(["algebra", str(path), "--json", "--budget", "0.2"]) == 2
+    first, second, third = json.loads(capsys.readouterr().out)["algebras"]
+    assert "isn't found within 0.2 s" in first["note"] or first["algebra"] == "so(8)"
+    assert second["verdict"] == "undecided"
+    assert (third["algebra"], third["verdict"]) == ("heisenberg(1)", "proved")

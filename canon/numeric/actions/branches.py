@@ -67,7 +67,8 @@ def signs_of(nodes: Sequence[Critical], E: Ball, *, last: bool) -> list[int]:
     """The signs of E − V at the critical points; 0 where it can't be told and the precision is the `last` one."""
     found = []
     for node in nodes:
-        value = node.value()
+        rough = node.rough_value()
+        value = rough if rough.is_finite() and (rough < E or rough > E) else node.value()
         if not value.is_finite():
             # an end says by its sign whether it is a wall; a pole inside, by which way V goes there
             found.append((-1 if value > 0 else 1) if node.kind == 0 else node.kind)

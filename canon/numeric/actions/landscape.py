@@ -63,6 +63,10 @@ class Critical:
             return self.profile.potential(self.place())
         return _limit(self.profile, self.low, self.high)
 
+    def rough_value(self) -> Ball:
+        """V there, by what V is between `low` and `high`: a ball that may be wide, and asks for no zero of V'."""
+        return self.profile.potential(self.low.union(self.high)) if self.kind else arb("nan")
+
     def __float__(self) -> float:
         return float(self.place())
 

@@ -45,6 +45,9 @@ def zero_between(
             break
         low, high = (root, high) if found == first else (low, root)
         target = root - function(root) / derivative(root)
+        there = target.is_finite() and abs(target - root) < 4 * close
+        if there and first and sign(root - 8 * close) == first and sign(root + 8 * close) == -first:
+            break  # it came from one side, and the other end is far away still
         inside = target.is_finite() and bool(target > low) and bool(target < high)
         # steps of Newton's that don't shrink crawl along something steep or flat: halving is faster
         before, step = step, abs(target - root).mid() if inside else (high - low) / 2

@@ -94,3 +94,16 @@ def test_a_proof_keeps_to_its_claim() -> None:
     with pytest.raises(InputError, match="verdict: this is the verdict on another claim, of kind 'bracket'"):
         canon.proof(true, canon.verify(canon.bracket(SPACE, Q, P, 1)))
     assert canon.proof(true, canon.verify(true)).verdict.status == "proved"
+
+
+@pytest.mark.parametrize("several", [{Q: 1}, b"q", {Q, P}])
+def test_formulas_stand_in_an_order(several: Any) -> None:
+    with pytest.raises(InputError, match="transformation, Q: a list of expressions is expected"):
+        Transformation(SPACE, Q=several, P=P)
+
+
+def test_symbols_and_functions_have_names_of_their_own() -> None:
+    with pytest.raises(InputError, match="q is a variable and a function"):
+        canon.bracket(SPACE, sp.Function("q")(Q), P, 0)
+    with pytest.raises(InputError, match="z_ is a pattern of sympy's"):
+        canon.bracket(SPACE, sp.Wild("z"), P, 0)

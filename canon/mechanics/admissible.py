@@ -42,6 +42,8 @@ def _real_values() -> dict[str, bool]:
 
 def check_symbol(symbol: sp.Symbol, where: str = "") -> None:
     """**Raises** `InputError` where more is assumed of the symbol than a claim can."""
+    if isinstance(symbol, sp.Wild):
+        raise InputError(f"{symbol} is a pattern of sympy's: take a symbol, as space.symbol({symbol.name!r})", where)
     if frozenset(symbol.assumptions0.items()) in _known():
         return
     given: Any = getattr(symbol, "_assumptions_orig", {})
@@ -111,8 +113,13 @@ def _check_places(expression: Any, where: str) -> None:
 def check_namesakes(formulas: Iterable[Formula | sp.Expr], where: str = "") -> None:
     """**Raises** `InputError` where two symbols bear one name: a witness could give only one value."""
     found: dict[str, sp.Symbol] = {}
+    formulas = tuple(formulas)
+    bare: list[Any] = [formula.expr if isinstance(formula, Formula) else formula for formula in formulas]
+    called = {symbol.name for expression in bare for symbol in expression.free_symbols if hasattr(symbol, "name")}
     for formula in formulas:
         expression = formula.expr if isinstance(formula, Formula) else formula
+        for name in sorted({call.func.__name__ for call in expression.atoms(AppliedUndef)} & called):
+            raise InputError(f"{name} is a variable and a function: give one of them another name", where)
         for symbol in expression.free_symbols:
             if isinstance(symbol, sp.Symbol) and found.setdefault(symbol.name, symbol) != symbol:
                 raise InputError(

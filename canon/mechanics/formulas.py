@@ -9,6 +9,7 @@ import sympy as sp
 from canon.constants import reliable
 from canon.domain import Condition, Domain, Smoothness, nonzero, positive
 from canon.errors import InputError
+from canon.expected import listed
 from canon.expression import Formula
 from canon.mechanics.admissible import check_calls, check_leak, check_symbol
 from canon.mechanics.extent import check_extent, extent_of, recursion_told
@@ -65,7 +66,7 @@ def as_formulas(
     smoothness = smoothness or Smoothness()
     if isinstance(values, Formula | sp.Expr | int | Fraction | str) or not isinstance(values, Iterable):
         return (as_formula(values, where, smoothness),)  # pyright: ignore[reportArgumentType] - refused there
-    return tuple(as_formula(value, where, smoothness) for value in values)
+    return tuple(as_formula(value, where, smoothness) for value in listed(values, "expressions", where))
 
 
 def check_symbols(formulas: Iterable[Formula | sp.Expr], known: Mapping[str, sp.Symbol], where: str = "") -> None:

@@ -13,6 +13,7 @@ from typing import Any
 import sympy as sp
 
 from canon.claims.verify import verify
+from canon.errors import InputError
 from canon.mechanics.composition import compose, identity_transformation
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.phase_space import PhaseSpace
@@ -44,7 +45,10 @@ class Law:
 
 def assert_law(law: Law, space: PhaseSpace, *objects: Any, budget: float = 10.0) -> None:
     """Raise `AssertionError`, with the witness, unless the law is proved (at least supported) of these objects."""
-    for number, residual in enumerate(law.residuals(space, *objects), 1):
+    residuals = [*law.residuals(space, *objects)]
+    if not residuals:
+        raise InputError(f"the law {law.name!r} has no residual that could be other than 0", "law")
+    for number, residual in enumerate(residuals, 1):
         free: list[Any] = sorted(residual.free_symbols, key=str)
         everywhere = PhaseSpace(
             "z_1", "z_2", time="z_3", **as_declared(free), functions=space.functions, domain=space.domain

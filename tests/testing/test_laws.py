@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from canon import InputError, PhaseSpace, Transformation, poisson_bracket
 from canon.mechanics.composition import compose
-from canon.testing import GENERATING_LAWS, GROUP_LAWS, Law, bracket_laws, check_laws, functions, group_laws
+from canon.testing import GENERATING_LAWS, GROUP_LAWS, Law, assert_law, bracket_laws, check_laws, functions, group_laws
 
 Bracket = Callable[[Any, Any, PhaseSpace], Any]
 
@@ -116,3 +116,9 @@ def test_a_law_of_other_objects() -> None:
     assert check_laws([law], makers=even) == 1
     with pytest.raises(AssertionError, match=r"even: H\(q, −p\) = H"):
         check_laws([law], makers={"energy": lambda s: st.just(s.p[0])})
+
+
+def test_a_law_that_asks_nothing_is_none() -> None:
+    space = PhaseSpace("q", "p")
+    with pytest.raises(InputError, match="'empty' has no residual"):
+        assert_law(Law("empty", "nothing", ("function",), lambda space, f: []), space, space.q[0])

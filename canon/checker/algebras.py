@@ -21,7 +21,7 @@ from canon.checker.poisson import bracketed
 from canon.checker.positive import is_nowhere_zero, is_positive
 from canon.checker.regular import is_regular
 from canon.checker.scaled import scaled
-from canon.checker.shapes import is_rational, is_smooth
+from canon.checker.shapes import has_complex, is_rational, is_smooth
 from canon.checker.statement import Statement
 
 Pair = tuple[int, int]
@@ -81,6 +81,8 @@ def stated(s: Statement, names: Sequence[str]) -> Table | None:
             raise Unreadable(f"{text[:40]!r} is no combination of the basis")
         if found := {s.f.ops[x][1] for x in s.f.reach(*row.values()) if s.f.ops[x][0] == "s"} & moving:
             raise Unreadable(f"{min(found)[:40]!r} moves: [e, f] = q e with a coordinate q is no algebra's bracket")
+        if any(has_complex(s, c) for c in row.values() if c):
+            raise Unknown("structure constants of a real Lie algebra that aren't seen to be real")
         (s.written if "structure" in s.claim else s.added).extend(row.values())
         table[min(a, b), max(a, b)] = {k: c if a < b else s.f.mul(s.f.number(-1), c) for k, c in row.items() if c}
     return table
@@ -223,6 +225,8 @@ def group(s: Statement) -> Case:
         images = {**dict(zip(a, x, strict=True)), **dict(zip(b, y, strict=True))}
         return [f.substitute(t, images) for t in theta]
 
+    if has_complex(s, *theta):
+        raise Unreadable("the parameters of a group are real, and their composition isn't seen to be")
     for x in theta:
         s.without(x, {*s.q, *s.p, *s.Q, *s.P, s.time} - {*a, *b})
     for n in (*a, *b):

@@ -28,6 +28,7 @@ from canon.decide.derivative import substitute
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.algebra.coefficients import as_sympy
+from canon.mechanics.algebra.given_table import NotReal
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
 if TYPE_CHECKING:
@@ -178,6 +179,8 @@ def _conclusion(
     """
     try:
         value = LieAlgebra(basis.names, {pair: dict(row) for pair, row in constants.items()})
+    except NotReal as error:
+        return Outcome("undecided", note=f"the brackets hold, but {error.message}", numeric=closed.numeric), None
     except InputError as error:
         note = f"the brackets hold, but {error.message}: the basis must be linearly dependent"
         return Outcome("undecided", note=note, numeric=closed.numeric), None

@@ -131,7 +131,10 @@ def law_of(question: Question) -> Law:
     a, b = (tuple(question.nodes(given)) for given in names)
     taken = {*question.space.vocabulary, *map(str, (*names[0], *names[1]))}
     third = tuple(tape.symbol(sp.Symbol(_unused(f"{symbol}_third", taken), real=True)) for symbol in names[1])
-    return Law(tape, tuple(question.load(f) for f in composition), a, b, third)
+    theta = tuple(question.load(f) for f in composition)
+    if any(map(tape.is_complex, theta)):  # θ(a, b) is an element of the group again
+        raise InputError("a group has real parameters, and the composition is not seen to be real", "key 'composition'")
+    return Law(tape, theta, a, b, third)
 
 
 def _unused(name: str, taken: set[str]) -> str:
@@ -241,17 +244,14 @@ def _is_analytic_near(
         if not isinstance(value, (str, Fraction, int)):
             return False
         point[x] = arb(fmpq(Fraction(value).numerator, Fraction(value).denominator))
-    inner = [r for r in near.requirements if not set(r.nodes) <= set(_edges(tape, names))]
+    edges = {node for requirement in _box(tape, names) for node in requirement.nodes}
+    inner = [r for r in near.requirements if not set(r.nodes) <= edges]
     try:
         with precision(64):
             balls = evaluate(tape, tape.reach(nodes), point)
             return all(holds(requirement, balls) for requirement in inner)
     except (OutOfDomain, Unsupported, ZeroDivisionError):
         return False
-
-
-def _edges(tape: Tape, names: Sequence[Node]) -> list[Node]:
-    return [node for requirement in _box(tape, names) for node in requirement.nodes]
 
 
 def _coefficient(

@@ -153,7 +153,7 @@ def _loaded(question: Question, key: str) -> Rows:
 
 
 def _real_and_imaginary(value: Any) -> tuple[Any, Any]:
-    if not value.has(sp.I):
+    if value.is_real or not (value.has(sp.I) or any(not symbol.is_real for symbol in value.free_symbols)):
         return value, sp.S.Zero
     real, imaginary = value.as_real_imag()
     if real.has(sp.re, sp.im) or imaginary.has(sp.re, sp.im):

@@ -144,7 +144,8 @@ def _values(question: Question, nodes: Sequence[Node], point: Mapping[Node, arb]
     try:
         with precision(128):
             balls = evaluate(tape, tape.reach(nodes), dict(point))
-            return [float(balls[node].mid()) for node in nodes]
+            values = [balls[node] for node in nodes]
+            return [float(value.mid()) for value in values] if all(isinstance(v, arb) for v in values) else None
     except (OutOfDomain, Unsupported, ZeroDivisionError, AttributeError, KeyError):
         return None
 

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
 import sympy as sp
 
 from canon.errors import InputError
 from canon.mechanics.algebra.coefficients import Combination, Number, exact, is_zero, plus, times
+
+
+class NotReal(InputError):
+    """A structure constant that isn't real, or isn't seen to be."""
 
 
 def antisymmetric(
@@ -27,8 +32,8 @@ def antisymmetric(
             )
         numbers = {c: value for c, value in ((c, exact(value)) for c, value in row.items()) if not is_zero(value)}
         for value in numbers.values():
-            if not isinstance(value, Fraction) and value.has(sp.I) and value.is_real is False:
-                raise InputError(f"{value} isn't real, as structure constants of a real Lie algebra are")
+            if not isinstance(value, Fraction) and _may_be_complex(value):
+                raise NotReal(f"{value} isn't real, as structure constants of a real Lie algebra are")
         if a == b and numbers:
             raise InputError(f"the bracket of {names[a]} with itself is 0")
         if a > b:
@@ -36,6 +41,12 @@ def antisymmetric(
         if not _same(table.setdefault((a, b), numbers), numbers):
             raise InputError(f"the bracket of {names[a]} and {names[b]} is stated twice, differently")
     return {pair: row for pair, row in table.items() if row}
+
+
+def _may_be_complex(value: Any) -> bool:
+    """Whether i, or a name that is declared complex, is in a number that isn't seen to be real."""
+    complex_names = any(symbol.is_complex and not symbol.is_real for symbol in value.free_symbols)
+    return not value.is_real and (value.has(sp.I) or complex_names)
 
 
 def _same(first: Combination, second: Combination) -> bool:

@@ -33,7 +33,7 @@ def proposed(
     **Returns:** a fraction within the bounds, a whole one where facts ask for it; a pair of them for a complex name.
     """
     if facts.get("integer"):
-        return _integer(facts, bounds, rng)
+        return _integer(facts, bounds, rng, effort)
     low, high = bounds
     if facts.get("nonnegative"):
         low = max(low, 0.0)
@@ -56,8 +56,8 @@ def proposed(
     return size if positive else -size
 
 
-def _integer(facts: Mapping[str, bool], bounds: tuple[float, float], rng: random.Random) -> Fraction:
-    """A random whole number within the assumptions and the bounds."""
+def _integer(facts: Mapping[str, bool], bounds: tuple[float, float], rng: random.Random, effort: int) -> Fraction:
+    """A random whole number within the assumptions and the bounds; now and then 0, where nothing bounds it."""
     low, high = bounds
     if facts.get("nonnegative"):
         low = max(low, 0.0 if facts.get("positive") else -1.0)
@@ -71,6 +71,8 @@ def _integer(facts: Mapping[str, bool], bounds: tuple[float, float], rng: random
         value = math.ceil(high) - step
     else:
         value = step if rng.getrandbits(1) else -step
+        if effort % 3 == 2 and step > 6 and facts.get("zero") is not False:
+            value = 0
     if facts.get("even") or facts.get("odd"):
         value += (value + bool(facts.get("odd"))) % 2
     return Fraction(value)

@@ -10,6 +10,7 @@ REGIONS = [
     ('n = "integer"', ["n > 20"]),
     ('n = ["integer", "negative"]', ["n < -100"]),
     ('n = "integer"', ["5 < n < 7"]),
+    ('n = "integer"', ["n**2 < 1"]),
     ('n = "real"', ["100 < n < 100.001"]),
     ('n = "real"', ["n**5 - n - 1 > 0", "n < 1.168"]),
     ('n = "real"\nm = "real"', ["m > n**2", "m < n**2 + 1e-8"]),

@@ -102,7 +102,7 @@ def execute(arguments: argparse.Namespace) -> int:
     from canon.cli.verify_run import run_claims
     from canon.errors import InputError
 
-    if arguments.certificate is not None and (reason := not_a_folder(arguments.certificate)):
+    if arguments.certificate is not None and (reason := not_a_folder(arguments.certificate, arguments.resume)):
         complain(f"canon verify: --certificate: {reason}")
         return BAD_INPUT
     if arguments.proof is not None and (reason := no_proof_file(arguments.proof, [*arguments.files, arguments.resume])):

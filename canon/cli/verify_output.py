@@ -51,10 +51,16 @@ def write_proofs(name: str, claims: list[Record], seconds: float) -> str:
     return ""
 
 
-def not_a_folder(name: str) -> str:
-    """Make the folder for certificates, and return why that isn't possible, or nothing."""
+def not_a_folder(name: str, journal: str | None) -> str:
+    """Make the folder for certificates, and return why that isn't possible, or nothing.
+
+    A journal has no place in it under a name that a certificate may have, which would be written over it.
+    """
     if "\0" in name:
         return NUL
+    inside = os.path.join(os.path.realpath(name), "")
+    if journal and journal.endswith(".json") and os.path.realpath(journal).startswith(inside):
+        return f"a certificate might be written over the journal {journal!r}: call that otherwise, or keep it elsewhere"
     try:
         os.makedirs(name, exist_ok=True)
     except OSError as error:

@@ -6,6 +6,8 @@ import contextlib
 import json
 import os
 import tempfile
+from collections.abc import Mapping
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -26,12 +28,11 @@ def certified(
     and the reason under `certificate_error` in the detail. So is it where the file isn't what it was any more: a
     certificate quotes it. Then the tables are empty.
     """
-    from canon.claims import document
     from canon.claims.certificate_data import certificate, statement_tables
 
     record = claim_record(entry, claim, verdict)
     try:
-        tables = statement_tables(document.parse(text_of(entry)), entry.index)
+        tables = statement_tables(_tables(text_of(entry)), entry.index)
     except InputError as error:
         record["detail"]["certificate_error"] = f"{entry.file}: {error.message}"
         return record, {}, None
@@ -46,6 +47,14 @@ def certified(
         except OSError as error:
             record["detail"]["certificate_error"] = f"{path} can't be written: {error.strerror or error}"
     return record, tables, data
+
+
+@lru_cache(maxsize=1)
+def _tables(text: str) -> Mapping[str, Any]:
+    """What a file says, as tables: of its claims, which come one after the other, each asks for them."""
+    from canon.claims import document
+
+    return document.parse(text)
 
 
 def write_certificate(path: Path, data: dict[str, Any]) -> None:

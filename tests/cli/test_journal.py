@@ -217,6 +217,16 @@ def test_killed_outright_and_resumed_by_two_at_once(tmp_path: Path) -> None:
     assert len(lines) >= 56
 
 
+def test_a_journal_is_not_where_a_certificate_goes(tmp_path: Path, capsys) -> None:
+    file, folder = tmp_path / "claims.toml", tmp_path / "certificates"
+    file.write_text(claims(2))
+    for name in ("claims.1.json", "below/x.json"):
+        options = ["--certificate", str(folder), "--resume", str(folder / name)]
+        assert main(["verify", str(file), *options]) == 3
+        assert "might be written over the journal" in capsys.readouterr().err
+    assert not folder.exists() or not any(folder.iterdir())
+
+
 def test_errors_are_answers_too(tmp_path: Path) -> None:
     file = tmp_path / "claims.toml"
     file.write_text(HEAD + '[domain]\nwhere = ["q > 1", "q < 0"]\n' + CLAIM.format(k=1, value="1", expect="holds"))
@@ -275,7 +285,7 @@ def test_a_certificate_that_is_missing_is_made_again(tmp_path: Path, asked: list
     folder.rmdir()
     folder.write_text("")  # in the place of the folder, while the run goes on
     monkey = pytest.MonkeyPatch()
-    monkey.setattr("canon.cli.verify.not_a_folder", lambda _: "")
+    monkey.setattr("canon.cli.verify.not_a_folder", lambda *_: "")
     assert main(command) == 74
     monkey.undo()
     capsys.readouterr()

@@ -193,9 +193,10 @@ def _winds_once(cycle: Cycle) -> Outcome:
     """A winding number ±1 round one point of one plane, on each component of the domain."""
     question, tape, chart = cycle.question, cycle.question.tape, cycle.question.chart
     region = without_implied(tape, cycle.region, question.budget)
-    cells = cells_of(tape, region, list(chart.old), question.budget)
+    nodes = [*chart.old, cycle.turn]
+    cells = cells_of(tape, region, nodes, question.budget)
     if not cells or not all(cell.connected for cell in cells):
-        cells = cells_of(tape, region, list(chart.old), question.budget, finer=True)
+        cells = cells_of(tape, region, nodes, question.budget, finer=True)
     whole = bool(cells) and all(cell.connected for cell in cells or ())
     places = [cell.region for cell in cells] if cells and whole else [region]
     found = [_plane(cycle, place) for place in places]
@@ -220,7 +221,8 @@ def _plane(cycle: Cycle, region: Region) -> str | None:
     planes = [(i, i + n) for i in range(n)]
     planes += [pair for pair in combinations(range(2 * n), 2) if pair not in planes]
     try:
-        found = samples(tape, list(chart.old), region, rng, count=POINTS, budget=question.budget, nice=True)
+        nodes = [*chart.old, cycle.turn]
+        found = samples(tape, nodes, region, rng, count=POINTS, budget=question.budget, nice=True)
         for sample in found:
             point = {node: value for node, value in sample.point.items() if isinstance(value, Fraction)}
             if len(point) < len(sample.point) or sample.functions:

@@ -279,3 +279,11 @@ def test_an_angle_has_no_sign(sign, status):
     """
     (read,) = read_text(text.replace("    ", "")).claims
     assert verify(read).status == status
+
+
+def test_a_parameter_that_stands_in_the_period_alone(status):
+    """It is a name of the point at which the cycle is followed."""
+    sections = {"symbols": 'k = "real"', "hamiltonian": 'H = "(p**2 + q**2)/2"'}
+    sections["transformation"] = 'Q = ["atan2(q, p)"]\nP = ["(q**2 + p**2)/2"]'
+    space = 'q = ["q"]\np = ["p"]\nQ = ["Q"]\nP = ["P"]\n'
+    assert status(angle_claim("2*pi*sqrt(k**2)/k"), space=space, **sections) in ("supported", "refuted")

@@ -4,7 +4,7 @@
 
 `meaning_attacks.toml` holds claims about what a claim means, of all kinds, `class_attacks.toml` those of classes that
 it hardly has, `analysis_attacks.toml` those about what the theorems of analysis take for granted,
-`map_attacks.toml` those about maps, brackets, algebras and surfaces, and `round11_maps.toml` more of them,
+`map_attacks.toml` those about maps, brackets, algebras and surfaces, `round11_maps.toml` and `round15_maps.toml` more,
 `round12.toml` those that combine what is seldom combined, `round13_maps.toml` and `round13_branches.toml` those written
 from the reference alone, with near misses of them,
 `round11_analysis.toml` those about which orbit or motion a claim speaks of, `round13_analysis.toml` and

@@ -165,7 +165,7 @@ def _products(question: Question, span: Range, frame: Node) -> Iterator[Node]:
 
 
 def _two_zeros(question: Question, span: Range, field: _Field, conjugate: Sequence[Formula]) -> None:
-    """Whether a field that isn't 0 has these two zeros inside. **Raises:** `Unproved`."""
+    """Whether a field that isn't 0 has these two zeros inside. **Raises:** `Unproved`; `InputError` if it hasn't."""
     tape, t = question.tape, question.tape.symbol(span.x)
     if len(conjugate) != 2 or isinstance(span.low, str) or isinstance(span.high, str):
         raise InputError("two zeros inside a bounded range are expected", "key 'conjugate'")
@@ -174,7 +174,10 @@ def _two_zeros(question: Question, span: Range, field: _Field, conjugate: Sequen
         if not is_positive(question, tape.minus(b, a), span.others):
             raise Unproved(f"it isn't shown of the zeros that {names}")
     values = [Residual(f"field at {c}", substitute(tape, x, {t: question.load(c)})) for c in conjugate for x in field.u]
-    if question.decide(values, span.others).status != "proved":
+    vanishes = question.decide(values, span.others).status
+    if vanishes == "refuted":
+        raise InputError("the field doesn't vanish at the points under `conjugate`", "key 'conjugate'")
+    if vanishes != "proved":
         raise Unproved("the field isn't shown to vanish at the points under `conjugate`")
     steep = [substitute(tape, x, {t: places[1]}) for x in field.slope]
     if not any(holds(question, Requirement("nonzero", (x,), ""), span.others) for x in steep):

@@ -292,6 +292,8 @@ def _trials(question: Question, span: Range, second: Second, word: str) -> Outco
     if word == "neither":
         status = "supported" if signs == {1, -1} else "undecided"
         return Outcome(status, "variations", numeric=evidence, note=f"variations of {len(signs)} sign(s) were found")
+    if not signs:
+        return Outcome("undecided", "variations", numeric=evidence, note="no variation that was tried has a sign")
     return Outcome("supported", "variations", numeric=evidence, note="all variations tried have the right sign")
 
 

@@ -112,7 +112,6 @@ BACK = 'conjugate = ["T/4", "T/4 + pi/w"]'
         (ISOTROPIC, "minimum", '[["sin(w*t)", "sin(w*t)"], ["sin(w*t)", "sin(w*t)*(2*sin(A)**2 + cos(2*A))"]]', (),
          "w*T < pi", "supported"),  # the same field twice
         (ISOTROPIC, "neither", '[["sin(w*(t - T/4))", "0"]]', (BACK,), "w*T > 3*pi/2", "proved"),
-        (ISOTROPIC, "neither", '[["sin(w*(t - T/4))", "cos(w*(t - T/4))"]]', (BACK,), "w*T > 3*pi/2", "supported"),
         (ISOTROPIC, "neither", '[["0", "0"]]', (BACK,), "w*T > 3*pi/2", "supported"),
         (CYCLOTRON, "minimum", TURNING, (), "w*T < 2*pi", "proved"),  # the mixed derivatives aren't symmetric
         (CYCLOTRON, "minimum", TURNING, (), "w*T < 2001*pi/1000", "supported"),
@@ -121,6 +120,13 @@ BACK = 'conjugate = ["T/4", "T/4 + pi/w"]'
 def test_fields_of_two_coordinates(status, motion, extremum, field, keys, domain, expected):
     claim = _claim(*motion, f"field = {field}", *keys, extremum=extremum)
     assert status(claim, space=PLANE, symbols=SYMBOLS, domain=f'where = ["{domain}"]') == expected
+
+
+def test_a_field_of_which_one_component_has_the_zeros(ask):
+    field = 'field = [["sin(w*(t - T/4))", "cos(w*(t - T/4))"]]'
+    claim = _claim(*ISOTROPIC, field, BACK, extremum="neither")
+    with pytest.raises((InputError, AssertionError), match="doesn't vanish"):
+        ask(claim, space=PLANE, symbols=SYMBOLS, domain='where = ["w*T > 3*pi/2"]')
 
 
 @pytest.mark.parametrize(
@@ -184,3 +190,10 @@ def test_no_variations_are_sampled_across_a_kink(ask, extremum):
     claim += f'path = ["(1 - cos(t))*sign(t) + sin(t)/10"]\nextremum = "{extremum}"'
     (verdict,) = ask(claim, options={"method": "numeric"})
     assert verdict.status == "undecided"
+
+
+@pytest.mark.parametrize("extremum", ["minimum", "maximum", "neither"])
+@pytest.mark.parametrize(("L", "path"), [("v**4", "0"), ("q*v", "t**2")])
+def test_a_second_variation_that_is_0_supports_nothing(status, L, path, extremum):
+    """Neither by variations nor by Legendre's condition: what is 0 has no sign."""
+    assert status(_claim(L, path, extremum=extremum, to="1"), symbols=SYMBOLS) == "undecided"

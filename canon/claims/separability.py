@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Final
 
 import sympy as sp
 
 from canon.claims.verify import verify
 from canon.display import text_in_html
-from canon.domain import Condition
-from canon.mechanics.formulas import Expression
-from canon.mechanics.phase_space import PhaseSpace
+from canon.domain import Condition, Domain
+from canon.errors import EmptyDomain, InputError
+from canon.mechanics.formulas import Expression, as_expression, replaced
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.separation.coordinates import OrthogonalCoordinates, orthogonal_coordinates
 from canon.mechanics.separation.levi_civita import levi_civita
 from canon.mechanics.separation.staeckel import Separation, separation
@@ -41,6 +43,10 @@ class Separability:
         return f"{said} in {self.coordinates} coordinates{proof}"
 
 
+_WORST: Final = ("refuted", "undecided", "supported", "proved")
+_ELSEWHERE: Final = "the parts are those along lines that may leave the domain: there they needn't say what V is in it"
+
+
 def separates(
     space: PhaseSpace, H: Expression, coordinates: str | OrthogonalCoordinates, *, focus: sp.Expr | int = 1,
     budget: float = 10.0,
@@ -52,25 +58,57 @@ def separates(
 
     **Raises:** `InputError` for another kinetic energy, another dimension, an unknown name.
     """
+    check_space(space)
     if isinstance(coordinates, str):
         coordinates = orthogonal_coordinates(coordinates, space.n, focus)
     found = separation(space, H, coordinates)
-    u = coordinates.u
-    free = as_declared(sorted(_parameters(found, u), key=str))
+    verdicts = [_verdict(space, found, coordinates, budget)]
+    if coordinates.name == "parabolic" and space.n == 2:  # they cover the half plane y > 0: what is below is turned up
+        up = {space.q[1]: -space.q[1]}
+        mirrored = space.with_domain(space.domain.substitute(up))
+        below = separation(mirrored, replaced(as_expression(H), up), coordinates)
+        verdicts.append(_verdict(mirrored, below, coordinates, budget))
+    looked_at = [verdict for verdict in verdicts if verdict is not None]
+    if not looked_at:
+        raise EmptyDomain("no point of the domain was found", "domain")
+    return Separability(coordinates.name, min(looked_at, key=lambda verdict: _WORST.index(verdict.status)), found)
+
+
+def _verdict(space: PhaseSpace, found: Separation, coordinates: OrthogonalCoordinates, budget: float) -> Verdict | None:
+    """The verdict on the parts that were found where the coordinates are defined; None where that is nowhere."""
+    u, stated = coordinates.u, _in_coordinates(space, coordinates)
+    free = as_declared(sorted(_parameters(found, stated, u), key=str))
     fresh = PhaseSpace(u, [f"p_{x}" for x in u], **free, functions=space.functions)
     inside = [Condition("positive", (h,)) for h in coordinates.squares if h.free_symbols & set(u)]
-    claim = identity(fresh.with_domain(fresh.domain & inside), found.residual(), 0)
-    return Separability(coordinates.name, verify(claim, budget=budget), found)
+    claim = identity(fresh.with_domain(fresh.domain & inside & stated), found.residual(), 0)
+    try:
+        verdict = verify(claim, budget=budget)
+    except EmptyDomain:
+        return None
+    if verdict.status == "refuted" and _spoken_of(stated) & set(u):
+        return replace(verdict, status="undecided", witness=None, certificate=None, detail={"note": _ELSEWHERE})
+    return verdict
 
 
-def _parameters(found: Separation, u: tuple[sp.Symbol, ...]) -> set[sp.Symbol]:
+def _in_coordinates(space: PhaseSpace, coordinates: OrthogonalCoordinates) -> Domain:
+    """The space's domain in the new coordinates. **Raises** `InputError` where it speaks of momenta or of time."""
+    for x in sorted(_spoken_of(space.domain) & {*space.p, *space.new, space.t} - {*space.q}, key=str):
+        raise InputError(f"where a potential separates is a matter of coordinates, not of {x}", "domain")
+    return space.domain.substitute(dict(zip(space.q, coordinates.cartesian, strict=True)))
+
+
+def _spoken_of(domain: Domain) -> set[sp.Symbol]:
+    terms = [*domain.surface, *(term for condition in domain.conditions for term in condition.terms)]
+    return {s for term in terms for s in term.free_symbols if isinstance(s, sp.Symbol)}
+
+
+def _parameters(found: Separation, stated: Domain, u: tuple[sp.Symbol, ...]) -> set[sp.Symbol]:
     residual = found.residual()
-    return {s for s in residual.free_symbols if isinstance(s, sp.Symbol)} - set(u)
+    return {s for s in residual.free_symbols if isinstance(s, sp.Symbol)}.union(_spoken_of(stated)) - set(u)
 
 
 def separates_here(space: PhaseSpace, H: Expression, *, budget: float = 10.0) -> Separability:
     """Does H separate in the coordinates in which it is written? By Levi-Civita's conditions."""
-    verdicts = [verify(identity(space, value, 0), budget=budget) for value in levi_civita(space, H).values()]
-    order = ("refuted", "undecided", "supported", "proved")
-    worst = min(verdicts, key=lambda verdict: order.index(verdict.status))
+    verdicts = [verify(identity(space, value, 0), budget=budget) for value in levi_civita(space, H).values() or (0,)]
+    worst = min(verdicts, key=lambda verdict: _WORST.index(verdict.status))
     return Separability("its own", worst)

@@ -9,6 +9,7 @@ from typing import Any, Literal
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.mechanics.formulas import as_expression
 
 Kind = Literal["bounded", "unbounded", "falls in", "falls in and escapes", "circular", "separatrix"]
@@ -31,6 +32,7 @@ class RadialRegion:
 
 def effective_potential(V: Any, r: sp.Symbol, mass: Any, angular_momentum: Any) -> Any:
     """V(r) + M²/(2 m r²) (Landau and Lifshitz, Mechanics, eq. 14.8)."""
+    instance_of(r, sp.Symbol, "r")
     return as_expression(V) + as_expression(angular_momentum) ** 2 / (2 * as_expression(mass) * r**2)
 
 

@@ -4,6 +4,7 @@ import sympy as sp
 
 from canon.domain import Domain
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, substituted
 from canon.mechanics.phase_space import PhaseSpace, check_space
@@ -102,6 +103,7 @@ def extended_by_time(
 
     **Raises:** `InputError` for a map that is not given forward, or when R is not found.
     """
+    instance_of(transformation, Transformation, "transformation")
     if transformation.direction != "forward":
         raise InputError("only a map given forward is extended by time; ask for .forward() first")
     if added is None:

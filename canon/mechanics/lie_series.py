@@ -2,19 +2,20 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
 from canon.claim import Claim
 from canon.display import latex
 from canon.errors import InputError
-from canon.expected import instance_of
+from canon.expected import instance_of, whole_number
 from canon.expression import Formula
 from canon.mechanics import statements
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols, replaced
 from canon.mechanics.linear_recurrence import constant_recurrence, periodic_sum, recurrent_sum
 from canon.mechanics.one_form import tidy
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.poisson import bracket_in
 from canon.mechanics.transformation import Transformation
 
@@ -30,10 +31,21 @@ def iterated_brackets(f: Expression, generator: Expression, space: PhaseSpace, c
     return tuple(terms)
 
 
+def _check(parameter: Any, space: PhaseSpace) -> None:
+    """**Raises** `InputError` where there is no space, or the parameter is no symbol besides its variables."""
+    check_space(space)
+    instance_of(parameter, sp.Symbol, "parameter")
+    if parameter in (*space.old, *space.new, space.t):
+        said = f"{parameter} is a variable of the phase space: the parameter is another symbol, as a real one"
+        raise InputError(said, "parameter")
+
+
 def truncated_lie_series(
     f: Expression, generator: Expression, parameter: sp.Symbol, space: PhaseSpace, order: int
 ) -> sp.Expr:
     """The series up to the power `order` of the parameter. Deprit (1969)."""
+    _check(parameter, space)
+    whole_number(order, "order", 0)
     terms = iterated_brackets(f, generator, space, order)
     return sp.Add(*(parameter**k / sp.factorial(k) * term for k, term in enumerate(terms)))
 
@@ -48,6 +60,7 @@ def closed_lie_series(
     maps); where they obey a linear recurrence with constant coefficients; and for a function
     of variables that are such themselves, since exp(s {., G}) commutes with products.
     """
+    _check(parameter, space)
     value, G = as_expression(f), as_expression(generator)
     check_symbols([value, G], space.vocabulary)
     if value.is_Symbol:
@@ -102,6 +115,7 @@ class InfinitesimalTransformation:
     generator: Formula
 
     def __init__(self, space: PhaseSpace, generator: Expression) -> None:
+        check_space(space)
         object.__setattr__(self, "space", space)
         object.__setattr__(self, "generator", as_formula(generator, "generator"))
         check_symbols([self.generator], space.vocabulary, "generator")
@@ -127,10 +141,6 @@ class InfinitesimalTransformation:
         **Raises:** `InputError` where no closed form is found, or the space has no new variables.
         """
         space, images = self.space, []
-        instance_of(parameter, sp.Symbol, "parameter")
-        if parameter in (*space.old, *space.new, space.t):
-            said = f"{parameter} is a variable of the phase space: the parameter is another symbol, as a real one"
-            raise InputError(said, "parameter")
         if len(space.Q) != space.n:
             raise InputError("name the new variables in the phase space first")
         for x in space.old:

@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import instance_of, whole_number
 from canon.mechanics.formulas import as_expression
 
 MOST_TERMS = 2000
@@ -28,11 +29,11 @@ def picard(
 
     **Raises:** `InputError` for rates that aren't polynomials, other counts, and iterates of more than 2000 terms.
     """
+    instance_of(time, sp.Symbol, "time")
+    whole_number(steps, "steps", 0)
     fields, names, values = (_listed(part) for part in (rates, variables, initial))
     if not len(fields) == len(names) == len(values):
         raise InputError(f"{len(fields)} rates and {len(values)} values for {len(names)} variables", "rates")
-    if steps < 0:
-        raise InputError("the number of steps isn't negative", "steps")
     for f in fields:
         if not f.is_polynomial(*names, time):
             raise InputError(f"{f} is no polynomial in {', '.join(map(str, (*names, time)))}", "rates")

@@ -11,7 +11,7 @@ from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.one_form import tidy
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.transformation import Transformation
 
 
@@ -41,6 +41,7 @@ class PointTransformation:
         q: Expression | Iterable[Expression] = (),
         shift: Expression = 0,
     ) -> None:
+        check_space(space)
         forward, backward = as_formulas(Q, "Q"), as_formulas(q, "q")
         if bool(forward) == bool(backward):
             raise InputError("a point transformation is given by Q or by q", "point transformation")

@@ -184,6 +184,7 @@ def _of_orbit(
 
 def _symbol(space: PhaseSpace, name: Any, where: str) -> sp.Symbol:
     """The symbol that is meant; **raises** `InputError` where the space has none of that name, or another one."""
+    check_space(space)
     symbol = space.symbol(name) if isinstance(name, str) else name
     if not isinstance(symbol, sp.Symbol):
         raise InputError(f"a symbol is expected, not {name!r}", where)

@@ -18,6 +18,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import numbers
 from canon.numeric.precision import UNIT
 
 Array = Any  # numpy arrays
@@ -40,7 +41,7 @@ def chain_frequencies(masses: Sequence[float], springs: Sequence[float]) -> Arra
 
     **Raises:** `InputError` for other numbers.
     """
-    m, k = np.asarray(masses, dtype=float), np.asarray(springs, dtype=float)
+    m, k = np.asarray(numbers(masses, "masses")), np.asarray(numbers(springs, "springs"))
     if m.ndim != 1 or not len(m) or k.shape != (len(m) + 1,):
         raise InputError(f"n masses and n + 1 springs are expected, not {m.shape} and {k.shape}", "springs")
     if not (np.all(m > 0) and np.all(k >= 0) and np.isfinite([*m, *k]).all()):

@@ -160,3 +160,19 @@ def test_the_orbit_of_kepler_from_its_complete_integral():
     closed = (phi - sp.asin((K * M * r - 2 * alpha) / (r * eccentric))) / sp.sqrt(2 * alpha)
     change = (beta - closed).diff(r)
     assert verify(identity(found.space, change, 0)).status == "proved"
+
+
+def test_a_potential_is_looked_at_where_the_space_is_and_on_both_sides_of_the_axis() -> None:
+    space = PhaseSpace("x y", "p_x p_y")
+    x, y, p_x, p_y = space.old
+    kinetic = (p_x**2 + p_y**2) / 2
+    vanishing = kinetic + y * (x - sp.Abs(x))
+    assert separates(space.where(x > 0), vanishing, "cartesian").verdict.status == "proved"
+    assert separates(space, vanishing, "cartesian").verdict.status == "refuted"
+    # along the lines through the base point, which lies outside of y < 0, V is another
+    assert separates(space.where(y < 0), kinetic + x * (y + sp.Abs(y)), "cartesian").verdict.status == "undecided"
+    assert separates(space, kinetic + x * y * (y - sp.Abs(y)), "parabolic").verdict.status == "refuted"
+    assert separates(space.where(y > 0), kinetic + x * y * (y - sp.Abs(y)), "parabolic").verdict.status == "proved"
+    with pytest.raises(InputError, match="a matter of coordinates, not of p_x"):
+        separates(space.where(p_x > 0), kinetic, "cartesian")
+    assert separates_here(PhaseSpace("x", "p"), sp.Symbol("p", real=True) ** 2).verdict.status == "proved"

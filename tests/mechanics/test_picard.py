@@ -34,7 +34,7 @@ def test_the_oscillator():
         (lambda: picard(sp.exp(x), x, t, 0, 1), "no polynomial"),
         (lambda: picard([x, y], [x], t, [0], 1), "2 rates"),
         (lambda: picard(x, x, t, t, 1), "initial"),
-        (lambda: picard(x, x, t, 0, -1), "negative"),
+        (lambda: picard(x, x, t, 0, -1), "steps: a whole number is needed, at least 0"),
     ],
 )
 def test_faults(call, message):

@@ -64,7 +64,7 @@ def separates(
     found = separation(space, H, coordinates)
     verdicts = [_verdict(space, found, coordinates, budget)]
     if coordinates.name == "parabolic" and space.n == 2:  # they cover the half plane y > 0: what is below is turned up
-        up = {space.q[1]: -space.q[1]}
+        up: dict[sp.Expr, sp.Expr] = {space.q[1]: -space.q[1]}
         mirrored = space.with_domain(space.domain.substitute(up))
         below = separation(mirrored, replaced(as_expression(H), up), coordinates)
         verdicts.append(_verdict(mirrored, below, coordinates, budget))

@@ -72,7 +72,8 @@ def action(s: Statement) -> Case:
     s.without(H, {*s.q} - {x})  # else the coordinate alone has no action
     for a in (equals, *given):
         s.without(a, (x, p, s.time))  # an action is a function of energy and constants
-    free = is_everywhere(s, (x, p)) and all(has_values(s, name, [H]) for name in (x, p))
+    inside = is_everywhere(s, (x, p))
+    free = inside and all(has_values(s, name, [H]) for name in (x, p))
     form = Form.of(s, H, x, p)
     rate, rotates = claim["kind"] == "frequency", claim.get("branch") == "rotation"
     if rotates and not form.quadratic:
@@ -126,14 +127,14 @@ def action(s: Statement) -> Case:
         if known is not None:
             case = Case([f.sub(known, equals)])
             return replace(case, measured=measured, digits=DIGITS, found=True) if s.verdict == "proved" else case
-    if s.verdict == "refuted" and free and not (rate or rotates or "well" in claim or s.surface):
+    if s.verdict == "refuted" and inside and not (rate or rotates or "well" in claim or s.surface):
         if (power := well_action(s, form, level)) is not None:
             return Case([f.sub(power[0], equals)])
     solved = None if form.quadratic else square
     seen = free and (form.quadratic or square is not None)
     case = Case([], measured=measured, digits=DIGITS, enclosed=enclosed if seen else None)
-    stated = s.verdict == "proved" and "well" not in claim and not s.surface and free
-    if stated and square is not None and is_so(s, x, square, equals, period if rotates else None, rate=rate):
+    stated = s.verdict == "proved" and "well" not in claim and not s.surface and inside
+    if stated and free and square is not None and is_so(s, x, square, equals, period if rotates else None, rate=rate):
         case.found = True
     if stated and not rate and not rotates and is_action(s, form, level, equals):
         case.found = True

@@ -11,12 +11,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from canon.checker.functions import Unreadable
 from canon.checker.positive import is_nowhere_zero, is_positive
-from canon.checker.shapes import SMOOTH, has_complex, is_rational, is_smooth
+from canon.checker.shapes import SMOOTH, has_complex, is_smooth
 from canon.checker.statement import Statement
 
-ALWAYS = (*SMOOTH, "abs", "sign", "atan2")
-"""Functions that have a value at every real argument, but for single ones."""
-CIRCULAR = ("tan", "cot", "sec", "csc", "coth")
+POLES = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin", "coth": "sinh"}
+"""Functions with poles, and what is 0 there."""
 
 
 def unseen(s: Statement) -> list[int]:
@@ -24,9 +23,9 @@ def unseen(s: Statement) -> list[int]:
     return [s.pull(a) for a in dict.fromkeys(s.f.unseen)]
 
 
-def shared(s: Statement) -> list[int]:
+def shared(s: Statement, *, H: bool = True) -> list[int]:
     """What the file's own sections are made of, in the coordinates: H, the map, a generating function without one."""
-    own = [*([s._H] if s._H is not None else []), *s.images.values()]
+    own = [*([s._H] if s._H is not None and H else []), *s.images.values()]
     own += [s.generating[1]] if s.direction == "implicit" else []
     return [s.pull(a) for a in dict.fromkeys(own)]
 
@@ -62,33 +61,36 @@ def is_unbound(s: Statement, names: Iterable[str]) -> bool:
 
 
 def is_everywhere(s: Statement, names: Iterable[str]) -> bool:
-    """Whether the file's sections, too, bound none of these names."""
+    """Whether the file's sections, but for H, bound none of these names."""
     own = [*names]
-    return is_unbound(s, own) and all(has_values(s, x, shared(s)) for x in own) and not bounding(s, own)
+    return is_unbound(s, own) and all(has_values(s, x, shared(s, H=False)) for x in own) and not bounding(s, own)
 
 
 def has_values(s: Statement, x: str, formulas: Iterable[int]) -> bool:
-    """Whether formulas have real values at all of a name's that the conditions allow, but for single places."""
+    """Whether formulas have real values, and are smooth, at all of a name's that the conditions allow: 1/q isn't at 0."""
     f = s.f
     for a in f.reach(*formulas):
         op = f.ops[a]
         if op[0] in "ns+*" or (op[0] == "^" and op[2] > 0) or not _moves(s, a, x):
             continue
-        if op[0] == "^":
-            if not (_is_generic(s, op[1]) or is_nowhere_zero(s, op[1])):
-                return False
-        elif op[1] in ALWAYS or op[1] in f.functions or (op[1] in ("power", "log") and has_complex(s, op[3][0])):
-            continue
-        elif op[1] in CIRCULAR:
-            if not _is_generic(s, op[3][0]):
-                return False
-        elif not all(is_positive(s, b, strict=False, real=True) for b in _walls(s, op)):
+        first = op[1] if op[0] == "^" else op[3][0]
+        if op[0] == "^" or op[1] in ("abs", "sign"):
+            sure = is_nowhere_zero(s, first)
+        elif op[1] in SMOOTH or op[1] in f.functions or (op[1] in ("power", "log") and has_complex(s, first)):
+            sure = True
+        elif op[1] in POLES:
+            sure = is_nowhere_zero(s, f.node("f", POLES[op[1]], (), (first,)))
+        elif op[1] == "atan2":
+            sure = is_nowhere_zero(s, first) or is_positive(s, op[3][1], strict=True, real=True)
+        else:
+            sure = all(is_positive(s, b, strict=True, real=True) for b in _walls(s, op))
+        if not sure:
             return False
     return True
 
 
 def is_there(s: Statement, x: str, ends: Sequence[int | str], formulas: Sequence[int]) -> bool:
-    """Whether formulas, and what isn't seen of their texts, have values all over a range, but at single places."""
+    """Whether formulas, and what isn't seen of their texts, have values all over a range."""
     f, t, kept, words = s.f, s.f.node("s", x), s.conditions, s.words
     low, high = ends
     if isinstance(low, int) and isinstance(high, int):
@@ -157,9 +159,3 @@ def _walls(s: Statement, op: tuple[str, str, tuple[int, ...], tuple[int, ...]]) 
 def _moves(s: Statement, a: int, x: str) -> bool:
     return any(s.f.ops[b] == ("s", x) for b in s.f.reach(a))
 
-
-def _is_generic(s: Statement, a: int) -> bool:
-    """Whether a formula is 0 at single places only, if anywhere it isn't: |a| + a may be 0 on a half of the line."""
-    ops = [s.f.ops[b] for b in s.f.reach(a)]
-    analytic = all(op[0] != "f" or op[1] in SMOOTH for op in ops) and all(op[0] != "^" or op[2] > 0 for op in ops)
-    return analytic or is_rational(s, a)

@@ -2,6 +2,8 @@
 
 ∮ √((E − c − k |q|^n)/a) dq = 2 √(π (E − c)/a) ((E − c)/k)^(1/n) Γ(1 + 1/n)/Γ(3/2 + 1/n): with q = ((E − c) u/k)^(1/n)
 it is an integral of u^(1/n − 1) √(1 − u) (Landau & Lifshitz, Mechanics, § 12).
+
+Nothing but the power moves with q: of c + |q|^n + 1/q − 1/q, which has no value at 0, no well is seen.
 """
 
 from __future__ import annotations
@@ -34,7 +36,7 @@ def well_action(s: Statement, form: Form, level: int) -> tuple[int, int] | None:
     k, n = f.sub(second, first), _exponent(s, power, x) or ONE
     base = f.sub(first, k)
     room, values = f.sub(level, base), at_random(s)
-    free = all(f.ops[p] != ("s", x) for y in (a, base, k, n) for p in f.reach(y))
+    free = all(f.ops[p] != ("s", x) for y in (a, b, base, k, n) for p in f.reach(y))
     linear = is_identity(values, f.sub(f.sub(third, second), k)) and is_identity(values, b)
     if not free or not linear or not all(is_positive(s, y, strict=True, real=True) for y in (a, k, n)):
         return None

@@ -11,6 +11,7 @@ import unicodedata
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from canon.checker.algebra_names import is_name
 from canon.checker.functions import ARITIES, Unknown, Unreadable
 
 SECTIONS: dict[str, set[str] | None] = {
@@ -21,7 +22,7 @@ SECTIONS: dict[str, set[str] | None] = {
 """The sections of a file, and the keys of those that have the same ones always."""
 COMMON = {"kind": "label", "title": "label", "source": "label", "expect": "expected", "budget": "seconds"}
 _TENSOR = {"tensor": "matrix", "coordinates": "names", "structure": "brackets"}
-_NAMED = {"equals": "label", "structure": "combinations"}
+_NAMED = {"equals": "algebra", "structure": "combinations"}
 _ACTION = {
     "coordinate": "name", "energy": "name", "branch": "branch", "period": "text", "well": "text", "fixed": "values",
     "equals": "text",
@@ -264,5 +265,5 @@ FORMS: dict[str, Callable[[Any], bool]] = {
     "values": lambda x: _is_table_of(x, _is_text), "matrices": lambda x: _is_table_of(x, _is_matrix),
     "solutions": lambda x: _is_list_of(x, lambda row: _is_table_of(row, _is_text)), "brackets": _are_pairs,
     "combinations": _are_pairs, "branch": lambda x: x in ("libration", "rotation"), "side": lambda x: x in ("+", "-"),
-    "fields": _are_fields, "degrees": _are_degrees, "dimensions": _are_dimensions,
+    "algebra": is_name, "fields": _are_fields, "degrees": _are_degrees, "dimensions": _are_dimensions,
 }  # fmt: skip

@@ -39,7 +39,7 @@ from canon.checker.polynomials import (
     times,
 )
 from canon.checker.statement import Statement
-from canon.checker.terms import sign_of
+from canon.checker.terms import implied, sign_of
 
 DEPTH, LONGEST = 5, 400_000
 """Steps one inside the other, and products of terms for one formula."""
@@ -73,6 +73,7 @@ class Signs:
                 continue
             if op[0] != "s" and (under == ONE or self._is_sure(under, strict=False)):
                 conditions.append(over)
+                self.words |= implied(self.words, over)
         for a in beside:
             with suppress(Undetermined, Unreadable):
                 self.fraction(a)

@@ -37,7 +37,8 @@ FAMILIES: dict[str, Rule] = {
     "sp": lambda n, field: len(n) == 1 and n[0] > 0 and n[0] % 2 == 0,
     "usp": lambda n, field: _signature(n, field) and all(k % 2 == 0 for k in n),
     "e": lambda n, field: _signature(n, field) and len(n) == 1,
-    "heisenberg": lambda n, field: not field and _linear(n, field), "h": lambda n, field: not field and _linear(n, field),
+    "heisenberg": lambda n, field: not field and _linear(n, field),
+    "h": lambda n, field: not field and _linear(n, field),
     "aff": lambda n, field: not field and [*n] == [1],
     "lorentz": _alone, "poincare": _alone, "galilei": _alone, "bargmann": _alone,
 }  # fmt: skip

@@ -67,7 +67,7 @@ def is_everywhere(s: Statement, names: Iterable[str]) -> bool:
 
 
 def has_values(s: Statement, x: str, formulas: Iterable[int]) -> bool:
-    """Whether formulas have real values, and are smooth, at all of a name's that the conditions allow: 1/q isn't at 0."""
+    """Whether formulas are real and smooth at all values of a name that the conditions allow: 1/q isn't, at 0."""
     f = s.f
     for a in f.reach(*formulas):
         op = f.ops[a]
@@ -158,4 +158,3 @@ def _walls(s: Statement, op: tuple[str, str, tuple[int, ...], tuple[int, ...]]) 
 
 def _moves(s: Statement, a: int, x: str) -> bool:
     return any(s.f.ops[b] == ("s", x) for b in s.f.reach(a))
-

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Any
 
-from canon.checker import stated
+from canon.checker import places, stated
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
 
@@ -83,6 +83,7 @@ class Statement:
         self.written += [] if self._H is None else [self._H]
         self._chart(tables.get("transformation"), tables.get("generating_function"))
         stated.check_sides(self, tables)
+        places.check_places(self, tables)
         self.domain = tables.get("domain", {})
         self._restrict()
         self._check_declared(set())  # the file's own sections don't know the claim's own names

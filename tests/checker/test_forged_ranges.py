@@ -101,6 +101,7 @@ FALSE = {
         "inequality", {"lhs": "x**n", "relation": ">", "rhs": "0"},
         symbols={"x": "real", "n": "integer", "power": "positive"}),
     # integrands without values
+    "an integral across a hole": integral("(u**2 + u)/(u + 1)", "u**2/2", "-2", "2", "0"),
     "an integral over a half where a logarithm isn't": integral("1 + 0*log(u)", "u", "-1", "1", "2"),
     "an integral over a half where a root isn't": integral("sqrt(u)*sqrt(u) + u**2 - u", "u**3/3", "-1", "1", "2/3"),
     "an integral of |u| as of u": integral("0*sqrt(u) + sqrt(u**2)", "u**2/2", "-1", "1", "0"),
@@ -147,7 +148,7 @@ TRUE = {
     "an integral": integral("1 + 0*log(u)", "u", "1", "2", "1"),
     "an integral beside a root": integral("0*sqrt(u) + u", "u**2/2", "1", "3", "4"),
     "an integral with a root": integral("sqrt(1 - u)*sqrt(1 - u) + 0*log(u + 2)", "u - u**2/2", "-1", "1", "2"),
-    "an integral over a polynomial": integral("(u**2 + u)/(u + 1)", "u**2/2", "-2", "2", "0"),
+    "an integral over a polynomial": integral("(u**2 + u)/(u + 1)", "u**2/2", "0", "2", "2"),
     "Gauss's": gauss("exp(-u**2/2 + 0*atan(u))"),
     "a limit": limit("1 + x + 0*sqrt(x)", "0", "1", "+"),
     "a limit of a positive name": limit("x**2 + 1", "0", "1", "+", said="positive"),

@@ -19,6 +19,8 @@ from canon.checker.radicals import Radicals
 from canon.checker.statement import Statement
 
 HIGHEST = 40
+WELL = "#well"
+"""The name that |q|^n has where a well is seen to be linear in it, whatever its value."""
 
 
 def well_action(s: Statement, form: Form, level: int) -> tuple[int, int] | None:
@@ -32,12 +34,16 @@ def well_action(s: Statement, form: Form, level: int) -> tuple[int, int] | None:
     if len(powers) != 1:
         return None
     (power,) = powers
-    first, second, third = (_put(s, c, power, f.number(m)) for m in (1, 2, 3))
+    beside = (p for p in f.reach(c) if p not in {*f.reach(power)} and f.ops[p][0] in "^f")
+    if any(f.ops[y] == ("s", x) for p in beside for y in f.reach(p)):  # as of 1/(q² − 1) − 1/(q² − 1), at 1
+        return None
+    u = f.node("s", WELL)
+    first, second, moved = (_put(s, c, power, m) for m in (f.number(1), f.number(2), u))
     k, n = f.sub(second, first), _exponent(s, power, x) or ONE
     base = f.sub(first, k)
     room, values = f.sub(level, base), at_random(s)
     free = all(f.ops[p] != ("s", x) for y in (a, b, base, k, n) for p in f.reach(y))
-    linear = is_identity(values, f.sub(f.sub(third, second), k)) and is_identity(values, b)
+    linear = is_identity(values, f.sub(moved, f.add(base, f.mul(k, u)))) and is_identity(values, b)
     if not free or not linear or not all(is_positive(s, y, strict=True, real=True) for y in (a, k, n)):
         return None
     inverse = f.over(ONE, n)

@@ -30,7 +30,9 @@ def sign_of(words: Mapping[str, Sequence[str]], p: core.Polynomial) -> tuple[int
 def implied(words: Mapping[str, Sequence[str]], p: core.Polynomial) -> dict[str, list[str]]:
     """With c·α·q > 0, and a sign of all but q, q has one: what is known of it then."""
     found: dict[str, list[str]] = {}
-    ((monomial, c),) = p.items() if len(p) == 1 else (((), 0),)
+    if len(p) != 1:
+        return found
+    ((monomial, c),) = p.items()
     for name, e in monomial:
         sign, never = sign_of(words, {tuple(x for x in monomial if x[0] != name): c})
         if e % 2 and sign and never:

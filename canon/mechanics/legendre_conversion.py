@@ -39,9 +39,14 @@ def converted(F: GeneratingFunction, type: int | Sequence[int], branch: int = 0)
         conditions = F.space.domain.conditions
         found = branches(solved, [x for x, _ in gone], {result: value}, within=conditions, besides=besides)
         if len(found) <= branch:
-            raise InputError(f"the map has no generating function of type {type} that could be found")
+            raise InputError(f"the map has no generating function of type {_written(type)} that could be found")
         value = found[branch][result]
     return GeneratingFunction(F.space, type, value)
+
+
+def _written(type: int | Sequence[int]) -> str:  # noqa: A002
+    """The type as a file has it: 2, or [2, 3]."""
+    return str(type if isinstance(type, int) else [*type])
 
 
 def _sign(F: GeneratingFunction, argument: sp.Symbol) -> int:
@@ -90,7 +95,7 @@ def recovered(transformation: Transformation, type: int | Sequence[int]) -> Reco
         if found is not None:
             F = GeneratingFunction(space, pattern, tidy(found.function))
             return Recovered(converted(F, type), tuple(tidy(residual) for residual in found.residuals))
-    raise InputError(f"no generating function of type {type} was found")
+    raise InputError(f"no generating function of type {_written(type)} was found")
 
 
 def _has_roots(form: Sequence[sp.Expr]) -> bool:

@@ -2,13 +2,16 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import count
 
 import sympy as sp
 
 from canon.errors import InputError
 from canon.expected import instance_of, whole_number
 from canon.mechanics.generating_function import MOMENTA, GeneratingFunction
+from canon.mechanics.map_points import gives, points_of
 from canon.mechanics.one_form import potential, tidy
+from canon.mechanics.solution_points import Point
 from canon.mechanics.solving import branches
 from canon.mechanics.transformation import Transformation, listed_types
 
@@ -84,9 +87,10 @@ def recovered(transformation: Transformation, type: int | Sequence[int]) -> Reco
         assert transformation.generating_function is not None
         F = converted(transformation.generating_function, type)
         return Recovered(F, (sp.S.Zero,) * len(F.mixed))
+    points = list(points_of(transformation))
     forms: dict[tuple[int, ...], list[sp.Expr]] = {}
     for pattern in (template.types, *regular_types(template)[:_DETOURS]):
-        values = _in_mixed_coordinates(transformation, GeneratingFunction(space, pattern, 0))
+        values = _in_mixed_coordinates(transformation, GeneratingFunction(space, pattern, 0), points)
         if values is not None:
             forms[pattern] = values
     for pattern in sorted(forms, key=lambda kinds: (_has_roots(forms[kinds]), kinds != template.types)):
@@ -94,8 +98,30 @@ def recovered(transformation: Transformation, type: int | Sequence[int]) -> Reco
         found = potential(forms[pattern], aim.mixed)
         if found is not None:
             F = GeneratingFunction(space, pattern, tidy(found.function))
-            return Recovered(converted(F, type), tuple(tidy(residual) for residual in found.residuals))
-    raise InputError(f"no generating function of type {_written(type)} was found")
+            residuals = tuple(tidy(residual) for residual in found.residuals)
+            of_type = converted(F, type) if any(residuals) else _branch_of(F, type, points)
+            if of_type is not None:
+                return Recovered(of_type, residuals)
+    raise InputError(
+        f"no generating function of type {_written(type)} was found that is right throughout the domain; where one variable has "
+        "several values for those on which it would depend, restrict the domain, as by space.where('p > 0')"
+    )
+
+
+def _branch_of(
+    F: GeneratingFunction,
+    type: int | Sequence[int],  # noqa: A002
+    points: Sequence[Point],
+) -> GeneratingFunction | None:
+    """F of another type of the map to which the points belong, `None` where none of the branches is of it."""
+    for branch in count():
+        try:
+            candidate = converted(F, type, branch)
+        except InputError:
+            return None
+        if all(gives(candidate.conjugates(), point) for point in points):
+            return candidate
+    return None
 
 
 def _has_roots(form: Sequence[sp.Expr]) -> bool:
@@ -103,8 +129,11 @@ def _has_roots(form: Sequence[sp.Expr]) -> bool:
     return any(power.exp.is_Rational and not power.exp.is_Integer for part in form for power in part.atoms(sp.Pow))
 
 
-def _in_mixed_coordinates(transformation: Transformation, template: GeneratingFunction) -> list[sp.Expr] | None:
-    """What dF/du must be for F of this type, as functions of u; `None` when the map cannot be written in u."""
+def _in_mixed_coordinates(
+    transformation: Transformation, template: GeneratingFunction, points: Sequence[Point]
+) -> list[sp.Expr] | None:
+    """What dF/du must be for F of this type, as functions of u; `None` when the map cannot be written in u, or not by
+    one function of u at all the points."""
     given = {target: formula.expr for target, formula in transformation.mapping.items()}
     forward = transformation.direction == "forward"
     known = template.new_arguments if forward else template.old_arguments
@@ -112,9 +141,9 @@ def _in_mixed_coordinates(transformation: Transformation, template: GeneratingFu
     rest = template.new_conjugates if forward else template.old_conjugates
     conditions = transformation.space.domain.conditions
     found = branches({x: given[x] for x in known}, unknown, {y: given[y] for y in rest}, within=conditions)
-    if not found:
+    values = next((branch for branch in found if all(gives(branch, point) for point in points)), None)
+    if values is None:
         return None
-    values = found[0]
     old, new = template.signs()
     conjugates = template.old_conjugates + template.new_conjugates
     return [sign * values[y] for sign, y in zip((*old, *new), conjugates, strict=True)]

@@ -1,6 +1,6 @@
 """What a time-dependent transformation adds to the Hamiltonian: K = scale H + R."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -9,9 +9,10 @@ from sympy.core.function import AppliedUndef
 from canon.errors import InputError
 from canon.mechanics.explicit import explicit_branches
 from canon.mechanics.formulas import Expression, as_expression, as_formula, replaced
+from canon.mechanics.map_points import agree, points_of
 from canon.mechanics.one_form import Potential, potential, tidy
 from canon.mechanics.poisson import standard_j
-from canon.mechanics.solution_points import real_value, sample_points
+from canon.mechanics.solution_points import real_value
 from canon.mechanics.transformation import Transformation
 
 
@@ -47,7 +48,7 @@ def transformed_hamiltonian(transformation: Transformation, H: Expression, scale
     found = explicit_branches(transformation, "backward")
     if not found:
         transformation.backward()  # raises with what isn't found
-    points, asked = list(_points(transformation)), (as_expression(H), as_expression(scale))
+    points, asked = list(points_of(transformation)), (as_expression(H), as_expression(scale))
     for back in found:
         K = _with_old_eliminated(transformation, back, H, scale)
         if all(_is_new_hamiltonian(transformation, *asked, K, point) for point in points):
@@ -58,15 +59,6 @@ def transformed_hamiltonian(transformation: Transformation, H: Expression, scale
         "space.where('q > 0'), or choose one by .backward(branch)",
         "transformation",
     )
-
-
-def _points(transformation: Transformation) -> Iterator[dict[Any, Any]]:
-    """Sample points of the domain, with the values of the old and the new variables."""
-    F, space = transformation.generating_function, transformation.space
-    if transformation.direction == "implicit" and F is not None:
-        return sample_points(F.conjugates(), F.mixed, {}, space.domain.conditions)
-    given = {x: formula.expr for x, formula in transformation.mapping.items()}
-    return sample_points(given, space.old, {}, space.domain.conditions)
 
 
 def _is_new_hamiltonian(
@@ -80,16 +72,12 @@ def _is_new_hamiltonian(
         return True
     F = transformation.generating_function
     if transformation.direction == "implicit" and F is not None:
-        return _agree(real_value(K, at), real_value(scale * H + F.time_derivative(), at))
+        return agree(real_value(K, at), real_value(scale * H + F.time_derivative(), at))
     space, M, shift = transformation.space, transformation.jacobian(), shift_gradient(transformation)
     slopes = sp.Matrix([[K.diff(x) for x in space.new]])
     wanted = [scale * H.diff(x) + part for x, part in zip(space.old, shift, strict=True)]
     found: Any = slopes * M
-    return all(_agree(real_value(a, at), real_value(b, at)) for a, b in zip(found, wanted, strict=True))
-
-
-def _agree(one: float | None, other: float | None) -> bool:
-    return one is None or other is None or abs(one - other) <= 1e-9 * (1 + abs(one) + abs(other))
+    return all(agree(real_value(a, at), real_value(b, at)) for a, b in zip(found, wanted, strict=True))
 
 
 def _with_old_eliminated(

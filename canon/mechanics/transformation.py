@@ -213,7 +213,8 @@ class Transformation:
     def generating_function_of(self, type: int | Sequence[int]) -> "GeneratingFunction":  # noqa: A002
         """A generating function of this type of a canonical map, by integration, up to a function of time.
 
-        **Raises:** `InputError` when none is found. That it is one is a claim: `has_generating_function`.
+        **Raises:** `InputError` when none is found that is right throughout the domain. That it is one is a claim:
+        `has_generating_function`.
         """
         from canon.mechanics.legendre_conversion import recovered
 

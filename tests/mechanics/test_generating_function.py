@@ -3,7 +3,7 @@ from itertools import product
 import pytest
 import sympy as sp
 
-from canon import GeneratingFunction, InputError, PhaseSpace, recovered
+from canon import GeneratingFunction, InputError, PhaseSpace, Transformation, recovered, verify
 
 OSCILLATOR = PhaseSpace("q", "p", new=("phi", "I"), positive="m omega")
 q, p, phi, I, m, omega = OSCILLATOR.symbols("q p phi I m omega")
@@ -77,14 +77,47 @@ def test_the_identity_has_no_function_of_type_one():
 
 @pytest.mark.parametrize("kind", [1, 2, 3, 4])
 def test_a_function_is_recovered_from_the_map(kind, vanishes):
-    found = recovered(F1.transformation().forward(), kind)
+    quarter = OSCILLATOR.where(p > 0, q > 0)
+    found = recovered(GeneratingFunction(quarter, type=1, F=F1.F).transformation().forward(), kind)
     assert vanishes(found.residuals)
     assert found.generating_function.type == kind
 
 
-def test_recovery_shows_that_a_map_is_not_canonical(vanishes):
-    from canon import Transformation
+@pytest.mark.parametrize(
+    ("region", "angle", "kind"),
+    [
+        ("p < 0", "atan(q/p)", 2),
+        ("p < 0", "atan2(q, p)", 1),
+        ("q < 0", "-atan(p/q)", 4),
+        ("q < 0", "atan2(q, p)", 3),
+        ("q < 0", "atan(q/p)", 1),
+    ],
+)
+def test_a_recovered_function_is_right_throughout_the_domain(region, angle, kind):
+    space = PhaseSpace("q", "p", new=("phi", "I")).where(region)
+    map_ = Transformation(space, Q=space.formula(angle), P=space.formula("(q**2 + p**2)/2"))
+    F = map_.generating_function_of(kind)
+    x, y, phi, I = map(space.symbol, ("q", "p", "phi", "I"))
+    at = {x: -sp.Rational(3, 7), y: -sp.Rational(5, 7)}
+    at |= {phi: map_.Q[0].expr.subs(at), I: map_.P[0].expr.subs(at)}
+    for variable, formula in F.conjugates().items():
+        assert abs(complex((formula - variable).subs(at).evalf())) < 1e-12
+    assert verify(map_.has_generating_function(kind, F.F)).status == "proved"
 
+
+@pytest.mark.parametrize(
+    ("region", "angle", "kind"),
+    [("q + p > 0", "atan2(q, p)", 2)],
+)
+def test_what_is_several_functions_on_the_domain_is_not_recovered(region, angle, kind):
+    """p = ±√(2I − q²) where q + p > 0: no one function of q and I is F of type 2."""
+    space = PhaseSpace("q", "p", new=("phi", "I")).where(region)
+    map_ = Transformation(space, Q=space.formula(angle), P=space.formula("(q**2 + p**2)/2"))
+    with pytest.raises(InputError, match=f"no generating function of type {kind} .* throughout the domain"):
+        map_.generating_function_of(kind)
+
+
+def test_recovery_shows_that_a_map_is_not_canonical(vanishes):
     x, y = ONE.old
     found = recovered(Transformation(ONE, Q=y, P=-2 * x), 1)
     assert not vanishes(found.residuals)

@@ -103,8 +103,9 @@ def recovered(transformation: Transformation, type: int | Sequence[int]) -> Reco
             if of_type is not None:
                 return Recovered(of_type, residuals)
     raise InputError(
-        f"no generating function of type {_written(type)} was found that is right throughout the domain; where one variable has "
-        "several values for those on which it would depend, restrict the domain, as by space.where('p > 0')"
+        f"no generating function of type {_written(type)} was found that is right throughout the domain; where one "
+        "variable has several values for those on which it would depend, restrict the domain, as by "
+        "space.where('p > 0')"
     )
 
 

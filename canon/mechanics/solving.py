@@ -80,7 +80,8 @@ def _with_other_roots(solution: Solution) -> Solution:
     """The same with odd roots of negative numbers, which are negative: x^(1/3) as -(-x)^(1/3)."""
 
     def is_odd_root(part: Any) -> bool:
-        return isinstance(part, sp.Pow) and part.exp.is_Rational and part.exp.q > 1 and part.exp.q % 2 == 1
+        exponent: Any = part.exp if isinstance(part, sp.Pow) else sp.S.One
+        return exponent.is_Rational and exponent.q > 1 and exponent.q % 2 == 1
 
     return {
         x: value.replace(is_odd_root, lambda part: (-1) ** part.exp.p * (-part.base) ** part.exp)

@@ -1,6 +1,6 @@
 """A Lagrangian and its Legendre transform, in both directions."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,8 +14,10 @@ from canon.expression import Formula
 from canon.mechanics import statements
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols, replaced
 from canon.mechanics.hamiltonian import Hamiltonian
+from canon.mechanics.map_points import agree
 from canon.mechanics.one_form import tidy
 from canon.mechanics.phase_space import PhaseSpace, check_space
+from canon.mechanics.solution_points import real_value, sample_points
 from canon.mechanics.solving import branches
 
 
@@ -58,17 +60,18 @@ class Lagrangian:
         at = dict(zip(self.space.p, self.momenta(), strict=True))
         return replaced(as_expression(H), at) - self.energy()
 
-    def hamiltonian(self, branch: int = 0) -> Hamiltonian:
+    def hamiltonian(self, branch: int | None = None) -> Hamiltonian:
         """The Legendre transform, with p = dL/dv solved for the velocities.
 
-        **Raises:** `InputError` when no solution is found, as for a singular Lagrangian.
+        Of several solutions that is taken with which H is right at all sample points of the space's domain at which it
+        has a value; or the one with the number `branch`.
+
+        **Raises:** `InputError` when no solution is found, as for a singular Lagrangian, or none that is right
+        throughout.
         """
-        whole_number(branch, "branch", 0)
         equations = dict(zip(self.space.p, self.momenta(), strict=True))
-        found = branches(equations, self.velocities)
-        if len(found) <= branch:
-            raise InputError("p = dL/dv was not solved for the velocities", "L")
-        return Hamiltonian(self.space, tidy(replaced(self.energy(), found[branch])))
+        H = _transformed(equations, self.velocities, self.energy(), self.space, branch, "p = dL/dv", "L")
+        return Hamiltonian(self.space, H)
 
     def legendre(self, H: Expression) -> Claim:
         """Claims that H is the Legendre transform of this Lagrangian, and that it is regular."""
@@ -90,17 +93,47 @@ def _velocities(space: PhaseSpace, given: Any) -> tuple[sp.Symbol, ...]:
     return names
 
 
-def lagrangian_of(hamiltonian: Hamiltonian, velocities: sp.Symbol | Sequence[sp.Symbol], branch: int = 0) -> Lagrangian:
-    """The inverse transform: L = p v - H with v = dH/dp solved for the momenta.
+def lagrangian_of(
+    hamiltonian: Hamiltonian, velocities: sp.Symbol | Sequence[sp.Symbol], branch: int | None = None
+) -> Lagrangian:
+    """The inverse transform: L = p v - H with v = dH/dp solved for the momenta; of several solutions as `hamiltonian`.
 
-    **Raises:** `InputError` when no solution is found.
+    **Raises:** `InputError` when no solution is found, or none that is right throughout the domain.
     """
     space = hamiltonian.space
-    whole_number(branch, "branch", 0)
     names = _velocities(space, velocities)
     qdot, _ = hamiltonian.equations()
-    found = branches(dict(zip(names, qdot, strict=True)), space.p)
-    if len(found) <= branch:
-        raise InputError("v = dH/dp was not solved for the momenta", "hamiltonian, H")
-    terms = (v * p for v, p in zip(names, space.p, strict=True))
-    return Lagrangian(space, tidy(replaced(sp.Add(*terms) - hamiltonian.H.expr, found[branch])), names)
+    energy = sp.Add(*(v * p for v, p in zip(names, space.p, strict=True))) - hamiltonian.H.expr
+    equations = dict(zip(names, qdot, strict=True))
+    return Lagrangian(space, _transformed(equations, space.p, energy, space, branch, "v = dH/dp", "H"), names)
+
+
+def _transformed(
+    equations: Mapping[sp.Symbol, sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    value: sp.Expr,
+    space: PhaseSpace,
+    branch: int | None,
+    called: str,
+    where: str,
+) -> sp.Expr:
+    """A value with the unknowns eliminated: by the solution that is right wherever it has one, or by that number."""
+    if branch is not None:
+        whole_number(branch, "branch", 0)
+    within = space.domain.conditions
+    found = branches(equations, unknowns, within=within)
+    if len(found) <= (branch or 0):
+        raise InputError(f"{called} was not solved for {', '.join(map(str, unknowns))}", where)
+    forms = [tidy(replaced(value, solution)) for solution in found]
+    if branch is not None:
+        return forms[branch]
+    points = list(sample_points(equations, unknowns, {}, within))
+    for form in forms:
+        if all(agree(real_value(form, point), real_value(value, point)) for point in points):
+            return form
+    raise InputError(
+        f"{called} has several solutions, and none is right throughout the domain: "
+        f"{' or '.join(str(solution) for solution in found)}; restrict the domain, as by space.where('p > 0'), say of "
+        "which sign the names are, or choose a branch by its number",
+        where,
+    )

@@ -54,3 +54,40 @@ def test_a_field_and_its_hamiltonian(vanishes):
     assert found is not None
     assert vanishes(found.residuals)
     assert not vanishes(field_residuals(SPACE, qdot, (pdot[0] - p_r, 0)))
+
+
+@pytest.mark.parametrize(
+    ("region", "L", "H"),
+    [
+        ("v > 0", "v**3/3", "2*p**(3/2)/3"),
+        ("v < 0", "v**3/3", "-2*p**(3/2)/3"),
+        ("v < 0", "v**4/4", "3*(-p)**(4/3)/4"),
+        ("p < 0", "-sqrt(1 - v**2)", "sqrt(1 + p**2)"),
+    ],
+)
+def test_the_legendre_transform_is_that_of_the_domain(region: str, L: str, H: str) -> None:
+    space = PhaseSpace("q", "p", real="v").where(region)
+    v, p = space.symbol("v"), space.symbol("p")
+    lagrangian = Lagrangian(space, space.formula(L), v)
+    at = {v: sp.Rational(3 if region == "v > 0" else -3, 7)}
+    at |= {p: lagrangian.momenta()[0].subs(at)}
+    found = lagrangian.hamiltonian().H.expr
+    for value in (found, space.formula(H).expr):
+        assert abs(complex((value - lagrangian.energy()).subs(at).evalf())) < 1e-12
+
+
+def test_a_velocity_of_either_sign_has_no_one_legendre_transform() -> None:
+    """p = v²: H is ±2p^(3/2)/3 for v = ±√p. And back: v = p²."""
+    space = PhaseSpace("q", "p", real="v")
+    v, p = space.symbol("v"), space.symbol("p")
+    lagrangian = Lagrangian(space, v**3 / 3, v)
+    with pytest.raises(InputError, match="several solutions, and none is right throughout the domain"):
+        lagrangian.hamiltonian()
+    assert {sp.simplify(lagrangian.hamiltonian(k).H.expr / p ** sp.Rational(3, 2)) for k in (0, 1)} == {
+        sp.Rational(2, 3),
+        -sp.Rational(2, 3),
+    }
+    with pytest.raises(InputError, match="several solutions, and none is right throughout the domain"):
+        lagrangian_of(Hamiltonian(space, p**3 / 3), v)
+    half = space.where("p < 0")
+    assert sp.simplify(lagrangian_of(Hamiltonian(half, p**3 / 3), v).L.expr + 2 * v ** sp.Rational(3, 2) / 3) == 0

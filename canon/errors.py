@@ -37,6 +37,10 @@ class EmptyDomain(InputError):
     """No point was found at which the claim is made."""
 
 
+class NoValue(InputError):
+    """A map has no finite value at any point at which it was tried, or raises at each."""
+
+
 class BudgetExceeded(CanonError):
     """The time given to a claim is spent."""
 

@@ -14,7 +14,7 @@ from typing import Any, Final, Literal
 
 import numpy as np
 
-from canon.errors import InputError
+from canon.errors import NoValue
 from canon.numeric.compiled_jacobian import LARGEST_TAKEN_APART, compiled_jacobian
 from canon.numeric.differences import central_differences, complex_step, misfits, neighbours
 from canon.numeric.emit import run
@@ -185,9 +185,7 @@ def _of_jax(traced: Traced, points: Array, rounded_numbers: bool) -> Differentia
         evaluate, linearise, bounded = compiled_jacobian(traced.one, size, unit, bounds=False)
     tries = (points[:TRIALS], points[:MOST_TRIALS])
     if not any(np.isfinite(evaluate(trial)).all(axis=1).any() for trial in tries):
-        raise InputError(
-            f"the map has no finite value at any of {len(tries[1])} points tried, as at {shown(points[0])}"
-        )
+        raise NoValue(f"the map has no finite value at any of {len(tries[1])} points tried, as at {shown(points[0])}")
     return Differentiable(
         dimension=size,
         kind="jax",

@@ -9,7 +9,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from canon.errors import InputError
+from canon.errors import InputError, NoValue
 from canon.numeric.precision import UNIT, double, unit_of
 
 Array = np.ndarray
@@ -59,7 +59,7 @@ def point_map(function: Callable[..., Any], points: Array) -> PointMap:
     form, one, results = _first_form(function, points)
     usable = [k for k, value in enumerate(results) if value is not None and np.all(np.isfinite(value))]
     if not usable:
-        raise InputError(f"the map has no finite value at any of {len(results)} points tried, as at {shown(points[0])}")
+        raise NoValue(f"the map has no finite value at any of {len(results)} points tried, as at {shown(points[0])}")
     found = [np.asarray(results[k]) for k in usable]
     if any(np.iscomplexobj(value) for value in found):
         raise InputError(COMPLEX)
@@ -117,7 +117,7 @@ def _first_form(function: Callable[..., Any], points: Array) -> tuple[str, Calla
     if wrong is not None:
         raise InputError(f"{wrong}; {EXPECTED}") from wrong
     said = f"{type(reasons[0]).__name__}: {reasons[0]}"
-    raise InputError(f"the map raises at every point tried, for instance at {shown(points[0])}: {said}")
+    raise NoValue(f"the map raises at every point tried, for instance at {shown(points[0])}: {said}") from reasons[0]
 
 
 def of_any_form(images: Callable[[Array], Array], arguments: tuple[Any, ...]) -> Any:

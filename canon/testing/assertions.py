@@ -2,18 +2,21 @@
 
 Each raises `AssertionError` with what fails, where, and by how much beside the rounding that is to be expected there.
 The map is a function of a phase point z (2n,), of a pair (q, p), or of points (…, 2n), of numpy or jax; or a
-`Transformation` given by formulas. `options` are those of `canon.audit`: `domain`, `samples`, `seed`, `space`,
-`parameters`.
+`Transformation` given by formulas. One that raises, or isn't finite, wherever it is tried fails as well; what is no
+real map of phase points, by its shape or type, is an `InputError`. `options` are those of `canon.audit`: `domain`,
+`samples`, `seed`, `space`, `parameters`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from canon.claims.audit import AuditReport, audit
+from canon.errors import NoValue
 from canon.expected import function, whole_number
 
 __all__ = [
@@ -43,7 +46,8 @@ def assert_canonical(
 
     **Returns:** the audit's report. **Raises:** `AssertionError` unless the audit's verdict is `supported`.
     """
-    report = audit(map, dimension=dimension, scale=scale, **options)
+    with _failing(map):
+        report = audit(map, dimension=dimension, scale=scale, **options)
     if report.verdict != "supported":
         valence = "" if scale == 1 else f" with valence {scale:g}"
         reasons = "; ".join(report.failures + report.doubts)
@@ -53,7 +57,8 @@ def assert_canonical(
 
 def assert_volume_preserving(map: Any, *, dimension: int | None = None, **options: Any) -> AuditReport:  # noqa: A002
     """|det M| = 1 at every sample (Liouville). **Returns** the audit's report."""
-    report = audit(map, dimension=dimension, **options)
+    with _failing(map):
+        report = audit(map, dimension=dimension, **options)
     found = report.volume
     if not found.typical_bound < abs(report.scale) ** (report.dimension // 2):
         raise AssertionError(
@@ -92,7 +97,8 @@ def assert_reversible(
         function(involution, "an involution of points (N, 2n)", "involution")
     where = points_of(domain, names, [DEFAULT] * dimension)
     points = np.concatenate(list(where.blocks(samples, samples, seed)))
-    mapped = differentiable(map, points, where.lengths)
+    with _failing(map):
+        mapped = differentiable(map, points, where.lengths)
     if not mapped.steady:
         raise AssertionError(f"{name_of(map)} depends on hidden state: two evaluations at the same point differ")
     residuals = reversal_residuals(mapped, points, involution or momentum_reversal)
@@ -111,6 +117,15 @@ def assert_reversible(
             f"{name_of(map)} is not reversible: {variable} comes back off by {found.size:.3g}, "
             f"bound {found.bound:.2g}, from {place_of(names, found.point)}"
         )
+
+
+@contextmanager
+def _failing(map: Any) -> Iterator[None]:  # noqa: A002
+    """A map that has no value anywhere fails the test: nothing is wrong with what the assertion was given."""
+    try:
+        yield
+    except NoValue as reason:
+        raise AssertionError(f"{name_of(map)}: {reason.message}") from reason
 
 
 def name_of(map: Any) -> str:  # noqa: A002

@@ -40,7 +40,7 @@ def assert_hamiltonian_flow(
     granted, relative to the sizes of velocities, of brackets, and of the variables' ranges: a flow by an integrator has
     its error.
 
-    **Raises:** `AssertionError` with what fails, where, and by how much.
+    **Raises:** `AssertionError` with what fails, where, and by how much; what the flow itself raises.
     """
     from canon.claims.audit import variables
     from canon.numeric.differences import central_differences

@@ -188,3 +188,20 @@ def test_involutions_are_given_copies_and_are_functions() -> None:
         assert_reversible(leapfrog, dimension=2, involution=3)  # type: ignore[arg-type]
     with pytest.raises(InputError, match="samples: a whole number is needed, at least 1, not 0"):
         assert_reversible(leapfrog, dimension=2, samples=0)
+
+
+def _raises(z: Array) -> Array:
+    raise ZeroDivisionError("nowhere")
+
+
+@pytest.mark.parametrize(
+    "assertion", [assert_symplectic, assert_canonical, assert_volume_preserving, assert_reversible]
+)
+def test_a_map_without_any_value_fails_and_what_is_no_map_is_an_input_error(assertion: Any) -> None:
+    with pytest.raises(AssertionError, match="no finite value at any of"):
+        assertion(lambda z: z * np.nan, dimension=2)
+    with pytest.raises(AssertionError, match=r"_raises: the map raises at every point.*ZeroDivisionError: nowhere"):
+        assertion(_raises, dimension=2)
+    for no_map in (lambda z: z[:1], lambda z: z + 1j, lambda z: None):
+        with pytest.raises(InputError, match="the map returns"):
+            assertion(no_map, dimension=2)

@@ -77,7 +77,7 @@ class Formula:
 
 
 def number(r: Any) -> Formula:
-    if not isinstance(r, str) or (len(r) < LONGEST and not re.search(r"[eE][-+]?\d{4}", r)):
+    if not isinstance(r, str) or (len(r) < LONGEST and not re.search(r"[eE][-+]?[\d_]{4}", r)):
         if max(map(int.bit_length, (r := Fraction(r)).as_integer_ratio())) < LONGEST:
             return Formula("#", (r,))
     raise Stop("not shown", "a number that is so long")
@@ -88,6 +88,7 @@ class Claim:
 
     def __init__(self, tables: Any) -> None:
         self.known, self.outer = cache(self.read), cache(self.outer)
+        tables = json.loads(re.sub(r"\\([nrtfb]|u00[01].)", " ", json.dumps(tables)))
         space, self.kind, self.domain = tables["phase_space"], tables["claim"]["kind"], tables.get("domain", {})
         claim = {key: value for key, value in tables["claim"].items() if key not in UNASKED}
         sides = {side: space.get(side, []) for side in "qpQP"}
@@ -98,11 +99,12 @@ class Claim:
         every = [*named, "pi", "D", "bracket", *SLOPES, *MEANINGS]
         odd = re.search(r"(?<!\w)_", whole) or unicodedata.normalize("NFKC", whole) != whole
         odd = odd or {*tables} - {*SECTIONS} or any({*tables.get(s, {})} - k for s, k in SECTIONS.items() if k)
+        odd = odd or max(len(every), len(claim.get("functions", ()))) > 4 * MOST_TERMS
         if len({*every}) < len(every) or odd or "complex" in str(self.words) or not all(map(str.isidentifier, named)):
-            raise Stop("not shown", "names with two meanings, complex ones, or of another form")
-        for key, value in (tables.get("hamiltonian", {}) | claim).items():
-            parts = value if isinstance(value, list) else [value]
-            self.texts |= {f"_{key}": value} | {f"_{key}{i}": text for i, text in enumerate(parts)}
+            raise Stop("not shown", "names with two meanings, complex ones, of another form, or so many")
+        for key, value in ((tables.get("hamiltonian", {}) if self.kind not in OWN else {}) | claim).items():
+            parts = enumerate(value if isinstance(value, list) else ())
+            self.texts |= {f"_{key}": value} | {f"_{key}{i}": text for i, text in parts}
         self.pairs, self.variables = [*zip(sides["q"], sides["p"], strict=True)], self.names
         said = {*re.findall(r"\w+", json.dumps([*self.texts.values()], ensure_ascii=False))}
         if self.kind in MAPS or {*sides["Q"], *sides["P"]} & said:
@@ -139,14 +141,12 @@ class Claim:
         pairs = combinations(range(2 * n), 2)
         zeros = [f"bracket({X[i]}, {X[j]})" + f" - {inverse}_scale" * (j == i + n) for i, j in pairs]
         zeros += [f"D(_scale, {u})" for u in self.variables if scaled]
-        for u in Y if scaled else ():
-            moved = [lagrange(sides, half, u, self.names[-1]) for half in ("QP", "qp")]
-            zeros.append(f"D(_K - _scale*_H, {u}) + {moved[0]} - _scale*({moved[1]})")
-        return zeros
+        return zeros + [f"D(_K - _scale*_H, {u}) + {moved(sides, u, self.names[-1])}" for u in Y if scaled]
 
     def read(self, text: Any, own: Any = None) -> Formula:
         """The formula of a text; `own` are names that stand for formulas. Names get a mark: none is Python's."""
-        marked = re.sub(r"(?<![\w.])[^\W\d]\w*", r"_\g<0>", " ".join(str(text).replace("#", "?").split()))
+        plain = re.sub(r"[^\w ()\[\],.+*/-]", "?", " ".join(str(text).split()))
+        marked = re.sub(r"(?<![\w.])[^\W\d]\w*", r"_\g<0>", plain)
         return self.built(ast.parse(marked, mode="eval").body, marked, own or {})
 
     def built(self, at: Any, text: str, own: Any) -> Formula:
@@ -195,10 +195,11 @@ class Claim:
         return self.read(SLOPES[f.kind][k], dict(zip("ab", f.of, strict=False)))
 
 
-def lagrange(sides: Any, half: str, a: str, b: str) -> str:
-    """Lagrange's bracket of two coordinates: Σ ∂q/∂a ∂p/∂b − ∂p/∂a ∂q/∂b."""
-    pairs = zip(sides[half[0]], sides[half[1]], strict=True)
-    return " + ".join(f"D({q}, {a})*D({p}, {b}) - D({p}, {a})*D({q}, {b})" for q, p in pairs)
+def moved(sides: Any, a: str, b: str) -> str:
+    """Lagrange's bracket of two coordinates, Σ ∂q/∂a ∂p/∂b − ∂p/∂a ∂q/∂b, of new ones less scale · of old ones."""
+    pairs = [zip(sides[half[0]], sides[half[1]], strict=True) for half in ("QP", "qp")]
+    new, old = (" + ".join(f"D({q}, {a})*D({p}, {b}) - D({p}, {a})*D({q}, {b})" for q, p in half) for half in pairs)
+    return f"{new} - _scale*({old})"
 
 
 class Point:
@@ -218,8 +219,7 @@ class Point:
 
     def root(self, x: int, r: Fraction) -> int:
         """x^r."""
-        whole = r.denominator == 1
-        return pow(x if whole else self.square(x), int(r) if whole else self.fraction(r, self.half), self.p)
+        return pow(*(x, int(r)) if r.denominator == 1 else (self.square(x), self.fraction(r, self.half)), self.p)
 
     def square(self, x: int) -> int:
         """What has to be positive."""
@@ -235,7 +235,7 @@ class Point:
             return self.at(f.of[0], *sorted((*by, *f.orders)))
         if not by or f.kind in "#.":
             return self.value(f) if not by else int(by == f.of)
-        found = 0
+        found = 0 * self.at(f)  # where it has no value, it has no slope
         for (k, inner), taken in product(enumerate(f.of), product((True, False), repeat=len(by) - 1)):
             if steep := self.at(inner, by[0], *compress(by[1:], taken)):
                 found += steep * self.at(self.claim.outer(f, k), *compress(by[1:], (not one for one in taken)))
@@ -250,8 +250,8 @@ class Point:
         if f.kind in "+*":
             return (sum(a) if f.kind == "+" else prod(a)) % self.p
         if f.kind == "^":
-            r = f.of[1].of[0]
-            self.roots |= {a[0]} - self.sure if r.denominator % 2 == 0 and f.of[0].kind != "#" else set()
+            r, n = f.of[1].of[0], prod(f.of[0].of[0].as_integer_ratio()) if f.of[0].kind == "#" else MODULUS + 1
+            self.roots |= {a[0]} - self.sure if r.denominator % 2 == 0 and pow(MODULUS, LONGEST, n) else set()
             self.rational &= r.denominator == 1
             return self.root(a[0], r)
         self.rational = False
@@ -345,9 +345,10 @@ def sample(claim: Claim, case: Any, prime: int) -> int:
 
 def refuted(claim: Claim, witness: Any, prime: int) -> tuple[str, str]:
     """Whether something isn't 0 at a rational point in rational formulas: what isn't 0 modulo a prime isn't 0."""
+    witness = {name: number(witness[name]).of[0] for name in {*witness} & {*claim.names, *claim.words}}
     signs, point = {"real": 0, "positive": 1, "nonnegative": 1, "negative": -1}, Point(claim, prime)
-    fits = [signs[word] * Fraction(witness[name]) >= 0 for name in witness for word in claim.words.get(name, ())]
-    claim.texts = {name: str(Fraction(r)) for name, r in witness.items()} | claim.texts
+    fits = [signs[word] * witness[name] >= 0 for name in witness for word in claim.words.get(name, ())]
+    claim.texts = {name: str(r) for name, r in witness.items()} | claim.texts
     wrong = [point.at(claim.known(text)) for text in claim.zeros]
     if not point.rational or claim.domain or not all(fits):
         raise Stop("not shown", "a refutation that isn't one by fractions alone")

@@ -139,7 +139,8 @@ def hamilton_jacobi(s: Statement) -> Case:
     other = f.slope(S, s.time) if word == "S" else f.mul(f.number(-1), energy)
     complete = s.determinant([[f.slope(p, a) for a in constants] for p in momenta.values()])
     names = {f.ops[a][1] for a in f.reach(complete) if f.ops[a][0] == "s"}
-    whole = names <= {*s.q, *constants, s.time, "pi"} and _is_generic(s, complete)
+    generic = not s.surface and _is_generic(s, complete)  # on q = d the sine of q is 0 for some d
+    whole = names <= {*s.q, *constants, s.time, "pi"} and generic
     trusted = "that the integral is complete for all values of the parameters, not only for those tried"
     sure = whole or is_nowhere_zero(s, complete) or _is_complete(s, S, constants, energy, word)
     trusted = "" if sure else trusted

@@ -20,6 +20,7 @@ SPACE: Any = {"phase_space": {"q": ["q"], "p": ["p"], "Q": ["Q"], "P": ["P"]}}
 
 
 TURNED = {"transformation": {"Q": ["p"], "P": ["q"]}}
+LARGE = (29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71)
 
 
 FORGED = {
@@ -106,6 +107,26 @@ FORGED = {
     "roots of numbers, 0 modulo most primes": (
         {**SPACE, "claim": {"kind": "identity", "rhs": "0", "lhs": "*".join(
             f"(sqrt((sqrt({n}) - 1)**2) + sqrt({n}) - 1)" for n in (2, 3, 5, 7, 11))}}, {},
+    ),
+    "roots of the squares of large primes": (
+        {**SPACE, "claim": {"kind": "identity", "rhs": "0", "lhs": "*".join(f"(sqrt({n * n}) + {n})" for n in LARGE)}},
+        {},
+    ),
+    "a program's own name in a line of its own": (
+        {**SPACE, "claim": {"kind": "identity", "lhs": "\n_rhs", "rhs": "q"}}, {},
+    ),
+    "a new variable in a line of its own": (
+        {**SPACE, **TURNED, "claim": {"kind": "bracket", "f": "\nQ", "g": "q", "equals": "0"}}, {},
+    ),
+    "a new variable behind a separator": (
+        {**SPACE, **TURNED, "claim": {"kind": "bracket", "f": "\x1fQ", "g": "q", "equals": "0"}}, {},
+    ),
+    "a new variable with a dot": (
+        {"phase_space": {"q": ["q"], "p": ["p"], "Q": ["Q\u0307"], "P": ["P"]}, **TURNED,
+         "claim": {"kind": "bracket", "f": "Q\u0307", "g": "q", "equals": "0"}}, {},
+    ),
+    "a sign that Python takes for a letter": (
+        {**SPACE, "symbols": {"\u2118rhs": "real"}, "claim": {"kind": "identity", "lhs": "\u2118rhs", "rhs": "q"}}, {},
     ),
     "a remark": ({**SPACE, "claim": {"kind": "identity", "lhs": "q # + 1", "rhs": "q"}}, {}),
     "an order below 0, of nothing": ({**SPACE, "claim": {"kind": "identity", "lhs": "D(q, q, -1)", "rhs": "0"}}, {}),
@@ -208,3 +229,36 @@ def test_a_witness_says_nothing_but_where(witness: Any) -> None:
     for claim in claims:
         data = {"certificate": 1, "tables": {**maps, "claim": claim}, "verdict": "refuted", "witness": witness}
         assert alone.checked(resealed({**data, "cases": []}))[0] != "shown"
+
+
+def refuted(claim: Any, witness: Any, **tables: Any) -> str:
+    """The answer about a certificate that refutes a claim by a witness."""
+    data = {"certificate": 1, "tables": {**SPACE, **tables, "claim": claim}, "verdict": "refuted", "witness": witness}
+    return alone.checked(resealed({**data, "cases": []}))[0]
+
+
+@pytest.mark.parametrize("true", [
+    {"lhs": "q**3*D(1/q**2, q)", "rhs": "-2"}, {"lhs": "D(sqrt(q**2), q)**2", "rhs": "1"},
+    {"lhs": "q*D(log(q**2), q)", "rhs": "2"}, {"kind": "bracket", "f": "1/q**2", "g": "p*q**3", "equals": "-2"},
+])  # fmt: skip
+def test_what_has_no_value_has_no_slope(true: Any) -> None:
+    """At 0 the slope of q² is 0, and that of 1/q² isn't."""
+    assert refuted({"kind": "identity", **true}, {"q": "0", "p": "1"}) == "not shown"
+
+
+def test_a_field_has_a_hamiltonian_of_its_own() -> None:
+    """The witness names none, and the file's is another."""
+    field, place = {"kind": "hamiltonian_field", "qdot": ["p"], "pdot": ["-q"]}, {"q": "1", "p": "1"}
+    assert refuted(field, {"_H": "0", **place}) == refuted(field, place, hamiltonian={"H": "p**2/2"}) == "not shown"
+    assert refuted({**field, "H": "p**2/2"}, place) == "shown"
+
+
+def test_many_names_and_long_numbers_are_not_waited_for() -> None:
+    identity = {"kind": "identity", "lhs": "q", "rhs": "q"}
+    assert forged({**SPACE, "claim": {**identity, "lhs": "q*1e9_9_9_9_9_9_9_9_9"}})[0] == "not shown"
+    assert refuted(identity, {"q": "1e999999999"}) == "not shown"
+    space = {side: [f"{side}{i}" for i in range(2000)] for side in "qpQP"}
+    zeros = {"Q": ["0"] * 2000, "P": ["0"] * 2000}
+    many = {"phase_space": space, "transformation": zeros, "claim": {"kind": "canonical"}}
+    assert forged(many, 0)[0] == "not shown"
+    assert forged({**SPACE, "claim": {"kind": "involution", "functions": ["q"] * 2000}})[0] == "not shown"

@@ -30,6 +30,12 @@ def heisenberg(name: str) -> dict[str, Any]:
     return against(claim, {"q": "1", "p": "1"})
 
 
+def complete(S: str, **domain: Any) -> dict[str, Any]:
+    """A complete integral where H is 0."""
+    claim = {"kind": "hamilton_jacobi", "S": S, "constants": ["c"]}
+    return of(claim, hamiltonian={"H": "0"}, symbols={"d": "real"}, **domain)
+
+
 def lagrange(L: str, **tables: Any) -> dict[str, Any]:
     claim = {"kind": "euler_lagrange", "L": L, "velocities": ["v"], "accelerations": ["w"], "equations": ["w"]}
     return of(claim, **tables)
@@ -45,6 +51,8 @@ FALSE = {
     "an integral across H's jump": of(ACROSS, hamiltonian={"H": "p + sign(q)"}),
     "an integral across its own hole": of({**ACROSS, "f": "q*(q/q)"}),
     "an orbit through H's pole": through("1/q", "-1/q"),
+    "an integral that isn't complete on q = π/2": complete("c*sin(q)", domain={"on": ["q - d"]}),
+    "an integral that isn't complete on q = 0": complete("c*exp(q)*(q - 1)", domain={"on": ["q - d**2"]}),
     "an orbit through poles in q²": through("1/(q**2 - 1/4)", "-1/(q**2 - 1/4)"),
 }  # fmt: skip
 NO_FILE = {
@@ -68,6 +76,7 @@ TRUE = {
     "an orbit beside a map": action(transformation={"Q": ["q + p**3"], "P": ["p"]}, phase_space=MAP),
     "a path beside the map's pole": path("1 + t", **INVERSE),
     "an integral beside the map's pole": of({**ACROSS, "from": "1", "to": "3", "equals": "4"}, **INVERSE),
+    "an integral that is complete nearly everywhere": complete("c*sin(q)", domain={"where": ["q > d"]}),
     "a law in time": group("u + w + 0*t"),
     "a Lagrangian": lagrange("v**2/2 + 0*q"),
     "structure constants of a refuted name": heisenberg("so(3)"),

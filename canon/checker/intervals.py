@@ -78,6 +78,7 @@ class Intervals:
         Raises Open.
         """
         out: dict[int, Any] = {}
+        above: dict[str, bool] = {}  # a smooth function without a zero has one sign
         for a in f.reach(*targets):
             op, parts = f.ops[a], [out[b] for b in f.parts(a)]
             try:
@@ -87,6 +88,10 @@ class Intervals:
                     words = self.signs.get(op[1], ())
                     if not any(op[2]) and {*words} - {"function"} and not is_allowed(words, self.real(out[a])):
                         raise Open
+                    if not any(op[2]) and "nonzero" in words:
+                        sign = bool(self.real(out[a]).a > 0)
+                        if above.setdefault(op[1], sign) != sign:
+                            raise Open
                 else:
                     out[a] = self._value(op, parts, of)
             except (ValueError, ZeroDivisionError, OverflowError, TypeError, KeyError, NotImplementedError):

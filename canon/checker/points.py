@@ -57,13 +57,18 @@ class Numbers:
         Raises Outside.
         """
         out: dict[int, Any] = {}
+        above: dict[str, bool] = {}  # a smooth function without a zero has one sign
         for a in f.reach(*targets):
             op, parts = f.ops[a], [out[b] for b in f.parts(a)]
             try:
                 if op[0] == "f" and op[1] in f.functions:
                     body = f.body(of[op[1]], op[2])
                     out[a] = self.values(f, [body], {f"#{k}": x for k, x in enumerate(parts, 1)})[body]
-                    if not any(op[2]) and not allowed(self.signs.get(op[1], ()), out[a], self):
+                    words = self.signs.get(op[1], ())
+                    if not any(op[2]) and not allowed(words, out[a], self):
+                        raise Outside
+                    sign = bool(self.mp.re(out[a]) > 0)
+                    if not any(op[2]) and "nonzero" in words and above.setdefault(op[1], sign) != sign:
                         raise Outside
                 else:
                     out[a] = self._value(op, parts, of)

@@ -17,6 +17,7 @@ from flint import arb
 from canon.budget import Budget, BudgetExceeded
 from canon.decide.arbitrary import ChosenFunction, choose_functions
 from canon.decide.enclosure import Ball, OutOfDomain, evaluate, precision
+from canon.decide.one_sign import have_one_sign
 from canon.decide.proposal import Coordinate, proposed
 from canon.decide.region import Region, Requirement, admits, bounds, holds
 from canon.decide.relaxation import relax
@@ -124,6 +125,8 @@ class Finder:
             except (OutOfDomain, ZeroDivisionError, OverflowError):
                 return None
             if not all(holds(requirement, balls) for requirement in self.region.requirements):
+                return None
+            if not have_one_sign(self.tape, self.region.requirements, balls):
                 return None
         self.signs = self.signs or {n: v > 0 for n, v in point.items() if isinstance(v, Fraction)}
         return Sample(dict(point), dict(solved), functions, balls)

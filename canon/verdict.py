@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 from canon.display import items_in_html, status_in_html
 from canon.errors import ClaimFailed
 from canon.typeset.mixed import in_html, in_latex, in_markdown, in_text, tidied
+
+if TYPE_CHECKING:
+    from canon.claim import Claim
 
 Status = Literal["proved", "refuted", "supported", "undecided"]
 
@@ -53,7 +56,8 @@ class Verdict:
     `proved` rests on an exact argument (`certificate`), `refuted` on a point at which the claim fails by more than
     a rigorous bound (`witness`) or on an exact argument (`witness` None), `supported` on `numeric` evidence or on a
     bounded probability of error; `undecided` says in `method` and `detail` what was tried. `matters` are the names of
-    the witness on which the refutation depends, where others stand in it too: these alone are shown to people.
+    the witness on which the refutation depends, where others stand in it too: these alone are shown to people. `claim`
+    is what was verified, None of a verdict that comes from another process or a file.
     """
 
     status: Status
@@ -66,6 +70,7 @@ class Verdict:
     certificate: Mapping[str, Any] | None = field(default=None, hash=False)
     detail: Mapping[str, Any] = field(default_factory=dict, hash=False)
     matters: tuple[str, ...] | None = None
+    claim: Claim | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.status not in STATUSES:
@@ -75,7 +80,8 @@ class Verdict:
             object.__setattr__(self, name, told if told is None else MappingProxyType(dict(told)))
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: dict(x) if isinstance(x, MappingProxyType) else x for name, x in self.__dict__.items()}
+        told = {**self.__dict__, "claim": None}  # whoever asked has it
+        return {name: dict(x) if isinstance(x, MappingProxyType) else x for name, x in told.items()}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         for name, value in state.items():

@@ -1,6 +1,7 @@
 """Values of wrong types at public functions: one clear error each, which names the argument and what was given."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -88,9 +89,16 @@ def test_a_proof_of_structure_constants_is_written() -> None:
 
 
 def test_a_proof_keeps_to_its_claim() -> None:
+    """Another claim's verdict is told by what a file would state; one from another process by the checker."""
     false, true = canon.identity(SPACE, Q, P), canon.identity(SPACE, Q, Q)
-    with pytest.raises(InputError, match="verdict: this verdict isn't that of the claim"):
+    with pytest.raises(InputError, match="verdict: this is the verdict on another claim of this kind"):
         canon.proof(false, canon.verify(true))
+    with pytest.raises(InputError, match="verdict: this is the verdict on another claim of this kind"):
+        canon.proof(false, canon.verify(true, method="numeric"))  # supported: no certificate is looked at
+    elsewhere = replace(canon.verify(true), claim=None)
+    with pytest.raises(InputError, match="verdict: this verdict isn't that of the claim"):
+        canon.proof(false, elsewhere)
+    assert canon.proof(canon.identity(SPACE, SPACE.formula("q"), Q), canon.verify(true)).verdict.status == "proved"
     with pytest.raises(InputError, match="verdict: this is the verdict on another claim, of kind 'bracket'"):
         canon.proof(true, canon.verify(canon.bracket(SPACE, Q, P, 1)))
     assert canon.proof(true, canon.verify(true)).verdict.status == "proved"

@@ -81,11 +81,11 @@ def verify(
     check_seed(seed)
     check_accuracy(accuracy)
     if memory is not None:
-        return _apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy))
+        return replace(_apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy)), claim=claim)
     check_claim(claim)
     decide = kind_named(claim.kind)
     with in_turn(), recursion_told(), evaluate(True):  # whatever the program has told sympy
-        return _here(claim, decide, Settings(budget, seed, method, accuracy=accuracy), watch)
+        return replace(_here(claim, decide, Settings(budget, seed, method, accuracy=accuracy), watch), claim=claim)
 
 
 def _here(claim: Claim, decide: Kind, settings: Settings, watch: Callable[[float], None] | None) -> Verdict:

@@ -115,6 +115,8 @@ def proof(claim: Claim, verdict: Verdict | None = None, *, budget: float = 10.0)
         if (verdict.kind, verdict.title) != (claim.kind, claim.title):
             raise InputError(f"this is the verdict on another claim, of kind {verdict.kind!r}", "verdict")
     tables = claim_tables(claim)
+    if verdict is not None and verdict.claim is not None and claim_tables(verdict.claim) != tables:
+        raise InputError("this is the verdict on another claim of this kind", "verdict")
     answer = verify(claim, budget=budget) if verdict is None else verdict
     data = certificate(claim, answer, tables) if answer.status in ("proved", "refuted") else None
     if verdict is not None and data is not None and (found := check(data)).status == "rejected":

@@ -1,6 +1,7 @@
 """Are functions linearly independent over the reals, whatever the parameters are?
 
-- Without parameters: their values at points near one of the domain have a determinant that isn't 0, in intervals.
+- Without parameters, in a domain whose points are the same for all of them: their values at points near one of it have
+  a determinant that isn't 0, in intervals.
 - The combinations that vanish are an ideal of the algebra which the brackets make. A simple one has none but itself: so
   one function that isn't 0 is enough. Of three, eight or ten dimensions, or six with the signature of so(3,1), it is
   simple where Killing's form is regular (Cartan).
@@ -28,6 +29,7 @@ from canon.checker.linear import Rows, kernel, unit
 from canon.checker.points import domain_of
 from canon.checker.positive import is_nowhere_zero, is_positive
 from canon.checker.ratios import multiple
+from canon.checker.same_points import speak_of_all_parameters
 from canon.checker.statement import Statement
 from canon.checker.values import Values
 from canon.checker.witness import lies_inside
@@ -48,7 +50,7 @@ def are_independent(
         return are_independent_by_scaling(s, functions, sorted(moving))
     names = {f.ops[b][1] for b in f.reach(*functions) if f.ops[b][0] == "s"} - moving - {"pi"}
     called = any(f.ops[b][0] == "f" and f.ops[b][1] in f.functions for b in f.reach(*functions))
-    if not names and not called:
+    if not names and not called and speak_of_all_parameters(s, functions, moving):
         return any(_regular_near(s, functions, of, moving) for of in places)
     if called:
         return False

@@ -36,6 +36,12 @@ def complete(S: str, **domain: Any) -> dict[str, Any]:
     return of(claim, hamiltonian={"H": "0"}, symbols={"d": "real"}, **domain)
 
 
+def alone(function: str, **domain: Any) -> dict[str, Any]:
+    """An algebra of one function, which is one where that isn't 0 all over the domain, for any d."""
+    words = {"d": "real", "n": "integer", "V": "function"}
+    return of({"kind": "algebra", "basis": {"A": function}, "structure": {}}, symbols=words, **domain)
+
+
 def lagrange(L: str, **tables: Any) -> dict[str, Any]:
     claim = {"kind": "euler_lagrange", "L": L, "velocities": ["v"], "accelerations": ["w"], "equations": ["w"]}
     return of(claim, **tables)
@@ -53,6 +59,10 @@ FALSE = {
     "an orbit through H's pole": through("1/q", "-1/q"),
     "an integral that isn't complete on q = π/2": complete("c*sin(q)", domain={"on": ["q - d"]}),
     "an integral that isn't complete on q = 0": complete("c*exp(q)*(q - 1)", domain={"on": ["q - d**2"]}),
+    "a function that is 0 for large d": alone("abs(q - 10**9) - q + 10**9", domain={"where": ["q > d"]}),
+    "one that is 0 for large n": alone("sqrt((q - 3)**2) - q + 3", domain={"where": ["q > n"]}),
+    "one that is 0 for some V": alone("sign(q - 5) - 1", domain={"where": ["q > V(p)"]}),
+    "one that is 0 where H has values": alone("1 - sign(q)", hamiltonian={"H": "sqrt(q - d)"}),
     "an orbit through poles in q²": through("1/(q**2 - 1/4)", "-1/(q**2 - 1/4)"),
 }  # fmt: skip
 NO_FILE = {
@@ -77,6 +87,8 @@ TRUE = {
     "a path beside the map's pole": path("1 + t", **INVERSE),
     "an integral beside the map's pole": of({**ACROSS, "from": "1", "to": "3", "equals": "4"}, **INVERSE),
     "an integral that is complete nearly everywhere": complete("c*sin(q)", domain={"where": ["q > d"]}),
+    "a function in a domain of its own": alone("abs(q) - q", domain={"where": ["q < 1", "d > 0"]}),
+    "an analytic function": alone("q*exp(q)", domain={"where": ["q > d"]}),
     "a law in time": group("u + w + 0*t"),
     "a Lagrangian": lagrange("v**2/2 + 0*q"),
     "structure constants of a refuted name": heisenberg("so(3)"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
@@ -157,8 +158,9 @@ class Verdict:
 
 
 def _escaped(text: str) -> str:
-    """Markdown without accidental emphasis: products and powers keep their stars."""
-    return text.replace("*", r"\*").replace("_", r"\_")
+    """Markdown without accidental emphasis, code, formulas, links or tags: a title is words, products keep stars."""
+    plain = " ".join(text.splitlines()).replace("&", "&amp;").replace("<", "&lt;")
+    return re.sub(r"[\\`*_$\[\]]", r"\\\g<0>", plain)
 
 
 def _coordinate(name: str, value: object, shown: Callable[[object], str]) -> str:

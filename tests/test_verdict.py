@@ -92,3 +92,9 @@ def test_a_notebook_shows_certificate_and_witness() -> None:
     assert repr(certificate) == "Certificate(kind, domain, arguments)"
     refuted = Verdict("refuted", "canonical", witness={"q_1": "1/2"})
     assert r"q_{1} = \frac{1}{2}" in refuted._repr_latex_()
+
+
+def test_a_title_is_words_in_markdown():
+    """Markdown lets tags, links and formulas through: a title that holds some is shown as it was written."""
+    shown = Verdict("proved", "identity", "<b>x</b> [a](b) `c` $d$ e_f\ng & \\(h")._repr_markdown_()
+    assert shown.startswith(r"**proved**: identity (&lt;b>x&lt;/b> \[a\](b) \`c\` \$d\$ e\_f g &amp; \\(h)")

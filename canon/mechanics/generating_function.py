@@ -15,9 +15,10 @@ from canon.errors import InputError
 from canon.expected import instance_of
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols
+from canon.mechanics.given_maps import listed_types
 from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.subject import Subject
-from canon.mechanics.transformation import Transformation, listed_types
+from canon.mechanics.transformation import Transformation
 from canon.sign import is_complex
 
 # Per type: does F depend on the old momentum (else the coordinate), and on the new momentum?

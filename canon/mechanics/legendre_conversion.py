@@ -9,11 +9,12 @@ import sympy as sp
 from canon.errors import InputError
 from canon.expected import instance_of, whole_number
 from canon.mechanics.generating_function import MOMENTA, GeneratingFunction
+from canon.mechanics.given_maps import listed_types
 from canon.mechanics.map_points import gives, points_of
 from canon.mechanics.one_form import potential, tidy
 from canon.mechanics.solution_points import Point
 from canon.mechanics.solving import branches
-from canon.mechanics.transformation import Transformation, listed_types
+from canon.mechanics.transformation import Transformation
 
 
 def converted(F: GeneratingFunction, type: int | Sequence[int], branch: int = 0) -> GeneratingFunction:  # noqa: A002

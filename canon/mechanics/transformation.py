@@ -12,6 +12,7 @@ from canon.domain import Smoothness
 from canon.errors import InputError
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, as_formulas, check_symbols, substituted
+from canon.mechanics.given_maps import check_sides, listed_types
 from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.poisson import BracketMatrix, bracket_matrix, lagrange_matrix, standard_j
 from canon.mechanics.subject import Subject
@@ -20,36 +21,6 @@ if TYPE_CHECKING:
     from canon.mechanics.generating_function import GeneratingFunction
 
 Direction = Literal["forward", "backward", "implicit"]
-
-
-def listed_types(kinds: int | Sequence[int]) -> int | tuple[int, ...]:
-    """One type, or several in a tuple; **raises** `InputError` for what is no whole number."""
-    several = (kinds,) if isinstance(kinds, int) else tuple(kinds) if isinstance(kinds, Iterable) else (kinds,)
-    for kind in several:
-        if not isinstance(kind, int) or isinstance(kind, bool):
-            raise InputError(f"there is no type {kind!r}; types are 1, 2, 3 and 4", "generating_function, type")
-    return kinds if isinstance(kinds, int) else several
-
-
-def _check(
-    formulas: Sequence[Formula],
-    targets: Sequence[sp.Symbol],
-    space: PhaseSpace,
-    forward: bool,
-    where: str,
-) -> None:
-    """Raise unless there is a formula for each target, in the variables of the other side alone."""
-    if formulas and not targets:
-        said = "the phase space has no new variables: name them, as in PhaseSpace('q', 'p', new=('Q', 'P'))"
-        raise InputError(said, where)
-    if len(formulas) != len(targets):
-        raise InputError(f"{len(formulas)} formulas for {len(targets)} variables", where)
-    check_symbols(formulas, space.vocabulary, where)
-    side, other = (space.old, space.new) if forward else (space.new, space.old)
-    strangers = {*other} - {*side}
-    for formula in formulas:
-        for symbol in sorted(formula.expr.free_symbols & strangers, key=str):
-            raise InputError(f"{symbol} cannot occur here: the formula is one in {', '.join(map(str, side))}", where)
 
 
 @dataclass(frozen=True, init=False)
@@ -96,7 +67,7 @@ class Transformation:
         if given not in (["Q", "P"], ["q", "p"], []) or (not given and generating_function is None):
             raise InputError("a transformation is given by Q and P, or by q and p", "transformation")
         for name in given:
-            _check(formulas[name], getattr(space, name), space, "Q" in given, f"transformation, {name}")
+            check_sides(formulas[name], getattr(space, name), space, "Q" in given, f"transformation, {name}")
         pairs = [pair for name in given for pair in zip(getattr(space, name), formulas[name], strict=True)]
         imaginary = [x.name for x, formula in pairs if x.name in space.plain and smoothness.is_complex(formula.expr)]
         space = space.with_complex(imaginary) if imaginary else space

@@ -10,9 +10,9 @@ from canon.errors import InputError
 from canon.expected import instance_of, whole_number
 from canon.mechanics.generating_function import MOMENTA, GeneratingFunction
 from canon.mechanics.given_maps import listed_types
-from canon.mechanics.map_points import gives, points_of
+from canon.mechanics.map_points import agree, gives, points_of
 from canon.mechanics.one_form import potential, tidy
-from canon.mechanics.solution_points import Point
+from canon.mechanics.solution_points import Point, real_value
 from canon.mechanics.solving import branches
 from canon.mechanics.transformation import Transformation
 
@@ -100,7 +100,8 @@ def recovered(transformation: Transformation, type: int | Sequence[int]) -> Reco
         if found is not None:
             F = GeneratingFunction(space, pattern, tidy(found.function))
             residuals = tuple(tidy(residual) for residual in found.residuals)
-            of_type = converted(F, type) if any(residuals) else _branch_of(F, type, points)
+            seen = all(agree(real_value(rest, point), 0.0) for rest in residuals for point in points)
+            of_type = _branch_of(F, type, points) if seen else converted(F, type)
             if of_type is not None:
                 return Recovered(of_type, residuals)
     raise InputError(

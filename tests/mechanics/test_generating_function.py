@@ -117,6 +117,14 @@ def test_what_is_several_functions_on_the_domain_is_not_recovered(region, angle,
         map_.generating_function_of(kind)
 
 
+def test_a_branch_is_looked_at_where_residuals_vanish_but_are_not_seen_to():
+    """sin p = q exp(Q) has two solutions p in (0, 3)."""
+    space = PhaseSpace("q", "p", new=("Q", "P")).where("q > 0", "p > 0", "p < 3")
+    map_ = Transformation(space, Q=space.formula("log(sin(p)/q)"), P=space.formula("q*cot(p)"))
+    with pytest.raises(InputError, match=r"no generating function of type 1 .* throughout the domain"):
+        map_.generating_function_of(1)
+
+
 def test_recovery_shows_that_a_map_is_not_canonical(vanishes):
     x, y = ONE.old
     found = recovered(Transformation(ONE, Q=y, P=-2 * x), 1)

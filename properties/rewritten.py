@@ -184,16 +184,16 @@ def at_witness(equation: Equation, witness: Mapping[str, Any] | None) -> str:
     return "differs" if differ else "equal"
 
 
-def in_a_file(case: Rewritten, seed: int) -> tuple[str, Any]:
+def in_a_file(case: Rewritten, seed: int, budget: float = BUDGET) -> tuple[str, Any]:
     """(status, witness) of the claim in a file; a refusal is "refused: …"."""
     reading = read_text(equation_file(case.equation))
     if reading.problems:
         return f"refused: {reading.problems[0]['message']}", None
-    verdict = verify(reading.claims[0], budget=BUDGET, seed=seed)
+    verdict = verify(reading.claims[0], budget=budget, seed=seed)
     return verdict.status, verdict.witness
 
 
-def in_python(case: Rewritten, seed: int) -> tuple[str, Any]:
+def in_python(case: Rewritten, seed: int, budget: float = BUDGET) -> tuple[str, Any]:
     """(status, witness) of the claim about sympy's formulas."""
     space = PhaseSpace("Z1", "Z2", symbols=WORDS, functions="V W")
     lhs, rhs = (in_sympy(side, space) for side in (case.equation.lhs, case.equation.rhs))
@@ -201,7 +201,7 @@ def in_python(case: Rewritten, seed: int) -> tuple[str, Any]:
         symbol: Any = space.symbol(name)
         space = space if low is None else space.where(symbol > in_sympy(_end(low), space))
         space = space if high is None else space.where(symbol < in_sympy(_end(high), space))
-    verdict = verify(identity(space, lhs, rhs), budget=BUDGET, seed=seed)
+    verdict = verify(identity(space, lhs, rhs), budget=budget, seed=seed)
     return verdict.status, verdict.witness
 
 

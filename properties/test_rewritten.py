@@ -49,9 +49,8 @@ def test_a_wrong_verdict_would_be_noticed():
     assert wrong(case, "proved", None, python=False) == "wrong proof"
     case = next(found for seed in range(60) if (found := made(seed)) is not None and found.truth is True)
     assert wrong(case, "refuted", None, python=True) == "wrong refutation"
-    answers = {in_a_file(case, 1)[0], in_python(case, 1)[0]}
-    assert "proved" in answers
-    assert answers <= {"proved", "undecided"}  # a machine with much else to do may not be done in time
+    patient = 60.0  # a machine with much else to do takes longer
+    assert {in_a_file(case, 1, patient)[0], in_python(case, 1, patient)[0]} == {"proved"}
 
 
 def test_a_witness_out_of_what_was_written_is_not_judged():

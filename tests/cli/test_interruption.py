@@ -149,7 +149,7 @@ def test_an_unforeseen_error_ends_the_process_by_itself(
         assert "ZeroDivisionError: as it was" in capsys.readouterr().err
 
 
-@pytest.mark.skipif(signal.getsignal(signal.SIGHUP) is signal.SIG_IGN, reason="SIGHUP is ignored here, as by nohup")
+@pytest.mark.usefixtures("hangups_heard")
 def test_a_closed_terminal_is_heard_as_ctrl_c(release: threading.Event) -> None:
     def work() -> str:
         try:

@@ -116,10 +116,9 @@ def test_a_contradiction_is_shown_and_never_expected(tmp_path: Path) -> None:
     assert "alarm: a proof and a certified counterexample contradict each other" in shown
 
 
+@pytest.mark.usefixtures("hangups_heard")
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP], ids=lambda n: n.name)
 def test_an_interruption_keeps_what_is_known_and_leaves_no_process(tmp_path: Path, number: signal.Signals) -> None:
-    if signal.getsignal(number) is signal.SIG_IGN:
-        pytest.skip(f"{number.name} is ignored here, as by nohup, and so by what is started")
     file = tmp_path / "claims.toml"
     file.write_text("fine hang")
     process = start(file, "--budget", "50", "--jobs", "1")

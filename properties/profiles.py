@@ -5,6 +5,7 @@
 """
 
 import os
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -27,9 +28,26 @@ LEFT_OUT = {
     "ci": {"thorough": "a campaign: set CANON_PROFILE=thorough to run it"},
 }
 
+SLOW_CASES = Path(__file__).with_name("slow_cases.txt")
+"""Single cases of parametrised tests, and others, that were measured to take more than a second of the processor."""
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Leave out what is marked for a profile of more patience than the one that is chosen."""
+
+def slow_cases() -> frozenset[str]:
+    return frozenset(line for line in SLOW_CASES.read_text(encoding="utf-8").splitlines() if line[:1] not in ("", "#"))
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what is marked for a profile of more patience than the one that is chosen.
+
+    A listed case that no longer exists is an error, where all tests are collected.
+    """
+    listed = slow_cases()
+    for item in items:
+        if item.nodeid in listed:
+            item.add_marker("slow")
+    gone = listed - {item.nodeid for item in items}
+    if gone and config.args == config.getini("testpaths"):
+        raise pytest.UsageError(f"{SLOW_CASES.name}: there is no test {min(gone)} (any more)")
     for mark, reason in LEFT_OUT.get(PROFILE, {}).items():
         skip = pytest.mark.skip(reason=reason)
         for item in items:

@@ -21,8 +21,9 @@ HELP: Final = "check certificates of proofs and refutations, or put them in Coq"
 DESCRIPTION: Final = "Works with certificates that `canon verify --certificate DIR` has written."
 CHECK: Final = (
     "Derives from each claim's own text what must vanish, and checks the certificate's identities or its witness: by "
-    "the checker of all kinds of claims, and by the one in a single file of Python (`shown`, or nothing where it has "
-    "no means). They share no code with each other, nor with what has made the certificate."
+    "the checker of all kinds of claims, and by the one in a single file of Python, or by that of refutations beside "
+    "it (`shown`, or nothing where they have no means). They share no code with the other checker, nor with what has "
+    "made the certificate."
 )
 EXPORT: Final = (
     "Writes theorems that each residual of the claim is 0 over the reals (or isn't, at a witness), with proofs that "
@@ -47,9 +48,7 @@ def declare(parser: argparse.ArgumentParser) -> None:
     export = actions.add_parser("export", help="write a certificate as a file of Coq", description=EXPORT)
     export.add_argument("file", metavar="CERTIFICATE", help="a certificate")
     export.add_argument("--coq", required=True, metavar="FILE.v", help="the file to be written")
-    check.add_argument(
-        "--alone", action="store_true", help="ask the checker in one file alone: shown, not shown, or wrong"
-    )
+    check.add_argument("--alone", action="store_true", help="ask the small checkers alone: shown, not shown, or wrong")
     check.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
 
 

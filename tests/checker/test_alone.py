@@ -45,7 +45,6 @@ SHOWN = {
     "a bracket": (LINE, "kind = 'bracket'\nf = 'q**(1/2)'\ng = 'log(p)'\nequals = '1/(2*sqrt(q)*p)'"),
     "a double angle": (LINE, "kind = 'identity'\nlhs = 'sin(2*q)'\nrhs = '2*sin(q)*cos(q)'"),
     "roots of what is positive": (LINE, "kind = 'identity'\nlhs = 'sqrt(q)*sqrt(p)'\nrhs = 'sqrt(q*p)'"),
-    "a refutation": (MAP + "[transformation]\nQ = ['q + p**2']\nP = ['2*p']\n", "kind = 'canonical'"),
 }  # fmt: skip
 DEFINED = "[definitions]\nH0 = '(px**2 + py**2)/2 + V(sqrt(x**2 + y**2))'\n"
 

@@ -1,10 +1,11 @@
-"""Forgeries for the checker in one file: certificates that say of each residual that it is 0."""
+"""Forgeries for the checker in one file, and for that of refutations: certificates that say of each residual that it is
+0, or that it isn't at a point."""
 
 from typing import Any
 
 import pytest
 
-from canon.checker import alone
+from canon.checker import alone, counterexample
 from tests.checker.certified import resealed
 
 
@@ -167,6 +168,14 @@ FORGED = {
     "logarithms of what has a sign": (
         {**SPACE, "claim": {"kind": "identity", "lhs": "log(q**2)", "rhs": "2*log(q)"}}, {},
     ),
+    "a bracket of old variables beside a map that gives them": (
+        {**SPACE, "hamiltonian": {"H": "bracket(q, p)*p**2/2"}, "transformation": {"q": ["2*Q"], "p": ["P"]},
+         "claim": {"kind": "new_hamiltonian", "K": "P**2/2"}}, {"residuals": [None] * 6},
+    ),
+    "a condition with one": (
+        {**SPACE, "domain": {"where": ["bracket(q, p) > 1"]}, "transformation": {"q": ["2*Q"], "p": ["P"]},
+         "claim": {"kind": "canonical", "scale": "1/2"}}, {},
+    ),
     "half of the equations": (
         {"phase_space": {"q": ["q", "x"], "p": ["p", "y"], "Q": ["Q", "X"], "P": ["P", "Y"]},
          "transformation": {"Q": ["q", "x"], "P": ["p", "7*y"]},
@@ -228,13 +237,13 @@ def test_a_witness_says_nothing_but_where(witness: Any) -> None:
               {"kind": "canonical"}]  # fmt: skip
     for claim in claims:
         data = {"certificate": 1, "tables": {**maps, "claim": claim}, "verdict": "refuted", "witness": witness}
-        assert alone.checked(resealed({**data, "cases": []}))[0] != "shown"
+        assert counterexample.checked(resealed({**data, "cases": []}))[0] != "shown"
 
 
 def refuted(claim: Any, witness: Any, **tables: Any) -> str:
     """The answer about a certificate that refutes a claim by a witness."""
     data = {"certificate": 1, "tables": {**SPACE, **tables, "claim": claim}, "verdict": "refuted", "witness": witness}
-    return alone.checked(resealed({**data, "cases": []}))[0]
+    return counterexample.checked(resealed({**data, "cases": []}))[0]
 
 
 @pytest.mark.parametrize("true", [

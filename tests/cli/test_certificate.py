@@ -54,7 +54,8 @@ def test_each_proof_and_refutation_has_a_file_that_is_confirmed(
 def test_what_one_file_cannot_show_is_no_fault_and_what_it_finds_wrong_is_one(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("canon.checker.alone.checked", lambda data: ("not shown", "what it says"))
+    for file in ("alone", "counterexample"):
+        monkeypatch.setattr(f"canon.checker.{file}.checked", lambda data: ("not shown", "what it says"))
     assert main(["certificate", "check", "out"]) == 0
     assert "shown" not in capsys.readouterr().out
     assert main(["certificate", "check", "--alone", "out"]) == 2
@@ -65,6 +66,16 @@ def test_what_one_file_cannot_show_is_no_fault_and_what_it_finds_wrong_is_one(
     assert main(["certificate", "check", "--json", "out"]) == 1
     row = json.loads(capsys.readouterr().out)["certificates"][0]
     assert (row["status"], row["in_one_file"]) == ("confirmed", {"status": "wrong", "reasons": ["a numerator"]})
+
+
+def test_proofs_and_refutations_are_shown_by_a_file_each(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for file, answer in (("alone", "not shown"), ("counterexample", "wrong")):
+        monkeypatch.setattr(f"canon.checker.{file}.checked", lambda data, answer=answer: (answer, ""))
+    assert main(["certificate", "check", "--alone", "--json", "out"]) == 1
+    rows = json.loads(capsys.readouterr().out)["certificates"]
+    assert [row["status"] for row in rows] == ["not shown", "wrong"]
 
 
 def test_the_gravest_answer_is_the_exit_status(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

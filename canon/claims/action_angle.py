@@ -89,8 +89,9 @@ def _if_inverted(
 
 
 def _parts(length: Any) -> Sequence[tuple[Any, Any]]:
-    """Parts of a turn of the angles, in which the map's formulas are those of one branch."""
-    return (sp.S.Zero, length / 4), (-length / 2, length / 2)
+    """Parts of a turn of the angles, in which the map's formulas are those of one branch: from low to high values."""
+    size: Any = sp.Abs(length)
+    return (sp.S.Zero, size / 4), (-size / 2, size / 2)
 
 
 def _written(given: Transformation) -> tuple[Formula, ...]:

@@ -235,9 +235,9 @@ def _integrals(question: Question, jets: Motion, forms: Sequence[Form], region: 
             residuals.append(Residual(f"coefficient of {names} in d({formula}) ∧ ω", minor))
     chart = chart_of(tape, question.space, None)
     rank = full_rank(question, gradients, x, region, everywhere=True, chart=chart)
-    if rank.status == "refuted":
-        rank = rank.with_detail(integrals="they depend on each other")
-    return combined([question.decide(residuals, region), replace(rank, detail={})])
+    dependent = rank.status == "refuted"
+    rank = rank.with_detail(fails="the integrals depend on each other") if dependent else replace(rank, detail={})
+    return combined([question.decide(residuals, region), rank])
 
 
 def _displacement(question: Question, forms: Sequence[Form], region: Region, word: str) -> Outcome:

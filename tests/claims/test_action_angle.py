@@ -4,6 +4,7 @@ import pytest
 import sympy as sp
 
 from canon.catalogue import files
+from canon.claims.action_angle import _parts
 from canon.claims.cycle_lattice import _is_no_integer
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
@@ -279,6 +280,18 @@ def test_an_angle_has_no_sign(sign, status):
     """
     (read,) = read_text(text.replace("    ", "")).claims
     assert verify(read).status == status
+
+
+@pytest.mark.parametrize("period", [sp.S.NegativeOne, 2 * sp.pi, sp.Symbol("k", negative=True)])
+def test_a_part_of_a_turn_runs_upwards_whichever_way_round_the_cycle_is_gone(period):
+    assert all((high - low).is_positive for low, high in _parts(period))
+
+
+@pytest.mark.slow
+def test_a_negative_period_of_a_map_that_is_inverted(status):
+    sections = {"hamiltonian": 'H = "(p**2 + q**2)/2"'}
+    sections["transformation"] = 'Q = ["-atan2(q, p)/(2*pi)"]\nP = ["-pi*(q**2 + p**2)"]'
+    assert status(angle_claim("-1"), space=SPACE, **sections) in ("proved", "supported")
 
 
 def test_a_parameter_that_stands_in_the_period_alone(status):

@@ -78,6 +78,15 @@ def test_integrals(status, form, integrals, expected):
     assert status(_claim(form, f"integrals = {integrals}"), space=SKATE, symbols=SYMBOLS) == expected
 
 
+@pytest.mark.parametrize(("integral", "detail"), [("R", {}), ("k*x/y", {"dependent_at": {"k": "0"}}), ("V(x/y)", {})])
+def test_integrals_that_may_be_constants_are_none_and_the_answer_says_so(ask, integral, detail):
+    """A constant keeps its value along every motion, too, and tells nothing of the constraint."""
+    (verdict,) = ask(_claim("y*vx - x*vy", f'integrals = ["{integral}"]'), space=SKATE, symbols=SYMBOLS)
+    assert verdict.status == "refuted"
+    assert verdict.detail["fails"] == "the integrals depend on each other"
+    assert detail.items() <= dict(verdict.detail).items()
+
+
 @pytest.mark.parametrize(
     ("keys", "expected"),
     [

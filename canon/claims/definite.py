@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 from fractions import Fraction
+from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from canon.budget import Budget, BudgetExceeded
@@ -20,6 +21,7 @@ from canon.decide.power_series import Unexpanded
 from canon.decide.region import Region, Requirement
 from canon.decide.sample import ball_point
 from canon.decide.search import samples
+from canon.decide.special_values import at_special_values
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.domain import Domain, conditions_of
 from canon.errors import InputError
@@ -114,10 +116,11 @@ def at_points(question: Question, span: Range, f: Node, equals: Node, budget: Bu
     infinite = isinstance(span.low, str) or isinstance(span.high, str)
     worst: list[Any] = []
     rng, open_places = random.Random(question.seed), 0
+    targets = [*names, equals]
+    special = at_special_values(tape, names, targets, span.others, random.Random(question.seed), budget)
+    usual = samples(tape, targets, span.others, rng, count=POINTS, tries=20, budget=budget, nice=True)
     try:
-        for place in samples(
-            tape, [*names, equals], span.others, rng, count=POINTS, tries=20, budget=budget, nice=True
-        ):
+        for place in chain(special, usual):
             with precision(BITS):
                 at = ball_point(place.point, place.solved)
                 balls = evaluate(tape, order, at, place.functions)

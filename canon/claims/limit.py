@@ -23,6 +23,7 @@ from canon.decide.enclosure import OutOfDomain, evaluate, precision
 from canon.decide.power_series import Unexpanded
 from canon.decide.sample import ball_point
 from canon.decide.search import samples
+from canon.decide.special_values import at_special_values
 from canon.decide.tape import Node, Unsupported
 from canon.errors import InputError
 from canon.expression import Formula
@@ -109,6 +110,7 @@ def _at_points(question: Question, approach: Approach, node: Node, equals: Formu
     names = sorted((tape.support(node) | tape.support(other)) - {approach.x})
     with contextlib.suppress(Unsupported, BudgetExceeded):
         rng, budget = random.Random(question.seed), question.budget.share(0.3)
+        places += at_special_values(tape, names, names, approach.region, random.Random(question.seed), budget)
         places += samples(tape, names, approach.region, rng, count=POINTS, tries=20, budget=budget)
     for place in places:
         fixed = {n: tape.number(v) for n, v in place.point.items() if isinstance(v, Fraction)}

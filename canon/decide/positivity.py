@@ -24,6 +24,7 @@ from canon.decide.ring import TooCostly
 from canon.decide.sample import Sample
 from canon.decide.search import Finder, samples
 from canon.decide.signs import classify, sign_of, sign_of_rest
+from canon.decide.special_values import at_special_values
 from canon.decide.tape import Node, Tape, Unsupported
 from canon.decide.tower import Tower, combine
 from canon.errors import InputError
@@ -193,8 +194,10 @@ def _outward(edge: Edge, side: int) -> Fraction:
 
 
 def first_points(tape: Tape, node: Node, region: Region, rng: random.Random, budget: Budget) -> list[Sample]:
-    """Certified points of the region with the node's balls there."""
-    return list(samples(tape, [node], region, rng, count=12, tries=8, budget=budget, nice=True))
+    """Certified points of the region with the node's balls there, at special values of its names among them."""
+    usual = list(samples(tape, [node], region, rng, count=12, tries=8, budget=budget, nice=True))
+    names = sorted(tape.support(node))
+    return usual + list(at_special_values(tape, names, [node], region, rng, budget)) if usual else []
 
 
 def point_below(

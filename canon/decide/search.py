@@ -43,9 +43,13 @@ def samples(
     tries: int = 60,
     budget: Budget,
     nice: bool = False,
+    at: Mapping[Node, Fraction] | None = None,
 ) -> Iterator[Sample]:
-    """Up to `count` certified points of the region at which the targets are defined too."""
-    finder = Finder(tape, targets, region, rng, budget)
+    """Up to `count` certified points of the region at which the targets are defined too.
+
+    `at`: values that some names are tried at first; they may be moved to meet a condition.
+    """
+    finder = Finder(tape, targets, region, rng, budget, at or {})
     found = 0
     for attempt in range(tries * max(1, count)):
         budget.check()
@@ -79,8 +83,16 @@ def some_point(tape: Tape, region: Region, rng: random.Random, budget: Budget) -
 class Finder:
     """The search for points of one region at which the targets are defined, as long as the `budget` lasts."""
 
-    def __init__(self, tape: Tape, targets: Sequence[Node], region: Region, rng: random.Random, budget: Budget) -> None:
-        self.tape, self.region, self.rng, self.budget = tape, region, rng, budget
+    def __init__(
+        self,
+        tape: Tape,
+        targets: Sequence[Node],
+        region: Region,
+        rng: random.Random,
+        budget: Budget,
+        at: Mapping[Node, Fraction] | None = None,
+    ) -> None:
+        self.tape, self.region, self.rng, self.budget, self.at = tape, region, rng, budget, at or {}
         self.conditions = tape.reach(region.nodes())
         self.everything = tape.reach([*region.nodes(), *targets])
         inside = set(self.everything) | set(region.symbols)
@@ -93,7 +105,7 @@ class Finder:
     def attempt(self, bits: int, *, nice: bool, effort: int) -> Sample | None:
         """One proposal, repaired if need be; None where it could not be certified."""
         functions = choose_functions(self.tape, self.everything, self.rng)
-        point = {node: self.propose(node, nice, effort) for node in self.symbols}
+        point = {n: self.at[n] if n in self.at else self.propose(n, nice, effort) for n in self.symbols}
         if self.region.surface:
             from canon.decide.surface import onto_surface
 

@@ -144,7 +144,7 @@ def test_values_of_arbitrary_functions_have_no_sign(status, f, to, equals, side)
         ("p/(p + q)", "0", "1", "p != 0", "proved"),
         ("p/(p + q)", "0", "1001/1000", "p != 0", "refuted"),
         ("(k*q**2 + q)/(k*q**2 + 2*q)", "infinity", "1", "k != 0", "proved"),
-        ("(k*q**2 + q)/(k*q**2 + 2*q)", "infinity", "1", "p > 0", "supported"),  # 1/2 where k = 0
+        ("(k*q**2 + q)/(k*q**2 + 2*q)", "infinity", "1", "p > 0", "refuted"),  # 1/2 where k = 0
         ("k*q", "infinity", "infinity", "k != 0", "refuted"),
     ],
 )

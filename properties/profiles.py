@@ -29,11 +29,21 @@ LEFT_OUT = {
 }
 
 SLOW_CASES = Path(__file__).with_name("slow_cases.txt")
-"""Single cases of parametrised tests, and others, that were measured to take more than a second of the processor."""
+"""Single cases of parametrised tests, and others, that were measured to take more than a second of the processor.
+
+After a line `[thorough]` come cases that take many, of tests whose other cases `ci` runs.
+"""
 
 
-def slow_cases() -> frozenset[str]:
-    return frozenset(line for line in SLOW_CASES.read_text(encoding="utf-8").splitlines() if line[:1] not in ("", "#"))
+def slow_cases() -> dict[str, str]:
+    """The mark of each listed test."""
+    mark, found = "slow", {}
+    for line in SLOW_CASES.read_text(encoding="utf-8").splitlines():
+        if line == "[thorough]":
+            mark = "thorough"
+        elif line[:1] not in ("", "#"):
+            found[line] = mark
+    return found
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -44,8 +54,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     listed = slow_cases()
     for item in items:
         if item.nodeid in listed:
-            item.add_marker("slow")
-    gone = listed - {item.nodeid for item in items}
+            item.add_marker(listed[item.nodeid])
+    gone = {*listed} - {item.nodeid for item in items}
     if gone and config.args == config.getini("testpaths"):
         raise pytest.UsageError(f"{SLOW_CASES.name}: there is no test {min(gone)} (any more)")
     for mark, reason in LEFT_OUT.get(PROFILE, {}).items():

@@ -102,6 +102,11 @@ TRUE: dict[str, tuple[Any, Any]] = {
     "a new variable's value": ({"lhs": "Q*P", "rhs": "q*p"}, ROUND),
     "a condition on it": ({"lhs": "sqrt(Q**2)", "rhs": "Q"}, {"domain": {"where": ["0 < Q"]}, **ROUND}),
     "a Hamiltonian's own domain": ({"lhs": "sqrt(q**2)", "rhs": "q"}, {"hamiltonian": {"H": "p**2 + log(q)"}}),
+    "it beside a map": ({"kind": "canonical"}, {"hamiltonian": {"H": "p**2 + log(q)"}, "transformation": {
+        "Q": ["sqrt(q**2)"], "P": ["p"]}}),
+    "the domain of a map that is given by a generating function": (
+        {"lhs": "sqrt(q**2)", "rhs": "q"}, {"generating_function": {"type": 2, "F": "P*log(q)"}},
+    ),
     "a map's own domain": (
         {"lhs": "sqrt(q**2)", "rhs": "q"}, {"transformation": {"Q": ["log(q)"], "P": ["q*p"]}},
     ),
@@ -122,6 +127,8 @@ TRUE: dict[str, tuple[Any, Any]] = {
         "V": ["function", "positive"]}}),
     "a function that has one sign": ({"lhs": "sqrt(V(q)**2*V(p)**2)", "rhs": "V(q)*V(p)"}, {"symbols": {
         "V": ["function", "nonzero"]}}),
+    "a difference that nobody sees": ({"kind": "inequality", "lhs": "sin(q)**2 + cos(q)**2", "relation": "<",
+        "rhs": "1 + 1/10**300"}, {}),
     "a square": ({"kind": "inequality", "lhs": "q**2", "relation": ">=", "rhs": "0"}, {}),
     "an exponential": ({"kind": "inequality", "lhs": "exp(q)", "relation": ">", "rhs": "0"}, {}),
     "the side of a motion": ({"kind": "inequality", "lhs": "q", "relation": "<=", "rhs": "0"}, {"domain": {

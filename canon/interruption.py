@@ -15,6 +15,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, Final, TypeVar
 
+from canon.turns import handed_on
+
 T = TypeVar("T")
 ABANDONED: Final = "canon: nobody waits for this"
 LOOK: Final = 0.02
@@ -228,7 +230,7 @@ def started(run: Callable[[], None]) -> threading.Thread:
     """A thread with a deep stack that is doing this, and that a program doesn't wait for at its end."""
     usual = threading.stack_size(STACK)
     try:
-        thread = threading.Thread(target=run, daemon=True)
+        thread = threading.Thread(target=handed_on(run), daemon=True)
         thread.start()
     finally:
         threading.stack_size(usual)

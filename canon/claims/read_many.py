@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 
 from canon.claim import Claim
 from canon.claims.batches import answers
-from canon.claims.turns import in_turn
+from canon.turns import in_turn
 
 MOST: Final = 16
 """Files that travel together."""

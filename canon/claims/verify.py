@@ -21,7 +21,6 @@ from canon.claims.on_image import grounds, on_image, without_its_map
 from canon.claims.outcome import Outcome
 from canon.claims.own_names import are_continuous
 from canon.claims.question import Question
-from canon.claims.turns import in_turn
 from canon.claims.well_formed import check_accuracy, check_budget, check_claim, check_seed
 from canon.claims.worker import Settings
 from canon.decide.certificate import Certificate
@@ -29,6 +28,7 @@ from canon.decide.ladder import Contradiction
 from canon.decide.tape import Unsupported
 from canon.errors import BudgetExceeded, InputError
 from canon.mechanics.extent import recursion_told
+from canon.turns import in_turn
 from canon.verdict import Verdict
 
 Method = Literal["symbolic", "numeric", "all"]

@@ -20,6 +20,7 @@ from flint import arb, arb_series
 
 from canon.errors import BudgetExceeded, InputError
 from canon.numeric.actions.balls import exact_number, precision, product, program_of
+from canon.turns import in_turn
 
 Series = Any  # flint.arb_series; the package has no type stubs
 Rule = Callable[[list[Series]], Series]
@@ -89,13 +90,14 @@ def reference(
 
 @contextmanager
 def _cap(order: int) -> Iterator[None]:
-    """The length of series, which is global to the process, set and put back."""
-    before = flint.ctx.cap
-    flint.ctx.cap = order + 1
-    try:
-        yield
-    finally:
-        flint.ctx.cap = before
+    """The length of series, which is global to the process, set in turn and put back."""
+    with in_turn():
+        before = flint.ctx.cap
+        flint.ctx.cap = order + 1
+        try:
+            yield
+        finally:
+            flint.ctx.cap = before
 
 
 def _series(rule: Program, x: list[Any], t: Any, order: int) -> list[list[Any]]:

@@ -7,12 +7,11 @@ OutOfDomain wherever a principal value isn't certified to exist: nothing is cont
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from contextlib import AbstractContextManager
 from typing import Any
 
-import flint
 from flint import acb, arb
 
+from canon.ball_precision import precision as precision
 from canon.decide.arbitrary import ChosenFunction, rational
 from canon.decide.jacobi import jacobi
 from canon.decide.tape import Node, Tape, Unsupported
@@ -22,11 +21,6 @@ Ball = Any  # flint.arb or flint.acb; the package has no type stubs
 
 class OutOfDomain(Exception):
     """The point isn't certified to lie where the expression is defined."""
-
-
-def precision(bits: int) -> AbstractContextManager[None]:
-    """Arb's working precision, which is global to the process, set within a `with` and put back after it."""
-    return flint.ctx.workprec(bits)
 
 
 def evaluate(

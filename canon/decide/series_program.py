@@ -29,8 +29,8 @@ Truth = bool | None
 @contextmanager
 def working(bits: int, degree: int) -> Iterator[None]:
     """Arb's precision, and the length of its series, both global to the process, set and put back."""
-    before = flint.ctx.cap
     with precision(bits):
+        before = flint.ctx.cap
         flint.ctx.cap = max(before, degree + 1)
         try:
             yield

@@ -13,10 +13,10 @@ from collections.abc import Mapping
 from itertools import product
 from typing import Any, Final
 
-import flint
 import sympy as sp
 from flint import acb, arb, fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx
 
+from canon.ball_precision import precision
 from canon.mechanics.multiplied import terms_of_power
 from canon.mechanics.principal_values import Unknown, ball, power
 
@@ -177,12 +177,12 @@ class Numerator:
         while coefficients[0] == 0:
             coefficients.pop(0)
         first, largest = abs(coefficients[0]), max((abs(c) for c in coefficients[1:]), default=fmpq(0))
-        with flint.ctx.workprec(256):
+        with precision(256):
             return arb(first / (first + largest)) / 2
 
     def ball(self, bits: int) -> acb | None:
         """The value of the reduced numerator, of a number."""
-        with flint.ctx.workprec(bits):
+        with precision(bits):
             try:
                 points = {}
                 for atom in self.atoms:

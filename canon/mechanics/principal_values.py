@@ -6,9 +6,10 @@ import math
 from collections.abc import Mapping
 from typing import Any, Final
 
-import flint
 import sympy as sp
 from flint import acb, arb, fmpq
+
+from canon.ball_precision import precision
 
 _FUNCTIONS: Final = ("exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "asin", "acos", "atan", "asinh")
 
@@ -19,7 +20,7 @@ class Unknown(Exception):
 
 def ball_of(expression: Any, values: Mapping[Any, Any], bits: int) -> acb | None:
     """A ball that holds the principal value at rational values of the names; None where none is certified."""
-    with flint.ctx.workprec(bits):
+    with precision(bits):
         try:
             found = ball(expression, values, bits)
         except (Unknown, ZeroDivisionError, OverflowError):

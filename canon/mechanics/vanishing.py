@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any, Final
 
-import flint
 import sympy as sp
 from flint import arb
 from sympy.core.function import AppliedUndef
 
+from canon.ball_precision import precision
 from canon.mechanics.multiplied import counted
 from canon.mechanics.numerator import Numerator
 from canon.mechanics.principal_values import ball_of
@@ -107,7 +107,7 @@ def _by_bound(numerator: Numerator, bound: arb) -> bool | None:
             return None
         if not ball.contains(0):
             return False
-        with flint.ctx.workprec(bits):
+        with precision(bits):
             if ball.abs_upper() < bound:
                 return True
     return None

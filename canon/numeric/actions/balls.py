@@ -6,14 +6,13 @@ A ball that is not finite says that the formula has no value there; nothing is r
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
 from fractions import Fraction
 from typing import Any, Final
 
-import flint
 import sympy as sp
 from flint import arb, arb_series, fmpq
 
+from canon.ball_precision import precision as precision
 from canon.errors import InputError
 
 Ball = Any  # flint.arb; the package has no type stubs
@@ -43,11 +42,6 @@ _METHODS: Final[dict[Any, str]] = {
     sp.gamma: "gamma",
     sp.LambertW: "lambertw",
 }
-
-
-def precision(bits: int) -> AbstractContextManager[None]:
-    """Arb's working precision, which is global to the process, set within a `with` and put back after it."""
-    return flint.ctx.workprec(bits)
 
 
 def ball_function(expression: Any, symbols: Sequence[sp.Symbol]) -> BallFunction:

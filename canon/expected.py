@@ -64,7 +64,10 @@ def whole_number(value: Any, where: str, least: int | None = None) -> None:
 
 def finite_number(value: Any, where: str, *, least: float | None = None, nonzero: bool = False) -> None:
     """A real and finite number, no less than `least`, and not 0 where `nonzero` says so."""
-    fits = isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
+    try:
+        fits = isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
+    except OverflowError:  # a whole number beyond the largest float
+        fits = False
     if not fits or (least is not None and value < least) or (nonzero and value == 0):
         bound = (f", at least {least:g}" if least is not None else "") + (" other than 0" if nonzero else "")
         raise InputError(f"a finite number{bound} is needed, not {shown(value)}", where)
@@ -94,5 +97,19 @@ def numbers(value: Any, where: str) -> list[float]:
     found = listed(value, "numbers", where)
     try:
         return [float(x) for x in found]
-    except (TypeError, ValueError) as reason:
+    except (TypeError, ValueError, OverflowError) as reason:
         raise InputError(f"a list of numbers is expected, not {shown(value)}", where) from reason
+
+
+def real_array(value: Any, where: str) -> Any:
+    """Real numbers as an array of floats, nan among them; of complex ones the imaginary parts would be lost."""
+    import numpy as np
+
+    try:
+        found = np.asarray(value)
+        known = found.dtype.kind in "biuf" or (found.dtype.kind == "O" and all(x is not None for x in found.flat))
+        if known and not isinstance(value, (str, bytes)):
+            return np.asarray(found, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise InputError(f"real numbers are expected, not {shown(value)}", where)

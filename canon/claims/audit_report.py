@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from canon.display import list_in_html, status_in_html, table_in_html
 from canon.errors import CanonError
+from canon.expected import instance_of, listed
 from canon.numeric.worst import Defect
 
 if TYPE_CHECKING:
@@ -83,6 +84,11 @@ class AuditReport:
 
     def with_integrals(self, found: Sequence[Invariance]) -> AuditReport:
         """The report with integral invariants: one that changes is a failure, one that isn't resolved a note."""
+        from canon.claims.invariance_report import Invariance
+
+        found = listed(found, "integral invariants, as of loop_invariant,", "found")
+        for item in found:
+            instance_of(item, Invariance, "found")
         changed = tuple(
             f"{item.name} changes by {item.difference:.2g} (bound {item.bound:.2g})"
             for item in found
@@ -116,6 +122,7 @@ class AuditReport:
 
     def at(self, defect: Defect) -> str:
         """Where a defect is worst, by the variables' names."""
+        instance_of(defect, Defect, "defect")
         return ", ".join(f"{name} = {x:.6g}" for name, x in zip(self.variables, defect.point, strict=True))
 
     def __str__(self) -> str:

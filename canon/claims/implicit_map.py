@@ -6,6 +6,7 @@ import random
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from numbers import Real
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -19,7 +20,7 @@ from canon.decide.sample import Sample
 from canon.decide.search import Finder
 from canon.decide.tape import Unsupported
 from canon.errors import InputError
-from canon.expected import instance_of
+from canon.expected import finite_number, instance_of, real_array, shown, table
 from canon.numeric.implicit import MixedSolution, solve_mixed
 from canon.numeric.map_shape import of_any_form
 from canon.numeric.mixed_variables import Types
@@ -64,9 +65,14 @@ class ImplicitMap:
         instance_of(self.generating, GeneratingFunction, "generating_function")
         space = self.generating.space
         known = {symbol.name for symbol in (*space.parameters, space.t)}
-        for name in self.parameters:
+        table(self.parameters, "numbers", "parameters")
+        for name, value in self.parameters.items():
             if name not in known:
                 raise InputError(f"{name!r} is no parameter of this generating function", "parameters")
+            finite_number(value, f"parameters, {name}")
+        if not isinstance(self.tolerated, Real) or not self.tolerated >= 0:  # infinite: never in more bits
+            raise InputError(f"a number of at least 0 is needed, not {shown(self.tolerated)}", "tolerated")
+        object.__setattr__(self, "parameters", dict(self.parameters))  # the caller may change his own
         free = self.generating.F.expr.free_symbols - {*self.generating.mixed}
         for symbol in sorted(free, key=str):
             if str(symbol) not in self.parameters:
@@ -119,15 +125,15 @@ class ImplicitMap:
 
         **Raises:** `InputError` for points of another shape.
         """
-        z = np.atleast_2d(np.asarray(points, dtype=float))
+        z = np.atleast_2d(real_array(points, "points"))
         size = 2 * self.generating.space.n
         if z.ndim != 2 or z.shape[1] != size:
             raise InputError(f"points have shape (N, {size}), not {np.shape(points)}", "points")
         F, _ = self._seeded
-        wanted = None if guess is None else np.broadcast_to(np.asarray(guess, dtype=float), (len(z), size // 2))
+        wanted = None if guess is None else _guesses(guess, (len(z), size // 2))
         parts = [
             self._solved(F, z[k : k + BLOCK], None if wanted is None else wanted[k : k + BLOCK])
-            for k in range(0, len(z), BLOCK)
+            for k in range(0, max(len(z), 1), BLOCK)
         ]
         return parts[0] if len(parts) == 1 else joined(parts)
 
@@ -153,13 +159,24 @@ class ImplicitMap:
         old[:, F.pattern.old_conjugates] = F.pattern.old_signs * found.gradient[:, :n]
         usable = found.inside & np.isfinite(old).all(axis=1)
         old, new = old[usable], u[usable, n:]
-        scale = np.median(np.abs(old), axis=0) + np.abs(z).mean(axis=0) + 1e-300
-        away = np.linalg.norm((z[:, None, :] - old[None, :, :]) / scale, axis=2)
+        # by the point's own size: what a point is mapped to doesn't hang on those that it is given with
+        scale = np.median(np.abs(old), axis=0) + np.abs(z)[:, None, :] + 1e-300
+        with np.errstate(all="ignore"):
+            away = np.linalg.norm((z[:, None, :] - old[None, :, :]) / scale, axis=2)
         near = np.argsort(away, axis=1)[:, :AROUND]
         size = np.linalg.norm(new / (np.median(np.abs(new), axis=0) + 1e-300), axis=1)
         small = np.take_along_axis(near, np.argsort(size[near], axis=1), axis=1)[:, :SMALLEST]
         order = np.concatenate([near[:, :NEAREST], small], axis=1)
         return [new[order[:, k]] for k in range(order.shape[1])]
+
+
+def _guesses(guess: Any, shape: tuple[int, int]) -> Array:
+    """First guesses for each point. **Raises:** `InputError` for another shape."""
+    given = real_array(guess, "guess")
+    try:
+        return np.broadcast_to(given, shape)
+    except ValueError:
+        raise InputError(f"guesses have shape {shape} or {shape[1:]}, not {given.shape}", "guess") from None
 
 
 def _nearer(one: MixedSolution, other: MixedSolution, target: Array) -> MixedSolution:

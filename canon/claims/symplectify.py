@@ -11,7 +11,7 @@ from canon.claims.audit import audit, variables
 from canon.claims.audit_subject import AuditSubject, formulas_as_map
 from canon.claims.repair_report import MapRepair, MatrixRepair
 from canon.errors import InputError
-from canon.expected import whole_number
+from canon.expected import real_array, whole_number
 from canon.numeric.change import order_of_change
 from canon.numeric.differentiable import differentiable
 from canon.numeric.mixed_variables import Conditioned, Pattern, best_conditioned, condition_of
@@ -161,10 +161,7 @@ def _is_matrix(map: Any) -> bool:  # noqa: A002
 
 
 def _matrix(map: Any) -> Array:  # noqa: A002
-    try:
-        M = np.array(map.tolist() if hasattr(map, "tolist") else map, dtype=float)
-    except (TypeError, ValueError) as reason:
-        raise InputError(f"a matrix of real numbers is expected: {reason}", "map") from reason
+    M = np.array(real_array(map.tolist() if hasattr(map, "tolist") else map, "map"))
     if M.ndim != 2 or M.shape[0] != M.shape[1] or M.shape[0] % 2 or not M.size:
         raise InputError(f"a matrix (2n, 2n) is expected, not of shape {M.shape}", "map")
     if not np.all(np.isfinite(M)):
@@ -196,7 +193,7 @@ def _samples(subject: AuditSubject, where: Points, samples: int, seed: int) -> A
 
 
 def _centre(centre: Sequence[float] | None, where: Points, near: NearbyMap) -> Array:
-    start = (where.low + where.high) / 2 if centre is None else np.asarray(centre, dtype=float)
+    start = (where.low + where.high) / 2 if centre is None else real_array(centre, "centre")
     if start.shape != where.low.shape or not np.all(np.isfinite(start)):
         raise InputError(f"a phase point of shape {where.low.shape} is expected", "centre")
     if not np.all(np.isfinite(near.values(start[None, :]))) or not np.all(np.isfinite(near.jacobians(start[None, :]))):

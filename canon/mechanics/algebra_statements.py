@@ -3,13 +3,14 @@
 Structure constants are a table "A,B" = {"C": coefficient} of the basis.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import sympy as sp
 
 from canon.claim import Claim
 from canon.errors import InputError
+from canon.expected import instance_of, listed
 from canon.expression import Formula
 from canon.mechanics.algebra.names import read_name
 from canon.mechanics.formulas import Expression, as_formula, as_formulas
@@ -49,7 +50,7 @@ def matrix_algebra(
     matrices: dict[str, tuple[tuple[Formula, ...], ...]] = {}
     size = 0
     for name, given in _table(basis, "basis").items():
-        rows = given.tolist() if isinstance(given, sp.MatrixBase) else given
+        rows = given.tolist() if isinstance(given, sp.MatrixBase) else listed(given, "rows", f"basis, {name}")
         matrices[name] = tuple(as_formulas(row, f"basis, {name}") for row in rows)
         size = size or len(rows)
         if not rows or len(rows) != size or any(len(row) != size for row in matrices[name]):
@@ -76,22 +77,26 @@ def group(
 
     **Raises:** `InputError` for a matrix that isn't square, or both of them, or symbols that aren't real.
     """
+    check_space(space)
+    first, second = listed(first, "symbols", "first"), listed(second, "symbols", "second")
     if (composition is None) == (matrix is None) or (matrix is None) != bool(second):
         raise InputError("say the composition with both sets of symbols, or a matrix with the first")
-    keys: dict[str, object] = {"first": tuple(first)}
+    keys: dict[str, object] = {"first": first}
     if composition is not None:
-        keys |= {"composition": as_formulas(composition), "second": tuple(second)}
+        keys |= {"composition": as_formulas(composition), "second": second}
     for word, given in (("matrix", matrix), ("inverse", inverse)):
         if given is not None:
             keys[word] = _square(given, word)
     for symbol in (*first, *second):
-        if symbol in (*space.old, *space.new, space.t) or not getattr(symbol, "is_real", False):
+        moves = not isinstance(symbol, sp.Symbol) or symbol in (*space.old, *space.new, space.t)
+        if moves or not symbol.is_real:
             raise InputError(f"{symbol} is no parameter of a group: give real symbols, and none that moves")
     return _claim(space, "group", keys | _stated(tuple(x.name for x in first), equals, structure))
 
 
 def _square(given: Rows | sp.MatrixBase, where: str) -> tuple[tuple[Formula, ...], ...]:
-    rows: Any = given.tolist() if isinstance(given, sp.MatrixBase) else given
+    rows: Any = given.tolist() if isinstance(given, sp.MatrixBase) else listed(given, "rows", where)
+    rows = [listed(row, "entries", where) for row in rows]
     if not rows or any(len(row) != len(rows) for row in rows):
         raise InputError("a square matrix is expected", where)
     return tuple(as_formulas(row, where) for row in rows)
@@ -99,11 +104,12 @@ def _square(given: Rows | sp.MatrixBase, where: str) -> tuple[tuple[Formula, ...
 
 def casimir(space: PhaseSpace, f: Expression, coordinates: Sequence[sp.Symbol], tensor: Rows | sp.MatrixBase) -> Claim:
     """{f, x} = 0 for all coordinates x, real symbols with the brackets {x_i, x_j} = `tensor`, which obeys Jacobi."""
-    given = tensor.tolist() if isinstance(tensor, sp.MatrixBase) else tensor
-    if not isinstance(given, Iterable) or not isinstance(coordinates, Iterable):
-        raise InputError("coordinates in a list are expected, and their brackets as a matrix or nested lists")
+    given = tensor.tolist() if isinstance(tensor, sp.MatrixBase) else listed(tensor, "rows", "tensor")
+    names = listed(coordinates, "symbols", "coordinates")
+    for name in names:
+        instance_of(name, sp.Symbol, "coordinates")
     rows = tuple(as_formulas(row, f"tensor, row {i}") for i, row in enumerate(given, 1))
-    return _claim(space, "casimir", {"f": as_formula(f, "f"), "coordinates": tuple(coordinates), "tensor": rows})
+    return _claim(space, "casimir", {"f": as_formula(f, "f"), "coordinates": names, "tensor": rows})
 
 
 def _claim(space: PhaseSpace, kind: str, keys: Mapping[str, object]) -> Claim:

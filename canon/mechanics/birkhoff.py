@@ -41,6 +41,7 @@ class NormalForm:
 
     def term(self, degree: int) -> sp.Expr:
         """N of one degree, as a formula."""
+        whole_number(degree, "degree")
         part = self.parts.get(degree)
         return sp.S.Zero if part is None else self.algebra.expression(part)
 
@@ -50,6 +51,7 @@ class NormalForm:
 
     def generator(self, degree: int) -> sp.Expr:
         """χ of one degree, as a formula."""
+        whole_number(degree, "degree")
         part = self.generators.get(degree)
         return sp.S.Zero if part is None else self.algebra.expression(part)
 

@@ -89,8 +89,10 @@ def split_boost(matrix: Any, c: Any = 1) -> BoostAndRotation:
 
 
 def _exact_matrix(matrix: Any) -> sp.ImmutableMatrix:
-    given = matrix.tolist() if isinstance(matrix, sp.MatrixBase) else matrix
-    rows = [list(row) if isinstance(row, Iterable) else [] for row in (given if isinstance(given, Iterable) else ())]
+    given = (
+        matrix.tolist() if isinstance(matrix, sp.MatrixBase) else listed(matrix, "four rows of four entries", "matrix")
+    )
+    rows = [listed(row, "entries", "matrix") for row in given]
     if len(rows) != 4 or any(len(row) != 4 for row in rows):
         raise InputError("no Lorentz matrix: four rows of four entries are expected", "matrix")
     return sp.ImmutableMatrix([[as_expression(entry, "matrix") for entry in row] for row in rows])

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from math import isfinite
+from numbers import Rational, Real
 from typing import Any, Literal
 
 import sympy as sp
 
 from canon.errors import InputError
-from canon.expected import instance_of
+from canon.expected import instance_of, shown
 from canon.mechanics.formulas import as_expression
 
 Kind = Literal["bounded", "unbounded", "falls in", "falls in and escapes", "circular", "separatrix"]
@@ -48,7 +50,8 @@ def radial_regions(
 
     **Raises:** `InputError` for other potentials or numbers, and for one with a pole at some r > 0.
     """
-    m, E, M = (_rational(x) for x in (mass, energy, angular_momentum))
+    given = ((mass, "mass"), (energy, "energy"), (angular_momentum, "angular_momentum"))
+    m, E, M = (_rational(x, where) for x, where in given)
     if m <= 0:
         raise InputError("a mass is positive", "mass")
     gap = sp.together(E - effective_potential(V, r, m, M))
@@ -79,11 +82,15 @@ def radial_regions(
     return tuple(found)
 
 
-def _rational(value: Any) -> Any:
+def _rational(value: Any, where: str) -> Any:
+    infinite = isinstance(value, Real) and not isinstance(value, Rational) and not isfinite(value)
     try:
-        return sp.Rational(value)
+        found = None if infinite or isinstance(value, bool) else sp.Rational(value)  # that of nan would be 0
     except (TypeError, ValueError):
-        raise InputError(f"mass, energy and angular momentum are rational numbers, not {value}", "energy") from None
+        found = None
+    if not isinstance(found, sp.Rational):
+        raise InputError(f"mass, energy and angular momentum are rational numbers, not {shown(value)}", where)
+    return found
 
 
 def _kind(low: Any, high: Any, multiplicity: dict[Any, int]) -> Kind:

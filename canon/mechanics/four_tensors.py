@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
-from canon.expected import listed
+from canon.expected import instance_of, listed, shown, whole_number
 from canon.mechanics.boosts import boost
 from canon.mechanics.formulas import as_expression
 from canon.mechanics.vanishing import vanishes
@@ -35,9 +35,12 @@ class FourTensor:
     indices: str
 
     def __post_init__(self) -> None:
-        if set(self.indices) - {"u", "d"} or len(self.indices) > HIGHEST_RANK:
+        if not isinstance(self.indices, str) or set(self.indices) - {"u", "d"} or len(self.indices) > HIGHEST_RANK:
             raise InputError(f'a word of at most {HIGHEST_RANK} letters "u" and "d" is expected', "indices")
         shape = (4,) * self.rank
+        if isinstance(self.components, (str, bytes)) or getattr(self.components, "dtype", None) is not None:
+            said = "lists of exact numbers or formulas are expected"
+            raise InputError(f"{said}, not {shown(self.components)}", "components")
         try:
             array = sp.ImmutableDenseNDimArray(self.components)
         except (TypeError, ValueError):
@@ -65,7 +68,7 @@ class FourTensor:
     def with_index(self, k: int, kind: str) -> FourTensor:
         """The tensor with its k-th index, counted from 0, raised (`kind` "u") or lowered ("d") by the metric."""
         self._check(k)
-        if kind not in ("u", "d"):
+        if not isinstance(kind, str) or kind not in ("u", "d"):
             raise InputError('"u" or "d" is expected', "kind")
         if self.indices[k] == kind:
             return self
@@ -85,6 +88,7 @@ class FourTensor:
 
     def times(self, other: FourTensor) -> FourTensor:
         """The product with all indices of both kept, this one's first."""
+        instance_of(other, FourTensor, "other")
         product = sp.tensorproduct(self.components, other.components)
         return FourTensor(product, self.indices + other.indices)
 
@@ -100,6 +104,7 @@ class FourTensor:
 
     def dot(self, other: FourTensor) -> Any:
         """The scalar product of two vectors, whatever their indices' places: a_μ b^μ."""
+        instance_of(other, FourTensor, "other")
         if self.rank != 1 or other.rank != 1:
             raise InputError("a scalar product is one of two vectors")
         return self.with_index(0, "d").times(other.with_index(0, "u")).contracted(0, 1).value
@@ -121,6 +126,7 @@ class FourTensor:
         return sp.permutedims(summed, order) if self.rank > 1 else summed
 
     def _check(self, k: int) -> None:
+        whole_number(k, "index")
         if not 0 <= k < self.rank:
             raise InputError(f"the indices are counted from 0 to {self.rank - 1}: there is no {k}")
 
@@ -140,7 +146,7 @@ def four_velocity(velocity: Vector, c: Any = 1) -> FourTensor:
 def field_tensor(electric: Vector, magnetic: Vector, c: Any = 1) -> FourTensor:
     """F^μν of the fields E and B in SI units: F^i0 = E_i/c, F^ij = −ε_ijk B_k (Jackson, eq. 11.137, with E/c for E)."""
     (Ex, Ey, Ez), (Bx, By, Bz) = (_three(v, w) for v, w in ((electric, "electric"), (magnetic, "magnetic")))
-    light = as_expression(c, "c")
+    light = _speed(c)
     ex, ey, ez = Ex / light, Ey / light, Ez / light
     rows = [[0, -ex, -ey, -ez], [ex, 0, -Bz, By], [ey, Bz, 0, -Bx], [ez, -By, Bx, 0]]
     return FourTensor(rows, "uu")
@@ -148,17 +154,25 @@ def field_tensor(electric: Vector, magnetic: Vector, c: Any = 1) -> FourTensor:
 
 def fields_of(tensor: FourTensor, c: Any = 1) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
     """E and B of a field tensor, wherever its indices stand."""
+    instance_of(tensor, FourTensor, "tensor")
     if tensor.rank != 2:
         raise InputError("a field tensor has two indices", "tensor")
     F = tensor.with_index(0, "u").with_index(1, "u")
     if any(vanishes(F[i, j] + F[j, i]) is False for i in range(4) for j in range(i, 4)):
         raise InputError("a field tensor is antisymmetric", "tensor")
-    light = as_expression(c, "c")
+    light = _speed(c)
     return tuple(sp.simplify(light * F[k, 0]) for k in (1, 2, 3)), (F[3, 2], F[1, 3], F[2, 1])
 
 
 def four_force(charge: Any, tensor: FourTensor, velocity: FourTensor) -> FourTensor:
-    """q F^μν u_ν: the rate of the four-momentum by the proper time in these fields (Jackson, eq. 11.144)."""
+    """q F^μν u_ν: the rate of the four-momentum by the proper time in these fields (Jackson, eq. 11.144).
+
+    **Arguments:** `velocity`, the `four_velocity`. **Raises:** `InputError` for tensors of other ranks.
+    """
+    for given, rank, where in ((tensor, 2, "tensor"), (velocity, 1, "velocity")):
+        instance_of(given, FourTensor, where)
+        if given.rank != rank:
+            raise InputError(f"a tensor of rank {rank} is expected, not of rank {given.rank}", where)
     F = tensor.with_index(0, "u").with_index(1, "u")
     pushed = F.times(velocity.with_index(0, "d")).contracted(1, 2)
     return FourTensor([as_expression(charge, "charge") * sp.expand(entry) for entry in pushed.components], "u")
@@ -181,6 +195,13 @@ def doppler(velocity: Vector, direction: Vector, c: Any = 1) -> Any:
     return sp.simplify(as_expression(c, "c") / u.dot(light))
 
 
+def _speed(c: Any) -> Any:
+    light = as_expression(c, "c")
+    if light.is_positive is False:
+        raise InputError(f"the speed of light is positive, not {light}", "c")
+    return light
+
+
 def _three(vector: Vector, where: str) -> list[Any]:
     found = [as_expression(entry, where) for entry in listed(vector, "three components", where)]
     if len(found) != 3:
@@ -189,7 +210,10 @@ def _three(vector: Vector, where: str) -> list[Any]:
 
 
 def _lorentz(matrix: Any) -> sp.ImmutableMatrix:
-    rows = matrix.tolist() if isinstance(matrix, sp.MatrixBase) else [list(row) for row in matrix]
+    given = (
+        matrix.tolist() if isinstance(matrix, sp.MatrixBase) else listed(matrix, "four rows of four entries", "matrix")
+    )
+    rows = [listed(row, "entries", "matrix") for row in given]
     if len(rows) != 4 or any(len(row) != 4 for row in rows):
         raise InputError("four rows of four entries are expected", "matrix")
     Lambda = sp.ImmutableMatrix([[as_expression(entry, "matrix") for entry in row] for row in rows])

@@ -1,10 +1,12 @@
 """What a map is given by: types of generating functions, and formulas in the variables of one side alone."""
 
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import listed
 from canon.expression import Formula
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.phase_space import PhaseSpace
@@ -12,11 +14,15 @@ from canon.mechanics.phase_space import PhaseSpace
 
 def listed_types(kinds: int | Sequence[int]) -> int | tuple[int, ...]:
     """One type, or several in a tuple; **raises** `InputError` for what is no whole number."""
-    several = (kinds,) if isinstance(kinds, int) else tuple(kinds) if isinstance(kinds, Iterable) else (kinds,)
+    several = (kinds,) if isinstance(kinds, int) else _several(kinds)
     for kind in several:
         if not isinstance(kind, int) or isinstance(kind, bool):
             raise InputError(f"there is no type {kind!r}; types are 1, 2, 3 and 4", "generating_function, type")
     return kinds if isinstance(kinds, int) else several
+
+
+def _several(kinds: Any) -> tuple[Any, ...]:
+    return listed(kinds, "types", "generating_function, type") if isinstance(kinds, Iterable) else (kinds,)
 
 
 def check_sides(

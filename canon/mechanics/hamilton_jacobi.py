@@ -9,7 +9,7 @@ from canon.claim import Claim
 from canon.display import latex
 from canon.domain import Domain
 from canon.errors import InputError
-from canon.expected import listed
+from canon.expected import instance_of, listed
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols, replaced
 from canon.mechanics.generating_function import GeneratingFunction
@@ -48,6 +48,8 @@ class CompleteIntegral:
     ) -> None:
         check_space(space)
         alphas = (constants,) if isinstance(constants, sp.Symbol) else listed(constants, "symbols", "constants")
+        for alpha in alphas:
+            instance_of(alpha, sp.Symbol, "constants")
         values = {
             "space": space,
             "H": as_formula(H, "hamiltonian, H"),

@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
-from canon.expected import listed
+from canon.expected import instance_of, listed, whole_number
 from canon.mechanics.formulas import as_expression
 from canon.mechanics.vanishing import sign_at_a_point, vanishes
 
@@ -77,7 +77,9 @@ def point_masses(masses: Iterable[Any], places: Iterable[Vector]) -> RigidBody:
 
 def composite(bodies: Iterable[RigidBody]) -> RigidBody:
     """Bodies joined to one; a hole is a body of negative mass. **Raises:** `InputError` where the whole mass is 0."""
-    parts = list(bodies)
+    parts = listed(bodies, "bodies", "bodies")
+    for part in parts:
+        instance_of(part, RigidBody, "bodies")
     mass: Any = sp.simplify(sp.Add(*(b.mass for b in parts)))
     if vanishes(mass):
         raise InputError("a body without mass has no centre", "bodies")
@@ -162,6 +164,8 @@ def _square(value: Any, where: str) -> sp.ImmutableMatrix | None:
 def _check_faces(faces: Sequence[Sequence[int]], count: int) -> None:
     edges: dict[tuple[int, int], int] = {}
     for face in faces:
+        for k in face:
+            whole_number(k, "faces")
         if len(face) < 3 or any(not 0 <= k < count for k in face):
             raise InputError(f"a face is at least three of the corners 0 to {count - 1}, not {tuple(face)}", "faces")
         for edge in zip(face, (*face[1:], face[0]), strict=True):

@@ -61,6 +61,7 @@ def closed_lie_series(
     of variables that are such themselves, since exp(s {., G}) commutes with products.
     """
     _check(parameter, space)
+    whole_number(depth, "depth", 1)
     value, G = as_expression(f), as_expression(generator)
     check_symbols([value, G], space.vocabulary)
     if value.is_Symbol:

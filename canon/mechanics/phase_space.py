@@ -18,7 +18,7 @@ from canon.mechanics.assumptions import check_words, symbol_with
 from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.relations import region_of
-from canon.mechanics.stated_names import Names, as_declared, listed_names, words_of
+from canon.mechanics.stated_names import Names, as_declared, listed_names, ordered_names, words_of
 from canon.vocabulary import Vocabulary
 
 UNSTATED = ("q__", "p__")
@@ -116,8 +116,8 @@ class PhaseSpace:
             check_words(given[name], words.get(name, ()))
             return given[name]
 
-        old, momenta = (tuple(symbol(name) for name in listed_names(names)) for names in (q, p))
-        new_q, new_p = (tuple(symbol(name) for name in listed_names(names)) for names in (new or ((), ())))
+        sides = [tuple(symbol(name) for name in ordered_names(names)) for names in (q, p, *(new or ((), ())))]
+        old, momenta, new_q, new_p = sides
         moment = symbol(listed_names((time,), "time")[0])
         if not old or len(old) != len(momenta):
             raise InputError(f"{len(old)} coordinates and {len(momenta)} momenta", "phase_space")
@@ -205,7 +205,7 @@ class PhaseSpace:
 
     def function(self, name: str) -> Any:
         """The arbitrary smooth function with this name; **raises** `InputError` when it is not declared."""
-        if name not in self.functions:
+        if not isinstance(name, str) or name not in self.functions:
             raise InputError(f"{name!r} is not declared as a function")
         return function(name)
 

@@ -4,6 +4,7 @@ from typing import Any
 
 import sympy as sp
 from sympy.core.relational import GreaterThan, LessThan, Relational, StrictGreaterThan, StrictLessThan
+from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from canon.domain import Condition, Domain, conditions_of
 from canon.errors import InputError
@@ -15,9 +16,9 @@ def region_of(relation: Any) -> Domain:
 
     **Raises:** `InputError` for a relation that can never hold, or that is none.
     """
-    if relation == sp.true:
+    if relation is True or isinstance(relation, BooleanTrue):
         return Domain()
-    if relation == sp.false:
+    if relation is False or isinstance(relation, BooleanFalse):
         raise InputError("a relation of the domain can never hold")
     if isinstance(relation, sp.And):
         region = Domain()

@@ -1,6 +1,7 @@
 """Names as a caller states them: one text, several names, or symbols of sympy's, with what is assumed of each."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from collections.abc import Set as AbstractSet
 from typing import Any, TypeAlias, TypedDict
 
 import sympy as sp
@@ -24,11 +25,26 @@ def listed_names(names: Names, where: str = "phase_space") -> tuple[str | sp.Sym
         return tuple(names.replace(",", " ").split())
     if isinstance(names, bytes) or not isinstance(names, sp.Symbol | Iterable):
         raise InputError(f"names are expected, as 'x y', ['x', 'y'] or symbols, not {names!r}", where)
-    listed = (names,) if isinstance(names, sp.Symbol) else tuple(names)
+    listed = (names,) if isinstance(names, sp.Symbol) else _tuple(names, where)
     for name in listed:
         if not isinstance(name, str | sp.Symbol):
             raise InputError(f"a name or a symbol is expected, not {name!r}", where)
     return listed
+
+
+def _tuple(names: Any, where: str) -> tuple[Any, ...]:
+    try:
+        return tuple(names)
+    except TypeError:  # as of an array of numpy's without axes
+        raise InputError(f"names are expected, as 'x y', ['x', 'y'] or symbols, not {names!r}", where) from None
+
+
+def ordered_names(names: Names) -> tuple[str | sp.Symbol, ...]:
+    """Names that stand in an order; **raises** `InputError` for a set, which would pair q and p by chance."""
+    if isinstance(names, (AbstractSet, Mapping)):
+        said = f"names in an order are expected, as 'x y' or ['x', 'y'], not {names!r}"
+        raise InputError(said, "phase_space")
+    return listed_names(names)
 
 
 class Declared(TypedDict):

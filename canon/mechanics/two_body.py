@@ -8,7 +8,8 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
-from canon.mechanics.formulas import as_expression
+from canon.expected import instance_of, whole_number
+from canon.mechanics.formulas import as_expression, check_symbols
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.stated_names import as_declared
 from canon.mechanics.transformation import Transformation
@@ -36,7 +37,7 @@ class TwoBodies:
         kinetic = sum(p**2 / (2 * self.total) for p in momenta[:n]) + sum(
             p**2 / (2 * self.reduced) for p in momenta[n:]
         )
-        return kinetic + as_expression(V, "V").subs(r, sp.sqrt(sum(x**2 for x in place)))
+        return kinetic + _at(V, r, sp.sqrt(sum(x**2 for x in place)))
 
     def old_hamiltonian(self, V: Any, r: sp.Symbol, m1: Any, m2: Any) -> Any:
         """p₁²/2m₁ + p₂²/2m₂ + V(|r₁ − r₂|) in the old variables."""
@@ -45,7 +46,15 @@ class TwoBodies:
         masses = [as_expression(m1, "m1")] * n + [as_expression(m2, "m2")] * n
         distance = sp.sqrt(sum((a - b) ** 2 for a, b in zip(space.q[:n], space.q[n:], strict=True)))
         kinetic = sum(p**2 / (2 * m) for p, m in zip(space.p, masses, strict=True))
-        return kinetic + as_expression(V, "V").subs(r, distance)
+        return kinetic + _at(V, r, distance)
+
+
+def _at(V: Any, r: sp.Symbol, distance: Any) -> Any:
+    """V(r) at a distance; **raises** `InputError` where V is of another r, which would stay in it."""
+    instance_of(r, sp.Symbol, "r")
+    potential = as_expression(V, "V")
+    check_symbols([potential], {r.name: r}, "V")
+    return potential.subs(r, distance)
 
 
 def two_bodies(m1: Any, m2: Any, dimension: int = 3) -> TwoBodies:
@@ -56,6 +65,7 @@ def two_bodies(m1: Any, m2: Any, dimension: int = 3) -> TwoBodies:
     **Arguments:** exact masses: numbers, or sympy symbols declared positive; `dimension` 1, 2 or 3. **Raises:**
     `InputError`.
     """
+    whole_number(dimension, "dimension")
     if dimension not in (1, 2, 3):
         raise InputError(f"one to three dimensions are expected, not {dimension}", "dimension")
     first, second = as_expression(m1, "m1"), as_expression(m2, "m2")

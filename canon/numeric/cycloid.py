@@ -30,6 +30,9 @@ class Descent:
 
     def place(self, share: float) -> tuple[float, float]:
         """(x, depth) after a share of the time, 0 to 1: θ grows uniformly."""
+        finite_number(share, "share")
+        if not 0 <= share <= 1:
+            raise InputError(f"a share of the time is from 0 to 1, not {share}", "share")
         theta = share * self.angle
         return self.radius * _arc(theta), self.radius * _height(theta)
 

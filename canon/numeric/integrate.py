@@ -15,6 +15,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import finite_number, real_array, shown, whole_number
 from canon.numeric.compiled import compiled, compiled_soon
 from canon.numeric.devices import spread
 from canon.numeric.engines import Engine, settled
@@ -144,8 +145,15 @@ def start(
     """The run that `integrate` makes, before its first step."""
     import jax
 
-    if samples < 2 or steps < 1 or not np.isfinite([duration, t0]).all():
-        raise InputError("a run needs a finite duration, one step or more, and two samples or more")
+    if not callable(getattr(method, "stepper", None)):
+        said = "as of canon.numeric.integrators.catalogue.method(name)"
+        raise InputError(f"an integrator is expected, {said}, not {shown(method)}", "method")
+    for count, least, where in ((steps, 1, "steps"), (samples, 2, "samples")):
+        whole_number(count, where, least)
+    for moment, where in ((duration, "duration"), (t0, "t0")):
+        finite_number(moment, where)
+    if not isinstance(state, tuple) or not any(np.size(x) for x in jax.tree.leaves(state)):
+        raise InputError(f"a state is a tuple of arrays, as (q, p), not all of them empty, not {shown(state)}", "state")
     per_sample, per_chunk = divided(steps, samples)
     keeps = steps >= LONG_RUN if compensated is None else compensated
 
@@ -155,7 +163,7 @@ def start(
         return empty
 
     with double():
-        state = jax.tree.map(lambda x: np.asarray(x, dtype=float), state)
+        state = jax.tree.map(lambda x: real_array(x, "state"), state)
         carry = stepper_of(method, problem, keeps).initial(state)
     stored = jax.tree.map(rows, state)
     step = duration / (per_chunk * per_sample * (samples - 1))

@@ -23,7 +23,7 @@ import sympy as sp
 from flint import arb, arb_series
 
 from canon.errors import InputError
-from canon.expected import formula_of, instance_of, listed, table, whole_number
+from canon.expected import finite_number, formula_of, instance_of, listed, shown, table, whole_number
 from canon.numeric.actions.balls import Ball, ball_function, ball_of, precision
 from canon.numeric.actions.bounded import Bounded, bounded
 from canon.numeric.values import in_enough_bits
@@ -56,6 +56,7 @@ class LieSum:
 
     def within(self, s: float) -> bool:
         """Whether the plain series converges at s, by the estimated radius."""
+        finite_number(s, "s")
         return abs(s) < self.radius
 
     def __str__(self) -> str:
@@ -73,6 +74,7 @@ def nested_bracket(
     **Raises:** `InputError` where f or a derivative of G has no value there.
     """
     whole_number(k, "k", 0)
+    k = int(k)  # a number of numpy's is none for balls
     flow = _Flow(f, G, q, p)
     start = flow.point(at)
 
@@ -89,7 +91,9 @@ def lie_sum(f: Any, G: Any, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], at: 
     **Raises:** `InputError` where f or a derivative of G has no value at the point.
     """
     flow = _Flow(f, G, q, p)
-    start = flow.point(at)
+    start, s = flow.point(at), formula_of(s, "s")
+    if not s.is_real or not s.is_finite:
+        raise InputError(f"a finite number is needed, not {shown(s)}", "s")
     found: tuple[Ball, float, int] | None = None
     for bits in BITS:
         with precision(bits):

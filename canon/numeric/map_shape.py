@@ -10,6 +10,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError, NoValue
+from canon.expected import real_array
 from canon.numeric.precision import UNIT, double, unit_of
 
 Array = np.ndarray
@@ -123,11 +124,16 @@ def _first_form(function: Callable[..., Any], points: Array) -> tuple[str, Calla
 def of_any_form(images: Callable[[Array], Array], arguments: tuple[Any, ...]) -> Any:
     """What a map of points (N, 2n) makes of one phase point (2n,), of points (…, 2n), or of a pair (q, p)."""
     if len(arguments) == 2:
-        q, p = (np.asarray(part, dtype=float) for part in arguments)
+        q, p = (real_array(part, name) for part, name in zip(arguments, ("q", "p"), strict=True))
+        if q.shape != p.shape or not q.ndim:
+            raise InputError(f"as many momenta as coordinates are expected, not shapes {q.shape} and {p.shape}", "q, p")
         new = of_any_form(images, (np.concatenate([q, p], axis=-1),))
         return new[..., : q.shape[-1]], new[..., q.shape[-1] :]
-    (z,) = arguments
-    points = np.asarray(z, dtype=float)
+    if len(arguments) != 1:
+        raise InputError(f"a map is called with a phase point, points, or a pair (q, p), not with {len(arguments)}")
+    points = real_array(arguments[0], "z")
+    if not points.ndim:
+        raise InputError(f"a phase point is a list of numbers, not {points}", "z")
     return images(points.reshape(-1, points.shape[-1])).reshape(points.shape)
 
 

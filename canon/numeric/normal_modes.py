@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import real_array
 
 Array = Any
 SYMMETRIC = 1e-12
@@ -96,7 +97,7 @@ def williamson(A: Any) -> Williamson:
 
 
 def _symmetric(value: Any, where: str) -> Array:
-    matrix = np.asarray(value, dtype=float)
+    matrix = real_array(value, where)
     if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1] or not len(matrix):
         raise InputError("a square matrix is expected", where)
     if not np.isfinite(matrix).all() or np.abs(matrix - matrix.T).max() > SYMMETRIC * np.abs(matrix).max():

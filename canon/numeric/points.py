@@ -9,7 +9,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.expected import listed
+from canon.expected import listed, real_array
 from canon.numeric.counter import key_of, rows_of
 
 Array = np.ndarray
@@ -65,7 +65,7 @@ def points_of(domain: Any, names: Sequence[str], defaults: Sequence[tuple[float,
     if isinstance(domain, np.ndarray):
         if domain.ndim != 2 or domain.shape[1] != size or not len(domain):
             raise InputError(f"an array of points has shape (N, {size}), not {domain.shape}", "domain")
-        given = domain.astype(float)
+        given = real_array(domain, "domain").copy()  # the caller may change its own
         if not np.all(np.isfinite(given)):
             raise InputError("a point that is not finite", "domain")
         return Points(given.min(axis=0), given.max(axis=0), given)
@@ -82,6 +82,8 @@ def points_of(domain: Any, names: Sequence[str], defaults: Sequence[tuple[float,
         if len(sides) == 2 and all(np.ndim(side) == 0 for side in sides):
             sides = [tuple(sides)] * size
     try:
+        if np.iscomplexobj(np.asarray(sides)):  # numpy would drop the imaginary parts
+            raise TypeError("complex numbers")
         low, high = np.array(sides, dtype=float).reshape(size, 2).T
     except (TypeError, ValueError) as reason:
         raise InputError(

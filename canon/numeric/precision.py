@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
+
+from canon.errors import InputError
+from canon.expected import real_array
 
 UNIT: Final = 2.0**-53
 """The unit roundoff of float64: an operation's relative error when it rounds to nearest."""
@@ -25,6 +28,25 @@ def double() -> Iterator[None]:
 
     with jax.enable_x64(True), np.errstate(all="ignore"):
         yield
+
+
+def doubles(**given: Any) -> list[Any]:
+    """Real numbers, by their arguments' names, as arrays of jax, which may trace them.
+
+    **Raises:** `InputError` for what they aren't, and where the host has left jax in 32 bits: of these neither bounds
+    nor last digits know.
+    """
+    import jax
+    import jax.numpy as jnp
+
+    if jnp.result_type(float) != np.float64:
+        said = 'jax computes in 32 bits here, and this needs 64: jax.config.update("jax_enable_x64", True) first'
+        raise InputError(said)
+    found = [x if isinstance(x, jax.Array) else real_array(x, name) for name, x in given.items()]
+    for name, x in zip(given, found, strict=True):
+        if jnp.iscomplexobj(x):
+            raise InputError("real numbers are expected, not complex ones", name)
+    return [jnp.asarray(x, float) for x in found]
 
 
 def unit_of(dtype: np.dtype) -> float:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from math import fsum, isfinite, sqrt
 
 from canon.errors import InputError
-from canon.expected import numbers
+from canon.expected import finite_number, numbers
 
 STEPS = 200
 
@@ -50,8 +50,7 @@ def ray_through_layers(indices: Sequence[float], thicknesses: Sequence[float], a
         for value in values:
             if not (isfinite(value) and value > 0):
                 raise InputError(f"positive numbers are expected, not {value}", where)
-    if not (isfinite(across) and across >= 0):
-        raise InputError(f"a number from 0 on is expected, not {across}", "across")
+    finite_number(across, "across", least=0.0)
     s = _slope(n, d, across)
     slopes = _slopes(n, s)
     least = min(n)
@@ -104,7 +103,8 @@ def refracted(
     n₁ t₁ × N = n₂ t₂ × N for the unit vectors t of the rays and N of the normal, of either sign.
     """
     for value, where in ((before, "before"), (behind, "behind")):
-        if not (isfinite(value) and value > 0):
+        finite_number(value, where)
+        if not value > 0:
             raise InputError(f"a positive index is expected, not {value}", where)
     way, across = _unit(direction, "direction"), _unit(normal, "normal")
     along = _dot(way, across)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import real_array
 from canon.numeric.differences import SAFETY, ULPS
 from canon.numeric.differentiable import Differentiable
 from canon.numeric.residuals import Residuals
@@ -28,7 +29,7 @@ def reversal_residuals(map: Differentiable, points: Array, involution: Callable[
     """
 
     def reversed_(z: Array) -> Array:
-        turned = np.array(involution(np.array(z)), dtype=float)  # it may change its argument in place
+        turned = np.array(real_array(involution(np.array(z)), "involution"))  # it may change its argument in place
         if turned.shape != z.shape:
             raise InputError(f"an involution takes points {z.shape} to points, not to {turned.shape}", "involution")
         return turned

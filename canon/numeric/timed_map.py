@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import real_array
 from canon.numeric.precision import double
 
 Array = Any  # numpy arrays
@@ -67,15 +68,15 @@ def timed_function(function: Callable[..., Any], states: Array) -> Callable[[Arr
 
 def _state(value: Any, t: float, size: int) -> Array:
     Z, T = value if isinstance(value, tuple) and len(value) == 2 else (value, t)
-    point, time = np.asarray(Z), np.asarray(T)
+    point, time = real_array(Z, "map"), real_array(T, "map")
     if point.shape != (size,) or time.size != 1:
         raise InputError(f"{EXPECTED}: not an array of shape {point.shape} for a point of shape ({size},)")
-    return np.append(point.astype(float), float(time.reshape(())))
+    return np.append(point, float(time.reshape(())))
 
 
 def _states(value: Any, t: Array, size: int) -> Array:
     Z, T = value if isinstance(value, tuple) and len(value) == 2 else (value, t)
-    points = np.asarray(Z, dtype=float)
+    points = real_array(Z, "map")
     if points.shape != (len(t), size):
         raise InputError(EXPECTED)
-    return np.column_stack([points, np.broadcast_to(np.asarray(T, dtype=float), len(t))])
+    return np.column_stack([points, np.broadcast_to(real_array(T, "map"), len(t))])

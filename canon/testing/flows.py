@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.expected import finite_number, listed, whole_number
+from canon.expected import finite_number, listed, real_array, whole_number
 from canon.testing.assertions import name_of, place_of
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def assert_hamiltonian_flow(
     def at(times: Array) -> Array:
         with double():
             pairs = zip(points, times, strict=True)
-            return np.array([np.array(flow(z.copy(), float(t)), dtype=float) for z, t in pairs])
+            return np.array([np.array(real_array(flow(z.copy(), float(t)), "flow")) for z, t in pairs])
 
     began = np.abs(at(np.zeros(len(points))) - points) / lengths
     allowed = ULPS * UNIT * (1 + np.abs(points) / lengths) + tolerance
@@ -131,7 +131,7 @@ def _field(
 
     def of_points(points: Array) -> Array:
         with double():
-            values = [np.asarray(hamiltonian(z), dtype=float) for z in points]
+            values = [real_array(hamiltonian(z), "hamiltonian") for z in points]
         if values and values[0].size != 1:
             raise InputError(f"a Hamiltonian is a number, not an array of shape {values[0].shape}", "hamiltonian")
         return np.array([[value.item()] for value in values])

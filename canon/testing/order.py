@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.expected import finite_number, function, whole_number
+from canon.expected import finite_number, function, real_array, whole_number
 from canon.numeric.map_shape import required
 from canon.testing.assertions import name_of
 
@@ -61,10 +61,7 @@ def assert_order(
     finite_number(tolerance, "tolerance", least=0.0)
     if not tolerance < 1:
         raise InputError(f"an order less by 1 is another order: a tolerance is below 1, not {tolerance!r}", "tolerance")
-    try:
-        point = np.asarray(start, dtype=float)
-    except (TypeError, ValueError) as reason:
-        raise InputError(f"a phase point is a list of numbers: {reason}", "start") from reason
+    point = _numbers(start, "start")
     if not point.ndim:
         raise InputError(f"a phase point is a list of numbers, not {start!r}", "start")
     if not np.all(np.isfinite(point)):
@@ -83,7 +80,7 @@ def assert_order(
             z: Any = point.copy()  # a step may change it in place
             for _ in range(count):
                 z = one(z, duration / count)
-            ends.append(np.array(z, dtype=float))
+            ends.append(np.array(real_array(z, "step")))
     if not np.all(np.isfinite(ends)):
         raise AssertionError(f"{name_of(step)} does not stay finite over the duration {duration:g}")
     if aim is None:
@@ -107,12 +104,16 @@ def assert_order(
     return measured
 
 
+def _numbers(point: Any, where: str) -> Array:
+    try:
+        return real_array(point, where)
+    except InputError as reason:
+        raise InputError(f"a phase point is a list of numbers: {reason.message}", where) from reason
+
+
 def _aim(exact: Any, point: Array) -> Array:
     """The point that is reached exactly. **Raises** `InputError` for what is none."""
-    try:
-        aim = np.asarray(exact, dtype=float)
-    except (TypeError, ValueError) as reason:
-        raise InputError(f"a phase point is a list of numbers: {reason}", "exact") from reason
+    aim = _numbers(exact, "exact")
     if aim.shape != point.shape or not np.all(np.isfinite(aim)):
         raise InputError(f"a phase point like the start is expected, {point.shape[0]} finite numbers", "exact")
     return aim
@@ -159,7 +160,8 @@ def _is_affine(step: Callable[[Array, float], Any], point: Array, h: float) -> b
     rng = np.random.default_rng(0)
     for _ in range(3):
         a, b = rng.uniform(0.3, 1.0, (2, *point.shape)) * np.maximum(np.abs(point), 0.1)
-        corners = [np.array(step(z, h), dtype=float) for z in (point.copy(), point + a, point + b, point + a + b)]
+        places = (point.copy(), point + a, point + b, point + a + b)
+        corners = [np.array(real_array(step(z, h), "step")) for z in places]
         second = corners[3] - corners[2] - corners[1] + corners[0]
         size = max(float(np.abs(corner).max()) for corner in corners)
         if not np.all(np.isfinite(second)) or float(np.abs(second).max()) > AFFINE * size:

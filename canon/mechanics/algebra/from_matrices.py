@@ -12,7 +12,7 @@ import sympy as sp
 from flint import fmpq, fmpq_mat
 
 from canon.errors import InputError
-from canon.expected import table
+from canon.expected import instance_of, listed, shown, table
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.coefficients import Number
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
@@ -106,10 +106,13 @@ def _parts(matrices: Mapping[str, Rows]) -> tuple[list[fmpq_mat], list[fmpq_mat]
     real, imaginary = [], []
     if not matrices:
         raise InputError("no matrices are given")
-    first = next(iter(matrices.values()))
-    size = first.rows if isinstance(first, sp.MatrixBase) else len(first)
+    size = 0
     for name, given in matrices.items():
-        rows = given.tolist() if isinstance(given, sp.MatrixBase) else given
+        where = f"matrices, {shown(name)}"
+        instance_of(name, str, where)
+        rows = given.tolist() if isinstance(given, sp.MatrixBase) else listed(given, "rows", where)
+        rows = [listed(row, "entries", where) for row in rows]
+        size = size or len(rows)
         if not rows or len(rows) != size or any(len(row) != size for row in rows):
             raise InputError(f"square matrices of one size are expected: {name} isn't {size} by {size}")
         entries = [_complex_parts(entry) for row in rows for entry in row]

@@ -9,6 +9,8 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import shown
+from canon.expected import table as is_table
 from canon.mechanics.algebra.coefficients import Combination, Number, exact, is_zero, plus, times
 
 
@@ -25,7 +27,9 @@ def antisymmetric(
     with itself, or a pair that is given twice, differently.
     """
     table: dict[tuple[int, int], dict[int, Number]] = {}
-    for (a, b), row in given.items():
+    for pair, row in given.items():
+        a, b = _positions(pair)
+        is_table(row, "coefficients", f"constants, {shown(pair)}")
         if not all(k in range(len(names)) for k in (a, b, *row)):
             raise InputError(
                 f"positions in the basis go from 0 to {len(names) - 1}: {(a, b)} or one of {list(row)} doesn't"
@@ -41,6 +45,12 @@ def antisymmetric(
         if not _same(table.setdefault((a, b), numbers), numbers):
             raise InputError(f"the bracket of {names[a]} and {names[b]} is stated twice, differently")
     return {pair: row for pair, row in table.items() if row}
+
+
+def _positions(pair: Any) -> tuple[Any, Any]:
+    if not isinstance(pair, tuple) or len(pair) != 2:
+        raise InputError(f"a pair of positions in the basis is expected, as (0, 1), not {shown(pair)}", "constants")
+    return pair[0], pair[1]
 
 
 def _may_be_complex(value: Any) -> bool:

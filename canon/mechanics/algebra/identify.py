@@ -9,7 +9,7 @@ from flint import fmpq_mat
 
 from canon.display import list_in_html
 from canon.errors import InputError
-from canon.expected import instance_of
+from canon.expected import instance_of, whole_number
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.decomposition import Summand
 from canon.mechanics.algebra.decomposition import summands as direct_summands
@@ -73,6 +73,7 @@ def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
     **Raises:** `InputError` for other structure constants, `ArithmeticError` where a type can't be told.
     """
     instance_of(algebra, LieAlgebra, "algebra")
+    whole_number(seed, "seed")
     scaled = rescaled(algebra)
     if scaled is None:
         raise InputError(

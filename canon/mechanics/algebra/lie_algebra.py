@@ -121,10 +121,20 @@ class LieAlgebra:
     def bracket_of(self, a: int, b: int) -> Combination:
         """[e_a, e_b] by positions, from 0; **raises** `InputError` where there is none."""
         for place in (a, b):
-            whole_number(place, "position", 0)
-            if place >= self.dimension:
-                raise InputError(f"there is no position {place} in a basis of {self.dimension}", "position")
+            self._check_position(place)
         return MappingProxyType(self._table.get((a, b), {}))
+
+    def _check_position(self, place: Any) -> None:
+        whole_number(place, "position", 0)
+        if place >= self.dimension:
+            raise InputError(f"there is no position {place} in a basis of {self.dimension}", "position")
+
+    def _components(self, x: Any, where: str) -> list[fmpq]:
+        """The rational components of an element. **Raises:** `InputError` where there are more or fewer of them."""
+        given = listed(x, "components", where)
+        if len(given) != self.dimension:
+            raise InputError(f"{self.dimension} components are expected, not {len(given)}", where)
+        return [v if isinstance(v, fmpq) else rational(_rational(exact(v))) for v in given]
 
     def bracket(self, x: Mapping[str, Any], y: Mapping[str, Any]) -> dict[str, Number]:
         """[x, y] for elements given as {name: coefficient}; **raises** `InputError` for a name not in the basis."""
@@ -140,12 +150,15 @@ class LieAlgebra:
 
     def position(self, name: str) -> int:
         """The place of a basis element; **raises** `InputError` for another name."""
-        if name not in self.names:
+        if not isinstance(name, str) or name not in self.names:
             raise InputError(f"{name!r} is none of the basis {', '.join(self.names)}")
         return self.names.index(name)
 
     def show(self, element: Combination) -> str:
-        """A combination of the basis, as a formula."""
+        """A combination of the basis, as a formula; **raises** `InputError` for a position that there isn't."""
+        table_of(element, "coefficients, by their positions,", "element")
+        for place in element:
+            self._check_position(place)
         return str(as_sympy(element, self.names))
 
     def rows(self) -> Iterator[tuple[str, str, str]]:
@@ -155,14 +168,16 @@ class LieAlgebra:
 
     def adjoint(self, a: int) -> fmpq_mat:
         """ad e_a, whose column b is [e_a, e_b]; for rational structure constants."""
+        self._check_position(a)
         if self._full is not None:
             return full_tables.ad_of_basis(self._full, a)
         return self.adjoint_of([fmpq(int(b == a)) for b in range(self.dimension)])
 
     def adjoint_of(self, x: Sequence[fmpq]) -> fmpq_mat:
         """ad x, whose column b is [x, e_b]; for rational structure constants and components."""
+        x = self._components(x, "x")
         if self._full is not None:
-            return full_tables.ad(self._full, list(x))
+            return full_tables.ad(self._full, x)
         values = fmpq_mat(self.dimension, self.dimension)
         for a, u in enumerate(x):
             if u != 0:
@@ -197,8 +212,9 @@ class LieAlgebra:
 
     def product(self, x: Sequence[fmpq], y: Sequence[fmpq]) -> list[fmpq]:
         """[x, y] for vectors of rational components."""
+        x, y = self._components(x, "x"), self._components(y, "y")
         if self._full is not None:
-            return (self.adjoint_of(x) * fmpq_mat(self.dimension, 1, list(y))).entries()
+            return (self.adjoint_of(x) * fmpq_mat(self.dimension, 1, y)).entries()
         total = [fmpq(0)] * self.dimension
         left = [(a, u) for a, u in enumerate(x) if u != 0]
         right = [(b, v) for b, v in enumerate(y) if v != 0]
@@ -234,9 +250,10 @@ class LieAlgebra:
         **Raises:** `InputError` where they are dependent or don't close under the bracket.
         """
         if not isinstance(basis, fmpq_mat):
-            if any(len(row) != self.dimension for row in basis):
+            rows = [listed(row, "components", "basis") for row in listed(basis, "rows", "basis")]
+            if any(len(row) != self.dimension for row in rows):
                 raise InputError(f"rows of {self.dimension} components are expected, one for each of the basis")
-            values = ([rational(_rational(exact(v))) for v in row] for row in basis)
+            values = [self._components(row, "basis") for row in rows]
             basis = linear.matrix(values, self.dimension)
         size = basis.nrows()
         pairs = list(combinations(range(size), 2))
@@ -267,11 +284,13 @@ def structure(names: Sequence[str], brackets: Mapping[str, Any]) -> LieAlgebra:
     **Raises:** `InputError` for a pair or a name that isn't of the basis, or where `LieAlgebra` does.
     """
     names = _letters(names)
+    for name in names:
+        instance_of(name, str, "names")
     table_of(brackets, "brackets", "brackets")
     places = {name: k for k, name in enumerate(names)}
     constants: dict[tuple[int, int], dict[int, Any]] = {}
     for pair, value in brackets.items():
-        words = [word.strip() for word in pair.split(",")]
+        words = [word.strip() for word in pair.split(",")] if isinstance(pair, str) else []
         if len(words) != 2 or not set(words) <= set(places):
             raise InputError(f'a pair of the basis {", ".join(names)} is expected, as "A,B", not {pair!r}')
         row = value if isinstance(value, Mapping) else _coefficients(value, names)

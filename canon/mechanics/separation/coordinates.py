@@ -11,6 +11,8 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import whole_number
+from canon.mechanics.formulas import as_expression
 
 
 @dataclass(frozen=True)
@@ -123,12 +125,16 @@ def orthogonal_coordinates(name: str, dimension: int, focus: sp.Expr | int = 1) 
 
     **Raises:** `InputError` for an unknown name, and for a dimension in which there is no such system.
     """
-    if name not in _SYSTEMS:
+    if not isinstance(name, str) or name not in _SYSTEMS:
         raise InputError(f"unknown coordinates {name!r}: there are {', '.join(_SYSTEMS)}")
     dimensions, make = _SYSTEMS[name]
+    whole_number(dimension, "dimension")
     if dimension not in dimensions:
         raise InputError(f"{name} coordinates are those of {' or '.join(map(str, dimensions))} dimensions")
-    return make(dimension, sp.sympify(focus))
+    half = as_expression(focus, "focus")
+    if half.is_positive is False:
+        raise InputError(f"half the distance of the foci is a positive number or symbol, not {half}", "focus")
+    return make(dimension, half)
 
 
 def systems_of(dimension: int) -> tuple[str, ...]:

@@ -15,8 +15,9 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import finite_number
 from canon.numeric.actions.isochrone import CentralActions
-from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block
+from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block, orbits_of
 from canon.numeric.actions.oscillation import DEGREES
 from canon.numeric.actions.radial import amplitude, narrow, narrow_sums, wide_ends, wide_sums
 from canon.numeric.precision import UNIT, double
@@ -53,8 +54,8 @@ def central_actions(
     **Raises:** `InputError` where V is no such formula, or an orbit is not bound, with its index.
     """
     formula, symbol = formula_of(V, variable, parameters or {}, "V")
-    shape = np.broadcast_shapes(np.shape(r), np.shape(p_r), np.shape(L))
-    state = [np.broadcast_to(np.asarray(x, dtype=float), shape).ravel() for x in (r, p_r, L)]
+    state, shape = orbits_of((r, p_r, L), ("r", "p_r", "L"))
+    finite_number(m, "m")
     _check(state)
     count = state[0].size
     found = np.full((4, count), np.nan)
@@ -77,7 +78,7 @@ def _row(action: Any, time: Any, angle: Any, rounding: Any) -> Any:
 def sorted_out(kernels: Any, state: Any, found: Any, row: Any) -> tuple[Any, Any]:
     """Fill `found` for the narrow orbits; return the indices of all others, with their turning points (2, …)."""
     everything = np.arange(found.shape[1])
-    guessed = np.concatenate([on_block(kernels.guess, block, state)[0] for block in blocks(everything)])
+    guessed = np.concatenate([np.empty(0), *(on_block(kernels.guess, block, state)[0] for block in blocks(everything))])
     for most, degree in DEGREES:
         for block in blocks(np.flatnonzero((guessed < most) & np.isnan(found[0]))):
             holds, *values = on_block(kernels.near(degree), block, state)

@@ -17,6 +17,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import finite_number, shown, whole_number
 
 Array = Any  # numpy arrays
 
@@ -48,7 +49,13 @@ def frequency_lines(signal: Array, step: float, count: int = 1, *, power: int = 
 
     **Raises:** `InputError` for a signal that is too short, or not finite.
     """
-    values = np.asarray(signal, dtype=complex)
+    whole_number(count, "count", 1)
+    finite_number(step, "step")
+    finite_number(power, "power", least=0.0)
+    try:
+        values = np.asarray(signal, dtype=complex)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(f"an array of numbers is expected, not {shown(signal)}", "signal") from None
     if values.ndim != 1 or values.size < 16 * count or values.size < 32:
         raise InputError(f"{count} lines need {max(32, 16 * count)} samples in a row at least", "signal")
     if not np.all(np.isfinite(values)) or not (step > 0 and np.isfinite(step)):

@@ -13,6 +13,7 @@ from __future__ import annotations
 from typing import Any, Final, NamedTuple
 
 from canon.numeric.compensated import sum_of_products, two_product, two_sum
+from canon.numeric.precision import doubles
 
 _UNIT: Final = 2.0**-53
 
@@ -50,6 +51,7 @@ def isochrone_actions(r: Any, p_r: Any, L: Any, *, m: Any = 1.0, a: Any = 1.0, b
     """
     import jax.numpy as jnp
 
+    r, p_r, L, m, a, b = doubles(r=r, p_r=p_r, L=L, m=m, a=a, b=b)
     k, s, beta, lam, gap, root = _scales(r, p_r, L, m, a, b)
     scale = k / jnp.sqrt(beta)
     square = (lam * p_r) ** 2 + gap * gap
@@ -71,6 +73,7 @@ def isochrone_angle(r: Any, p_r: Any, L: Any, *, m: Any = 1.0, a: Any = 1.0, b: 
     """
     import jax.numpy as jnp
 
+    r, p_r, L, m, a, b = doubles(r=r, p_r=p_r, L=L, m=m, a=a, b=b)
     k, s, beta, lam, gap, _ = _scales(r, p_r, L, m, a, b)
     across = r * p_r * jnp.sqrt(beta)
     along = s * p_r * p_r + gap * (k * r + s * gap) / (lam * lam)
@@ -84,7 +87,7 @@ def _scales(r: Any, p: Any, L: Any, m: Any, a: Any, b: Any) -> _Scales:
     from jax import lax
 
     # XLA takes (x + c) − c for x where c is a constant, which is what error-free sums must not be: it may not know one
-    m, a, b = lax.optimization_barrier(tuple(jnp.asarray(value, float) for value in (m, a, b)))
+    m, a, b = lax.optimization_barrier((m, a, b))
     k, k_lost = two_product(a, m)
     s = jnp.sqrt(b * b + r * r)
     s_lost = _sum([(b, b), (r, r), (s, -s)]) / (2 * s)

@@ -12,7 +12,7 @@ from typing import Any, Final
 import sympy as sp
 
 from canon.errors import InputError
-from canon.expected import formula_of, shown
+from canon.expected import formula_of, instance_of, numbers, shown, table
 from canon.expression import read
 from canon.numeric.actions.angle import angle_of
 from canon.numeric.actions.balls import Ball, ball_function, ball_of, precision
@@ -111,7 +111,7 @@ class Motion:
         **Arguments:** `rate`, its velocity ∂H/∂p_c as a formula in q and p; `start`, its value at (q, p).
         """
         q, p, level, branch, side = self._through(q, p)
-        speed = ball_function(rate, (self.profile.q, self.profile.p))
+        speed = ball_function(formula_of(rate, "rate"), (self.profile.q, self.profile.p))
         start = _exact(start, "the angle")
         return drifted(
             self, level, branch, side, lambda course: drift_of(course, self.domain, speed, q, p, start, BITS)
@@ -129,10 +129,12 @@ class Motion:
         self, action: Any, angle: Any, *, well: float | None = None, branch: str | None = None
     ) -> tuple[Bounded, Bounded]:
         """(q, p) at an action J and an angle w: the inverse of `at`. **Raises:** `InputError` where J is too large."""
+        _check_choice(well, branch)
         return point_of(self, ball_of(_exact(action, "action")), ball_of(_exact(angle, "angle")), well, branch)
 
     def energy(self, action: Any, *, well: float | None = None, branch: str | None = None) -> Bounded:
         """The energy H(J) of an action. **Raises:** `InputError` where J is too large for the branch."""
+        _check_choice(well, branch)
         return energy_of(self, ball_of(_exact(action, "action")), well, branch)
 
     def _branches(self, level: Level) -> tuple[Branch, ...]:
@@ -148,9 +150,8 @@ class Motion:
         raise AssertionError("the last precision tells")
 
     def _chosen(self, found: tuple[Branch, ...], level: Level, well: float | None, kind: str | None) -> Branch:
+        _check_choice(well, kind)
         if kind is not None:
-            if kind not in ("libration", "rotation"):
-                raise InputError(f"a branch is 'libration' or 'rotation', not {kind!r}", "branch")
             of_kind = [branch for branch in found if branch.kind == kind or branch.on_separatrix]
             if not of_kind:
                 raise InputError(f"there is no {kind} at {level.text}: {self.ranges()}", "branch")
@@ -195,13 +196,24 @@ def _nothing(level: Level, nodes: tuple[Critical, ...]) -> str:
     return "there is no motion"
 
 
+def _check_choice(well: Any, branch: Any) -> None:
+    """**Raises:** `InputError` for what chooses no well, or no branch."""
+    if well is not None:
+        _exact(well, "well")
+    if branch is not None and not (isinstance(branch, str) and branch in ("libration", "rotation")):
+        raise InputError(f"a branch is 'libration' or 'rotation', not {shown(branch)}", "branch")
+
+
 def _exact(value: Any, where: str) -> Any:
     """A number as it is given, exactly; text is read. **Raises:** `InputError`."""
     if isinstance(value, str):
         value = read(value, Vocabulary(), where).expr
     if isinstance(value, sp.Basic) and not value.is_real:
         raise InputError(f"a real number is expected, not {value}", where)
-    found = ball_of(value)
+    try:
+        found = ball_of(value)
+    except (TypeError, ValueError):  # sympy's SympifyError among them
+        raise InputError(f"a real number is expected, not {shown(value)}", where) from None
     if not found.is_finite():
         raise InputError(f"a finite number is expected, not {value}", where)
     return value
@@ -230,7 +242,11 @@ def motion(
         if not isinstance(given, (str, sp.Symbol)):
             raise InputError(f"a name or a symbol is expected, not {shown(given)}", name)
     q, p = (x if isinstance(x, sp.Symbol) else sp.Symbol(x, real=True) for x in (q, p))
-    values = {name: _number(value, name) for name, value in (parameters or {}).items()}
+    parameters = {} if parameters is None else parameters
+    table(parameters, "numbers", "parameters")
+    for name in parameters:
+        instance_of(name, str, "parameters")
+    values = {name: _number(value, name) for name, value in parameters.items()}
     if isinstance(H, str):
         symbols = {q.name: q, p.name: p, **{name: sp.Symbol(name, real=True) for name in values}}
         H = read(H, Vocabulary(symbols), "H").expr
@@ -238,10 +254,15 @@ def motion(
     H = H.subs({symbol: values[symbol.name] for symbol in H.free_symbols if symbol.name in values})
     profile = profile_of(H, q, p)
     lowest = 0.0 if q.is_positive else -float("inf")
-    low, high = domain or (lowest, float("inf"))
+    ends = (lowest, float("inf")) if domain is None else numbers(domain, "domain")
+    if len(ends) != 2:
+        raise InputError(f"a domain has two ends, low and high, not {shown(domain)}", "domain")
+    low, high = ends
     if not low < high:
         raise InputError(f"the domain's ends are in order, unlike {low} and {high}", "domain")
-    turn = None if domain or q.is_positive else _period(period) if period is not None else least_period(H, q)
+    turn = None
+    if domain is None and not q.is_positive:
+        turn = _period(period) if period is not None else least_period(H, q)
     interval = Interval(float(low), float(high), turn, walls)
     return Motion(profile, interval, landscape(profile, interval))
 

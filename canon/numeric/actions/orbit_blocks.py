@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 
 import numpy as np
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import finite_number, instance_of, real_array, table
 from canon.expected import formula_of as expected_formula
 from canon.expression import read
 from canon.numeric.actions.oscillation import Scalar
@@ -36,8 +37,25 @@ def on_block(kernel: Any, block: Array, rows: Any) -> list[Array]:
     return [np.asarray(x)[: block.size] for x in kernel(*chosen)]
 
 
+def orbits_of(rows: Sequence[Any], names: Sequence[str]) -> tuple[list[Array], tuple[int, ...]]:
+    """Arrays of one shape as rows of one length, and that shape. **Raises:** `InputError` where they have none."""
+    given = [real_array(row, name) for row, name in zip(rows, names, strict=True)]
+    try:
+        shape = np.broadcast_shapes(*(row.shape for row in given))
+    except ValueError:
+        shapes = ", ".join(str(row.shape) for row in given)
+        raise InputError(f"arrays of one shape are expected, not of {shapes}", ", ".join(names)) from None
+    return [np.broadcast_to(row, shape).ravel() for row in given], shape
+
+
 def formula_of(text: Any, variable: str, parameters: Mapping[str, Any], where: str) -> tuple[Any, sp.Symbol]:
     """A formula in one variable, with numbers for its parameters, and its symbol. **Raises:** `InputError`."""
+    instance_of(variable, str, "variable")
+    table(parameters, "numbers", "parameters")
+    for name, value in parameters.items():
+        instance_of(name, str, "parameters")
+        if not isinstance(value, sp.Expr) or not value.is_real:  # an exact number, such as Rational(1, 3)
+            finite_number(value, f"parameters, {name}")
     symbol = sp.Symbol(variable, real=True)
     if isinstance(text, str):
         names = {name: sp.Symbol(name, real=True) for name in (variable, *parameters)}

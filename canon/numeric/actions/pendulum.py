@@ -16,6 +16,7 @@ from typing import Any, Final, NamedTuple
 
 from canon.errors import InputError
 from canon.numeric.exact.carlson import carlson_rf
+from canon.numeric.precision import doubles
 
 _MEANS: Final = 14
 """Steps of the mean that a parameter of 1e-300 takes, and a few more."""
@@ -39,13 +40,12 @@ def pendulum_actions(
     """
     import jax.numpy as jnp
 
-    if above_bottom is None:
-        if m1 is None:
-            raise InputError("a complementary parameter m1, or m above_bottom, is needed", "m1")
-        m = 1 - m1
-    else:
-        m = jnp.asarray(above_bottom)
-    m1 = 1 - m if m1 is None else jnp.asarray(m1)
+    inertia, strength = doubles(inertia=inertia, strength=strength)
+    if above_bottom is None and m1 is None:
+        raise InputError("a complementary parameter m1, or m above_bottom, is needed", "m1")
+    given: Any = None if m1 is None else doubles(m1=m1)[0]
+    m = 1 - given if above_bottom is None else doubles(above_bottom=above_bottom)[0]
+    m1 = 1 - m if given is None else given
     turning = m1 < 0
     # of rotations, 1/m in the place of m, and −m1/m in that of m1
     small = jnp.where(turning, 1 / jnp.where(turning, m, 2.0), m)
@@ -93,7 +93,7 @@ def pendulum_angle(half_sine: Any, half_cosine: Any, momentum: Any) -> Any:
     """
     import jax.numpy as jnp
 
-    S, C, P = (jnp.asarray(value, float) for value in (half_sine, half_cosine, momentum))
+    S, C, P = doubles(half_sine=half_sine, half_cosine=half_cosine, momentum=momentum)
     m1, m = (C - P) * (C + P), S * S + P * P
     turning = m1 < 0
     K, _, _, _ = _mean(jnp.where(turning, 1 / m, m), jnp.where(turning, -m1 / m, m1))

@@ -14,8 +14,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from canon.numeric.actions import staeckel
+from canon.numeric.actions.orbit_blocks import orbits_of
 from canon.numeric.actions.oscillation import NARROW_NODES, Narrow, Scalar, partial_quadrature, quadrature
-from canon.numeric.actions.staeckel_orbits import Parts, sums_of
+from canon.numeric.actions.staeckel_orbits import NAMES, Parts, sums_of
 from canon.numeric.actions.staeckel_rates import (
     CLOSE,
     ROUNDING,
@@ -58,7 +59,8 @@ def staeckel_angles(
 
     **Raises:** `InputError` where G is no such formula, or an orbit is not bound or on the axis, with its index.
     """
-    rows = np.broadcast_arrays(*(np.asarray(x, dtype=float) for x in (R, z, p_R, p_z, L_z, phi)))
+    flat, whole = orbits_of((R, z, p_R, p_z, L_z, phi), (*NAMES, "phi"))
+    rows = [row.reshape(whole) for row in flat]
     shape, state, along, across = sums_of(PARTS, (8, 8), G, delta, rows[:5], m, variable, parameters)
     L = state[4]
     A_E, A_2, A_3, off = m / 2 * along[[0, 1, 2, 7]]  # there and back

@@ -13,15 +13,18 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import finite_number
 from canon.numeric.actions import staeckel
 from canon.numeric.actions.central import doubled, sorted_out, spread
-from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block
+from canon.numeric.actions.orbit_blocks import as_function, blocks, formula_of, on_block, orbits_of
 from canon.numeric.precision import double
 
 NOT_BOUND = (
     "orbit {} has no turning points on both sides: it is not bound; bound ones have E below the limit of V at "
     "infinity, and G + E above 0 in the plane"
 )
+
+NAMES = ("R", "z", "p_R", "p_z", "L_z")
 
 Sums = Callable[..., tuple[Any, ...]]
 
@@ -74,10 +77,11 @@ def sums_of(
     **Raises:** `InputError` where G is no such formula, or an orbit is not bound or on the axis, with its index.
     """
     formula, symbol = formula_of(G, variable, parameters or {}, "G")
+    finite_number(delta, "delta")
+    finite_number(m, "m")
     if not delta > 0:
         raise InputError(f"the foci are at a distance above 0 from the centre, not {delta}", "delta")
-    shape = np.broadcast_shapes(*(np.shape(x) for x in rows))
-    state = [np.broadcast_to(np.asarray(x, dtype=float), shape).ravel() for x in rows]
+    state, shape = orbits_of(rows, NAMES)
     wrong = ~((state[0] > 0) & (state[4] != 0) & np.isfinite(np.sum(state, axis=0)))
     if wrong.any():
         raise InputError(f"orbit {int(np.argmax(wrong))} has no R > 0 and L_z ≠ 0, or is not finite", "R")
@@ -86,7 +90,8 @@ def sums_of(
     kernels = _kernels(formula, symbol, float(delta), float(m), parts)
     with double():
         wide, ends = sorted_out(kernels, state, along, _stacked)
-        top = np.concatenate([on_block(kernels.top, block, state)[0] for block in blocks(np.arange(count))])
+        tops = (on_block(kernels.top, block, state)[0] for block in blocks(np.arange(count)))
+        top = np.concatenate([np.empty(0), *tops])
         lost = ~np.isfinite(top)
         lost[wide] |= ~np.isfinite(ends).all(axis=0)
         if lost.any():

@@ -135,7 +135,14 @@ def fits(kind: str, record: Record, entry: Entry) -> bool:
         and (record["numeric"] is None or _is_evidence(record["numeric"]))
         and _levels(record) <= DEEPEST
         and (record.get("certificate", 0) is None or isinstance(record.get("certificate"), str))
+        and isinstance(record["detail"].get("certificate_error", ""), str)
+        and all(isinstance(name, str) for name in _listed(record.get("matters")))
     )
+
+
+def _listed(names: Any) -> list[Any]:
+    """The names on which a refutation depends, where they are stated; of what is no list, one that is no name."""
+    return [] if names is None else names if isinstance(names, list) else [None]
 
 
 def _is_whole(kept: Journal, record: Record, entry: Entry) -> bool:

@@ -142,6 +142,7 @@ def test_lines_that_are_damaged_are_none(tmp_path: Path, asked: list[int], capsy
     [
         {"verdict": "certain"}, {"index": 1}, {"kind": "volume"}, {"expected": None}, {"detail": []}, {"seconds": "x"},
         {"witness": 3}, {"method": None}, {"verdict": "refuted", "expected": True}, {"certificate": 1},
+        {"matters": [["q"]]}, {"matters": "q"}, {"detail": {"certificate_error": ["q"]}},
     ],
 )  # fmt: skip
 def test_answers_that_fit_no_claim_are_none(tmp_path: Path, changed: dict) -> None:

@@ -82,7 +82,9 @@ def closes(cycle: Cycle) -> Outcome:
     if back.status != "refuted":
         return _once(cycle, back, still)
     turns = _turns_at(cycle, back)
-    if not isinstance(turns, tuple) or not any(turns):
+    if turns == still:  # something has changed at the witness, though by less than a turn
+        return back
+    if not isinstance(turns, tuple):
         return _not_closed(back, turns)
     if signed := [x for x, k in zip(question.space.old, turns, strict=True) if k and _has_a_sign(x)]:
         return Outcome("undecided", note=ONE_SIGN.format(signed[0]))

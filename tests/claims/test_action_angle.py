@@ -31,6 +31,8 @@ def angle_claim(period: str | None = None) -> str:
         (MAP, "3", "refuted"),
         (MAP, "1/2", "refuted"),
         (MAP, "1.001", "refuted"),
+        (MAP, "1 + 10**-60", "refuted"),  # off by less than the balls know by which turns are counted
+        (MAP, "1/2 + 10**-60", "refuted"),
         (MAP, "-1", "proved"),  # backwards
         (MAP.replace("sin", "-sin"), None, "refuted"),  # not canonical
         (MAP.replace("2*pi*w", "2*pi*(w + J)"), None, "proved"),  # another origin on each orbit

@@ -26,6 +26,7 @@ FIELDS = canon.field_tensor((0, 0, 0), (0, 0, 1))
 STEP = method("verlet")
 FALL = separable(lambda p: p, lambda q: -q)
 AT = {Q: 1.0, P: 0.5}
+MIRROR = canon.Transformation(SPACE, Q=-Q, P=-P)
 COMPLEX = np.array([[2, 1j], [-1j, 2]])
 CALLED = "open('/nowhere')"  # raises FileNotFoundError where it is evaluated
 
@@ -117,6 +118,36 @@ WRONG: dict[str, tuple[Callable[[], Any], str]] = {
         lambda: integrate(FALL, STEP, (np.ones(1), np.ones(1)), duration=1.0, steps=2.5),  # type: ignore[arg-type]
         "steps: a whole number is needed, at least 1, not 2.5",
     ),
+    # audits, bounds and integrals
+    "a zero period": (
+        lambda: canon.loop_invariant(lambda z: z, lambda s: circle(s)[:, :2] + s[:, None], periods=(0.0, None)),
+        "periods: a period is positive, not 0",
+    ),
+    "a period too few": (
+        lambda: canon.loop_invariant(lambda z: z, lambda s: circle(s)[:, :2], new_periods=(None,)),
+        r"new_periods: 2 periods are expected, None for what is no angle, not \(None,\)",
+    ),
+    "a map": (
+        lambda: canon.cartan_loop_invariant(None, circle, H=lambda z, t: 0 * t),  # type: ignore[arg-type]
+        "map: a map is a function, not None",
+    ),
+    "a Hamiltonian": (
+        lambda: canon.cartan_loop_invariant(lambda z, t: z, circle, H=P),
+        "H: beside a map that is a function, a Hamiltonian is a function, not p",
+    ),
+    "a value": (
+        lambda: canon.audit(MIRROR, parameters={"s": "1"}),
+        "parameters, s: a finite number is needed, not '1'",
+    ),
+    "values": (lambda: canon.certify(MIRROR, (-1, 1), parameters=[1]), "parameters: a table of numbers is expected"),  # type: ignore[arg-type]
+    "a space": (
+        lambda: canon.audit(lambda z: z, space="q"),  # type: ignore[arg-type]
+        "space: a PhaseSpace is expected, not 'q'",
+    ),
+    "a type": (
+        lambda: canon.symplectify(lambda z: z, dimension=2, type=1.5),  # type: ignore[arg-type]
+        "type: a list of types is expected, not 1.5",
+    ),
     "no orbits": (
         lambda: integrate(FALL, STEP, (np.empty(0), np.empty(0)), duration=1.0, steps=1),
         "state: a state is a tuple of arrays",
@@ -177,3 +208,13 @@ def test_an_image_is_the_same_whatever_points_it_is_asked_with() -> None:
     assert np.array_equal(together, [map_of(point) for point in points])
     assert map_of(points[:0]).shape == (0, 2)
     assert map_of(points.reshape(2, 2, 2)[:, :0]).shape == (2, 0, 2)
+
+
+def test_the_valence_of_a_map_given_backward_is_the_exact_reciprocal() -> None:
+    """1/3 rounded made a defect of 1.9e-17 certain, at a point, of a map that has none."""
+    thrice = canon.Transformation(SPACE, q=SPACE.Q[0], p=SPACE.P[0] / 3)
+    found = canon.certify(thrice, (-1, 1), scale=3)
+    assert found.lower == 0
+    assert found.upper < 1e-30
+    assert canon.certify(thrice, (-1, 1), scale=np.int64(3)).lower == 0  # type: ignore[arg-type]
+    assert canon.certify(thrice, (-1, 1), scale=np.float32(3)).lower == 0  # type: ignore[arg-type]

@@ -13,11 +13,11 @@ import numpy as np
 from canon.claims.audit_conclusion import conclude
 from canon.claims.audit_report import AuditFailed, AuditReport
 from canon.claims.audit_run import AuditRun
-from canon.claims.audit_subject import AuditSubject, formulas_as_map
+from canon.claims.audit_subject import AuditSubject, checked_parameters, formulas_as_map
 from canon.claims.implicit_map import ImplicitMap
 from canon.claims.invariance import checked_valence, loop_invariant, surface_invariant
 from canon.errors import InputError
-from canon.expected import whole_number
+from canon.expected import instance_of, whole_number
 from canon.numeric.points import DEFAULT, DEFAULT_POSITIVE, points_of
 
 if TYPE_CHECKING:
@@ -73,6 +73,7 @@ def audit(
     start = time.monotonic()
     whole_number(samples, "samples", 1)
     checked_valence(scale)
+    parameters = checked_parameters(parameters)
     for curves, name in ((loops, "loops"), (surfaces, "surfaces")):
         if not isinstance(curves, (list, tuple)):
             raise InputError(f"a list is needed, not {type(curves).__name__}", name)
@@ -80,9 +81,9 @@ def audit(
         if not isinstance(pair, (list, tuple)) or len(pair) != 2:
             raise InputError("each is a pair of a surface and its `periodic`, as (disc, (False, True))", "surfaces")
     if isinstance(map, Transformation) and map.direction == "implicit":
-        subject = _solved_for(map, parameters or {}, scale)
+        subject = _solved_for(map, parameters, scale)
     elif isinstance(map, Transformation):
-        subject = formulas_as_map(map, parameters or {}, scale)
+        subject = formulas_as_map(map, parameters, scale)
     else:
         if parameters:
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
@@ -115,6 +116,10 @@ def variables(dimension: int | None = None, space: PhaseSpace | None = None) -> 
 
     **Raises:** `InputError` where neither gives an even dimension, or they contradict each other.
     """
+    from canon.mechanics.phase_space import PhaseSpace
+
+    if space is not None:
+        instance_of(space, PhaseSpace, "space")
     size = 2 * space.n if space is not None and dimension is None else dimension
     if size is None:
         raise InputError("the dimension of phase space is needed: dimension=2n", "dimension")

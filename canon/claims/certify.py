@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from canon.claims.audit_subject import formulas_as_map
+from canon.claims.audit_subject import checked_parameters, exactly, formulas_as_map
 from canon.claims.defect_bound import DefectBound
 from canon.claims.exact_program import program_of_formulas, program_of_function
 from canon.claims.invariance import checked_valence
@@ -75,6 +75,7 @@ def certify(
 
     start = time.monotonic()
     checked_valence(scale)
+    parameters = checked_parameters(parameters)
     for name, value in (("tolerance", tolerance), ("budget", budget)):
         if not isinstance(value, Real) or not value >= 0:
             raise InputError(f"a number of at least 0 is needed, not {value!r}", name)
@@ -84,7 +85,7 @@ def certify(
     if isinstance(box, np.ndarray) and box.ndim == 2 and box.shape[1] != 2:
         raise InputError("a box is a pair (low, high) for each variable, not an array of points", "box")
     if isinstance(map, Transformation):
-        subject = formulas_as_map(map, parameters or {}, scale)
+        subject = formulas_as_map(map, parameters, scale)
         names, exact = tuple(subject.names), subject.exact_scale
         low, high = _box(box, names)
         program = program_of_formulas(map, subject.parameters)
@@ -93,7 +94,7 @@ def certify(
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
         if dimension is None and space is None:
             dimension = _pairs(box)
-        names, exact = variables(dimension, space), Fraction(scale)
+        names, exact = variables(dimension, space), exactly(scale)
         low, high = _box(box, names)
         program = program_of_function(map, len(names))
     whole = Box(

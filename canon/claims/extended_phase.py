@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import function
 from canon.mechanics.formulas import as_formula
 from canon.numeric.loops import real
 from canon.numeric.lower import lower_map
@@ -82,6 +83,8 @@ def _of_functions(
     if not isinstance(map, Transformation):
         if parameters:
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
+        for given, name in ((map, "map"), (H, "H"), (K, "K")):
+            function(given, "a map" if name == "map" else "beside a map that is a function, a Hamiltonian", name)
         moved = timed_map(map, states)
         return moved, timed_function(H, states), timed_function(K, moved(states[:1]))
     if map.direction != "forward":
@@ -91,7 +94,7 @@ def _of_functions(
     for name in parameters:
         if name not in known:
             raise InputError(f"{name!r} is no parameter", "parameters")
-    values = {known[name]: float(value) for name, value in parameters.items()}
+    values = {known[name]: value for name, value in parameters.items()}
 
     def lowered(expressions: Any, variables: Any) -> Callable[[Array], Array]:
         function = lower_map(expressions, (*variables, space.t), values)

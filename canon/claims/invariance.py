@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from canon.claims.audit_subject import formulas_as_map
+from canon.claims.audit_subject import checked_parameters, formulas_as_map
 from canon.claims.implicit_map import ImplicitMap
 from canon.claims.invariance_report import Invariance
 from canon.errors import InputError
-from canon.expected import finite_number, whole_number
+from canon.expected import finite_number, function, shown, whole_number
 from canon.numeric.images import compare_loops, compare_surfaces
 from canon.numeric.loops import real
 from canon.numeric.map_shape import point_map
@@ -57,7 +57,10 @@ def loop_invariant(
     **Raises:** `InputError` where the loop, or its image, isn't closed or finite, or has a wrong shape.
     """
     _checked_count(most_nodes, "most_nodes")
-    evaluate, factor, unit = _evaluated(map, _some(loop, 1), parameters, scale)
+    some = _some(loop, 1)
+    for given, name in ((periods, "periods"), (new_periods, "new_periods")):
+        _check_periods(given, some.shape[1], name)
+    evaluate, factor, unit = _evaluated(map, some, parameters, scale)
     found = compare_loops(
         evaluate, loop, factor=factor, periods=periods, new_periods=new_periods, most_nodes=most_nodes, unit=unit
     )
@@ -87,6 +90,7 @@ def surface_invariant(
 
     **Raises:** `InputError` as `loop_invariant`.
     """
+    function(surface, "a surface", "surface")
     if not isinstance(periodic, Sequence):
         raise InputError("for each direction of the surface, a boolean that says whether it closes", "periodic")
     if most_points is not None:
@@ -129,7 +133,7 @@ def cartan_loop_invariant(
 
     checked_valence(scale)
     _checked_count(most_nodes, "most_nodes")
-    evaluate, lifted = extended(map, loop, H, H if K is None else K, parameters or {})
+    evaluate, lifted = extended(map, loop, H, H if K is None else K, checked_parameters(parameters))
     return Invariance("∮ p dq − H dt", compare_loops(evaluate, lifted, factor=scale, most_nodes=most_nodes))
 
 
@@ -140,6 +144,17 @@ def checked_valence(scale: Any) -> None:
 
 def _checked_count(most: Any, name: str) -> None:
     whole_number(most, name, 1)
+
+
+def _check_periods(periods: Any, size: int, name: str) -> None:
+    """None of them, or one for each variable: above 0, or None for what is no angle."""
+    if not isinstance(periods, Sequence) or isinstance(periods, (str, bytes)) or len(periods) not in (0, size):
+        raise InputError(f"{size} periods are expected, None for what is no angle, not {shown(periods)}", name)
+    for period in periods:
+        if period is not None:
+            finite_number(period, name)
+            if not period > 0:
+                raise InputError(f"a period is positive, not {period}", name)
 
 
 def _some(shape: Loop | Array, directions: int) -> Array:
@@ -168,14 +183,15 @@ def _evaluated(
     from canon.mechanics.transformation import Transformation
 
     checked_valence(scale)
+    parameters = checked_parameters(parameters)
     if not isinstance(map, Transformation):
         if parameters:
             raise InputError("a function has its parameters already; `parameters` are for formulas", "parameters")
         found = point_map(map, points)
         return found.evaluate, scale, found.unit
     if map.direction == "implicit" and map.generating_function is not None:
-        return ImplicitMap(map.generating_function, parameters or {}), scale, UNIT
-    subject = formulas_as_map(map, parameters or {}, scale)
+        return ImplicitMap(map.generating_function, parameters), scale, UNIT
+    subject = formulas_as_map(map, parameters, scale)
     if points.shape[1] != len(subject.names):
         raise InputError(
             f"points of {len(subject.names)} coordinates are expected ({', '.join(subject.names)}), "

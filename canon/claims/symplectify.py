@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, Final, overload
 import numpy as np
 
 from canon.claims.audit import audit, variables
-from canon.claims.audit_subject import AuditSubject, formulas_as_map
+from canon.claims.audit_subject import AuditSubject, checked_parameters, formulas_as_map
 from canon.claims.repair_report import MapRepair, MatrixRepair
 from canon.errors import InputError
-from canon.expected import real_array, whole_number
+from canon.expected import listed, real_array, whole_number
 from canon.numeric.change import order_of_change
 from canon.numeric.differentiable import differentiable
 from canon.numeric.mixed_variables import Conditioned, Pattern, best_conditioned, condition_of
@@ -97,7 +97,7 @@ def symplectify(
     if method != "nearest":
         raise InputError("a method is for a matrix; for a map there is `type`", "method")
     if isinstance(map, Transformation):
-        subject = formulas_as_map(map, parameters or {}, 1.0)
+        subject = formulas_as_map(map, checked_parameters(parameters), 1.0)
         names: Sequence[str] = subject.names
     else:
         names = variables(dimension, space)
@@ -214,7 +214,9 @@ def _chosen(type: int | Sequence[int] | None, M: Array, n: int) -> Conditioned: 
     if type is None:
         chosen = best_conditioned(M)
     else:
-        types = (type,) * n if isinstance(type, int) else tuple(type)
+        types = (type,) * n if isinstance(type, int) else listed(type, "types", "type")
+        for each in types:
+            whole_number(each, "type")
         if len(types) != n or not {*types} <= {1, 2, 3, 4}:
             raise InputError(f"a type is 1, 2, 3 or 4, or one of these for each of {n} degrees of freedom", "type")
         chosen = Conditioned(types, condition_of(types, M), 0)

@@ -128,12 +128,12 @@ def _points(loop: Loop, s: Array) -> Array:
 
 def real(points: Any) -> Array:
     """Points of a loop or a surface as an array of floats. **Raises:** `InputError` for complex ones, or no numbers."""
-    found = np.asarray(points)
-    if np.iscomplexobj(found):
-        raise InputError("a loop or surface has real points, not complex ones")
     try:
+        found = np.asarray(points)
+        if np.iscomplexobj(found):
+            raise InputError("a loop or surface has real points, not complex ones")
         return found.astype(float)
-    except (TypeError, ValueError) as reason:
+    except (TypeError, ValueError, OverflowError) as reason:
         raise InputError(f"a loop or surface has numbers for points, not {type(points).__name__}") from reason
 
 

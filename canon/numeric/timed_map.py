@@ -53,8 +53,8 @@ def timed_function(function: Callable[..., Any], states: Array) -> Callable[[Arr
     size = states.shape[1] - 1
 
     def one(state: Array) -> float:
-        value = np.asarray(function(state[:size].copy(), float(state[size])))
-        if value.size != 1 or np.iscomplexobj(value):
+        value = real_array(function(state[:size].copy(), float(state[size])), "H, K")
+        if value.size != 1:
             raise InputError(f"a Hamiltonian is a real number at a state (z, t), not an array of shape {value.shape}")
         return float(value.reshape(()))
 

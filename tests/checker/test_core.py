@@ -31,12 +31,16 @@ def imported(path: Path) -> set[tuple[str, str]]:
 
 
 def strangers(path: Path) -> set[str]:
-    """What a file of the checker imports that is neither Python's, nor the checker's, nor mpmath."""
+    """What a file of the checker imports that is neither Python's, nor the checker's, nor mpmath.
+
+    Files that run where canon isn't installed name those that lie beside them.
+    """
+    beside = {file.stem for file in HERE.glob("alone*.py")}
     return {
         module
         for module, name in imported(path)
         if not (
-            module.split(".")[0] in sys.stdlib_module_names | OUTSIDE
+            module.split(".")[0] in sys.stdlib_module_names | OUTSIDE | beside
             or module.startswith("canon.checker")
             or (module == "canon" and name == "checker")
         )

@@ -310,9 +310,9 @@ def random_prime() -> int:
             return p
 
 
-def sample(claim: Claim, case: Any, prime: int) -> int:
+def sample(claim: Claim, case: Any, prime: int, of: Any = Point) -> int:
     """Put one random point into everything; returns the number of roots that were met."""
-    point, own = Point(claim, prime), {}
+    point, own = of(claim, prime), {}
     value = lambda text: point.at(claim.known(text))
     for words in (re.split(r"(<=|>=|<|>)", text) for text in claim.domain.get("where", [])):
         for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
@@ -343,13 +343,13 @@ def sample(claim: Claim, case: Any, prime: int) -> int:
     return len(point.roots)
 
 
-def checked(data: Any) -> tuple[str, str]:
+def checked(data: Any, asked: Any = Claim, put: Any = sample) -> tuple[str, str]:
     """(answer, reason) for a certificate that was read as JSON."""
     try:
         rest = json.dumps({key: data[key] for key in data if key != "checksum"}, sort_keys=True, separators=(",", ":"))
         if hashlib.sha256(rest.encode()).hexdigest() != data["checksum"]:
             raise Stop("wrong", "the checksum")
-        claim, cases = Claim(data["tables"]), data["cases"]
+        claim, cases = asked(data["tables"]), data["cases"]
         if data["verdict"] != "proved" or data["witness"] is not None or len(cases) != 1:
             raise Stop("not shown", "no proof, or one of several cases")
         done, tried, needed = 0, 0, TRIALS
@@ -357,7 +357,7 @@ def checked(data: Any) -> tuple[str, str]:
             if (tried := tried + 1) > MOST_TRIED + 20 * done or needed > TRIALS << MOST_ROOTS:
                 raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
             with suppress(Elsewhere):
-                needed = max(needed, TRIALS << sample(claim, cases[0], random_prime()))
+                needed = max(needed, TRIALS << put(claim, cases[0], random_prime()))
                 done += 1
         return "shown", ""
     except Stop as stop:
@@ -366,9 +366,14 @@ def checked(data: Any) -> tuple[str, str]:
         return "not shown", f"a certificate of another form ({type(error).__name__}: {error})"
 
 
-if __name__ == "__main__":
+def main(by: Any = checked) -> None:
+    """Print the answers about the files that the command names; the exit status is the gravest."""
     answers = []
     for path in sys.argv[1:]:
-        answers.append(checked(json.loads(Path(path).read_bytes())))
+        answers.append(by(json.loads(Path(path).read_bytes())))
         print(path, *filter(None, answers[-1]), sep=": ")
     sys.exit(1 if any(answer == "wrong" for answer, _ in answers) else 2 * any(a != "shown" for a, _ in answers))
+
+
+if __name__ == "__main__":
+    main()

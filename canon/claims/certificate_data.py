@@ -227,9 +227,9 @@ def _fraction(f: Formulas, target: int, atoms: Mapping[int, Element], free: Frac
 
 
 def statement_tables(tables: Mapping[str, Any], index: int) -> Data:
-    """A claim file's tables with the claim of this index alone, as JSON can hold them."""
+    """A claim file's tables with the claim of this index alone, as JSON can hold them; without a space an empty one."""
     kept = {name: _plain(value) for name, value in tables.items() if name != "claim"}
-    return {**kept, "claim": _plain(tables["claim"][index])}
+    return {"phase_space": {"q": [], "p": []}, **kept, "claim": _plain(tables["claim"][index])}
 
 
 def _plain(value: Any) -> Any:

@@ -51,16 +51,27 @@ def test_each_proof_and_refutation_has_a_file_that_is_confirmed(
     assert lines[-1] == "2 certificates: 2 confirmed, 2 shown"
 
 
+def test_a_file_without_a_phase_space_has_certificates_and_proofs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    claim = "[[claim]]\nkind = 'invariant_interval'\nmatrix = [[-1]]\nmetric = [[2]]\n"
+    Path("bare.toml").write_text(claim, encoding="utf-8")
+    assert main(["verify", "bare.toml", "--certificate", "out", "--proof", "bare.html"]) == 0
+    assert main(["certificate", "check", "out"]) == 0
+    assert "confirmed, shown" in capsys.readouterr().out
+
+
 def test_what_one_file_cannot_show_is_no_fault_and_what_it_finds_wrong_is_one(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for file in ("alone", "counterexample"):
+    for file in ("alone_wider", "counterexample"):
         monkeypatch.setattr(f"canon.checker.{file}.checked", lambda data: ("not shown", "what it says"))
     assert main(["certificate", "check", "out"]) == 0
     assert "shown" not in capsys.readouterr().out
     assert main(["certificate", "check", "--alone", "out"]) == 2
     assert "not shown" in capsys.readouterr().out
-    monkeypatch.setattr("canon.checker.alone.checked", lambda data: ("wrong", "a numerator"))
+    monkeypatch.setattr("canon.checker.alone_wider.checked", lambda data: ("wrong", "a numerator"))
     assert main(["certificate", "check", "out"]) == 1
     assert "confirmed, wrong   out/claims/two.1.json: a numerator" in capsys.readouterr().out
     assert main(["certificate", "check", "--json", "out"]) == 1
@@ -71,7 +82,7 @@ def test_what_one_file_cannot_show_is_no_fault_and_what_it_finds_wrong_is_one(
 def test_proofs_and_refutations_are_shown_by_a_file_each(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for file, answer in (("alone", "not shown"), ("counterexample", "wrong")):
+    for file, answer in (("alone_wider", "not shown"), ("counterexample", "wrong")):
         monkeypatch.setattr(f"canon.checker.{file}.checked", lambda data, answer=answer: (answer, ""))
     assert main(["certificate", "check", "--alone", "--json", "out"]) == 1
     rows = json.loads(capsys.readouterr().out)["certificates"]

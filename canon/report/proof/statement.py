@@ -35,8 +35,9 @@ def setting(tables: Tables) -> Blocks:
 
 
 def _variables(space: Tables, symbols: Tables) -> str:
-    old = listed([f"{q}" for q in space.get("q", [])])
-    text = f"Coordinates {old} with momenta {listed(space.get('p', []))}"
+    text = "Names of which nothing else is said are real"  # of a claim about matrices or groups, without a phase space
+    if space.get("q"):
+        text = f"Coordinates {listed(space['q'])} with momenta {listed(space['p'])}"
     if space.get("Q"):
         text += f"; new coordinates {listed(space['Q'])} with momenta {listed(space['P'])}"
     groups: dict[str, list[str]] = {}

@@ -276,9 +276,7 @@ class Question:
 
     def not_identically_zero(self, node: Node, region: Region) -> ladder.Answer:
         """Is there a point of the region where the node doesn't vanish? ("refuted": it vanishes identically.)"""
-        if self.method != "numeric":
-            return ladder.nonvanishing(self.tape, node, region, budget=self.budget, seed=self.seed)
-        if node == self.tape.zero:  # the number itself: there is nothing to sample
+        if self.method != "numeric" or node == self.tape.zero:  # of the number itself there is nothing to sample
             return ladder.nonvanishing(self.tape, node, region, budget=self.budget, seed=self.seed)
         outcome = self.sampled([Residual("0", node)], region, SUPPORT_POINTS)
         if outcome.failed is not None:

@@ -18,7 +18,7 @@ from canon.mechanics.assumptions import check_words, symbol_with
 from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.relations import region_of
-from canon.mechanics.stated_names import Names, as_declared, listed_names, ordered_names, words_of
+from canon.mechanics.stated_names import Names, as_declared, listed_names, ordered_names, stated_words
 from canon.vocabulary import Vocabulary
 
 UNSTATED = ("q__", "p__")
@@ -74,15 +74,6 @@ class PhaseSpace:
     ) -> None:
         if new is not None and (isinstance(new, str) or not isinstance(new, Sequence) or len(new) != 2):
             raise InputError("new is a pair, the names of Q and those of P, as new=('Q1 Q2', 'P1 P2')", "phase_space")
-        words: dict[str, list[str]] = {}
-        given: dict[str, sp.Symbol] = {}
-        if not isinstance(symbols, Mapping | None):
-            raise InputError(f"a table name = assumptions is expected, not {symbols!r}", "symbols")
-        for name, what in (symbols or {}).items():
-            (stated,) = listed_names((name,), "symbols")
-            if isinstance(stated, sp.Symbol):
-                stated = given.setdefault(stated.name, stated).name
-            words.setdefault(stated, []).extend(words_of(what, name))
         keywords = {
             "positive": positive,
             "negative": negative,
@@ -93,14 +84,7 @@ class PhaseSpace:
             "complex": complex,
             "function": functions,
         }
-        for word, names in keywords.items():
-            for name in listed_names(names):
-                if isinstance(name, sp.Symbol):
-                    check_symbol(name, word)
-                    if given.setdefault(name.name, name) != name:
-                        raise InputError(f"two different symbols are called {name.name}", word)
-                    name = name.name
-                words.setdefault(name, []).append(word)
+        words, given = stated_words(symbols, keywords)
 
         def symbol(name: str | sp.Symbol) -> sp.Symbol:
             if isinstance(name, sp.Symbol):

@@ -7,6 +7,7 @@ from typing import Any, TypeAlias, TypedDict
 import sympy as sp
 
 from canon.errors import InputError
+from canon.mechanics.admissible import check_symbol
 
 Names: TypeAlias = str | sp.Symbol | Iterable[str | sp.Symbol]
 
@@ -18,6 +19,32 @@ def words_of(what: Any, name: Any) -> list[str]:
         if not isinstance(word, str):
             raise InputError(f"a word such as 'positive' is expected, not {word!r}", f"symbols, {name}")
     return words
+
+
+def stated_words(symbols: Any, keywords: Mapping[str, Names]) -> tuple[dict[str, list[str]], dict[str, sp.Symbol]]:
+    """What is assumed of each name, by a table name = words and by a list of names for each word; and the symbols
+    among them.
+
+    **Raises:** `InputError` for what is no table, name or word, and where two different symbols have one name.
+    """
+    words: dict[str, list[str]] = {}
+    given: dict[str, sp.Symbol] = {}
+    if not isinstance(symbols, Mapping | None):
+        raise InputError(f"a table name = assumptions is expected, not {symbols!r}", "symbols")
+    for name, what in (symbols or {}).items():
+        (stated,) = listed_names((name,), "symbols")
+        if isinstance(stated, sp.Symbol):
+            stated = given.setdefault(stated.name, stated).name
+        words.setdefault(stated, []).extend(words_of(what, name))
+    for word, names in keywords.items():
+        for name in listed_names(names):
+            if isinstance(name, sp.Symbol):
+                check_symbol(name, word)
+                if given.setdefault(name.name, name) != name:
+                    raise InputError(f"two different symbols are called {name.name}", word)
+                name = name.name
+            words.setdefault(name, []).append(word)
+    return words, given
 
 
 def listed_names(names: Names, where: str = "phase_space") -> tuple[str | sp.Symbol, ...]:

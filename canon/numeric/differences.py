@@ -5,7 +5,6 @@ Squire and Trapp, SIAM Review 40 (1998) 110; Ridders, Advances in Engineering So
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from typing import Final
 
@@ -13,6 +12,7 @@ import numpy as np
 
 from canon.numeric.map_shape import PointMap
 from canon.numeric.precision import double
+from canon.numeric.warnings_raised import warnings_raised
 
 Array = np.ndarray
 
@@ -198,8 +198,7 @@ def complex_step(mapped: PointMap, points: Array, lengths: Array, stretch: float
     steps = np.maximum(TINY_STEP * np.where(lengths > 0, lengths, 1.0) * stretch, TINIEST)
     count, size = points.shape
     M = np.empty((count, size, size))
-    with double(), warnings.catch_warnings():
-        warnings.simplefilter("error")
+    with double(), warnings_raised():  # numpy only warns where a complex number's imaginary part is dropped
         for k in range(size):
             moved = points.astype(complex)
             moved[:, k] += 1j * steps[k]

@@ -1,5 +1,6 @@
 """Quadratic Hamiltonians whose springs are up to 10¹² apart: every entry of the flow's matrix, beside many digits."""
 
+import threading
 from typing import Any
 
 import jax
@@ -7,6 +8,8 @@ import mpmath
 import numpy as np
 import pytest
 
+from canon.numeric.integrators import normal_mode_flow
+from canon.numeric.integrators.normal_mode_flow import coupled, modes_of
 from canon.numeric.integrators.parts import commutes, quadratic_part
 from canon.numeric.precision import double
 
@@ -46,6 +49,31 @@ def test_every_entry_is_exact_beside_its_own_size(name: str) -> None:
     for place, h in enumerate(lengths):
         for block, wanted in zip(blocks, exactly(inverse, K, h), strict=True):
             assert np.all(np.abs(block[place] - wanted) <= 2e-8 * np.abs(wanted))
+
+
+def test_the_digits_are_neither_set_for_other_threads_nor_taken_from_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """mpmath's own digits are the process'. Here another thread sets them in the midst, as one may at any time."""
+    inverse, rows = CASES["a chain"]
+    K = np.array(rows)
+    expected = modes_of(inverse, K)
+    seen = []
+
+    def late(matrix: Any) -> list[np.ndarray]:
+        def other() -> None:
+            seen.append(mpmath.mp.dps)
+            mpmath.mp.dps = 5
+
+        thread = threading.Thread(target=other)
+        thread.start()
+        thread.join()
+        return coupled(matrix)
+
+    with mpmath.workdps(12):
+        monkeypatch.setattr(normal_mode_flow, "coupled", late)
+        found = modes_of(inverse, K)
+    assert seen == [12]
+    assert np.array_equal(found.squares, expected.squares)
+    assert np.array_equal(found.gap, expected.gap)
 
 
 @pytest.mark.parametrize("h", [1 / 8, 1 / 64, 3 / 128])

@@ -1,4 +1,4 @@
-"""Tables of brackets as they are given: exact real numbers, each pair once."""
+"""Tables of brackets as they are given, by position or by name: exact real numbers, each pair once."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
-from canon.expected import shown
+from canon.expected import instance_of, listed, shown
 from canon.expected import table as is_table
+from canon.expression import Vocabulary, read
 from canon.mechanics.algebra.coefficients import Combination, Number, exact, is_zero, plus, times
 
 
@@ -65,3 +66,45 @@ def _same(first: Combination, second: Combination) -> bool:
     return first == second or all(
         is_zero(plus(first.get(c, zero), times(second.get(c, zero), Fraction(-1)))) for c in {*first, *second}
     )
+
+
+def letters(names: Any) -> tuple[str, ...]:
+    """The names of a basis; a text is one of single letters. **Raises:** `InputError` for what are no names."""
+    given = tuple(names) if isinstance(names, str) else listed(names, "names", "names")
+    for name in given:
+        instance_of(name, str, "names")
+    return given
+
+
+def positions_of(names: Sequence[str], brackets: Any) -> dict[tuple[int, int], dict[int, Any]]:
+    """A table "A,B" = {C: coefficient}, or = a combination, by positions in the basis.
+
+    **Raises:** `InputError` for a pair or a name that isn't of the basis.
+    """
+    is_table(brackets, "brackets", "brackets")
+    places = {name: k for k, name in enumerate(names)}
+    constants: dict[tuple[int, int], dict[int, Any]] = {}
+    for pair, value in brackets.items():
+        words = [word.strip() for word in pair.split(",")] if isinstance(pair, str) else []
+        if len(words) != 2 or not set(words) <= set(places):
+            raise InputError(f'a pair of the basis {", ".join(names)} is expected, as "A,B", not {pair!r}')
+        row = value if isinstance(value, Mapping) else _coefficients(value, names)
+        for name in row:
+            if name not in places:
+                raise InputError(f"{name!r} is none of the basis {', '.join(names)}")
+        constants[places[words[0]], places[words[1]]] = {places[name]: number for name, number in row.items()}
+    return constants
+
+
+def _coefficients(value: Any, names: Sequence[str]) -> dict[str, Any]:
+    if isinstance(value, str):
+        value = read(value, Vocabulary(symbols={name: sp.Symbol(name) for name in names})).expr
+    if not isinstance(value, sp.Expr):
+        raise InputError(f"a linear combination of basis elements is expected, not {value!r}")
+    expression: Any = sp.expand(value)
+    own = {symbol for symbol in expression.free_symbols if symbol.name in names}
+    found = {symbol.name: expression.coeff(symbol) for symbol in own}
+    rest = expression - sp.Add(*(number * symbol for symbol in own for number in [found[symbol.name]]))
+    if sp.expand(rest) != 0 or any(number.has(*own) for number in found.values()):
+        raise InputError(f"a linear combination of basis elements is expected, not {value}")
+    return found

@@ -13,9 +13,8 @@ import sympy as sp
 from flint import fmpq, fmpq_mat
 
 from canon.errors import InputError
-from canon.expected import instance_of, listed, whole_number
+from canon.expected import listed, whole_number
 from canon.expected import table as table_of
-from canon.expression import Vocabulary, read
 from canon.mechanics.algebra import full_tables, linear
 from canon.mechanics.algebra.coefficients import (
     Combination,
@@ -27,7 +26,7 @@ from canon.mechanics.algebra.coefficients import (
     sympy_of,
     times,
 )
-from canon.mechanics.algebra.given_table import antisymmetric
+from canon.mechanics.algebra.given_table import antisymmetric, letters, positions_of
 from canon.mechanics.algebra.jacobi import both_orders, jacobi_failure
 from canon.mechanics.algebra.linear import fraction, rational
 
@@ -50,10 +49,8 @@ class LieAlgebra:
     _full: fmpq_mat | None = field(init=False, repr=False, compare=False, hash=False)
 
     def __post_init__(self) -> None:
-        names = _letters(self.names)
+        names = letters(self.names)
         table_of(self.constants, "structure constants", "constants")
-        for name in names:
-            instance_of(name, str, "names")
         size = len(names)
         if len(set(self.names)) < size:
             raise InputError("a name of the basis is given twice")
@@ -269,11 +266,6 @@ class LieAlgebra:
         return LieAlgebra(tuple(names) or tuple(f"e{k + 1}" for k in range(size)), constants)
 
 
-def _letters(names: Any) -> tuple[Any, ...]:
-    """The names of a basis; a text is one of single letters."""
-    return tuple(names) if isinstance(names, str) else listed(names, "names", "names")
-
-
 def _tex(name: str) -> str:
     return sp.latex(sp.Symbol(name))
 
@@ -283,36 +275,8 @@ def structure(names: Sequence[str], brackets: Mapping[str, Any]) -> LieAlgebra:
 
     **Raises:** `InputError` for a pair or a name that isn't of the basis, or where `LieAlgebra` does.
     """
-    names = _letters(names)
-    for name in names:
-        instance_of(name, str, "names")
-    table_of(brackets, "brackets", "brackets")
-    places = {name: k for k, name in enumerate(names)}
-    constants: dict[tuple[int, int], dict[int, Any]] = {}
-    for pair, value in brackets.items():
-        words = [word.strip() for word in pair.split(",")] if isinstance(pair, str) else []
-        if len(words) != 2 or not set(words) <= set(places):
-            raise InputError(f'a pair of the basis {", ".join(names)} is expected, as "A,B", not {pair!r}')
-        row = value if isinstance(value, Mapping) else _coefficients(value, names)
-        for name in row:
-            if name not in places:
-                raise InputError(f"{name!r} is none of the basis {', '.join(names)}")
-        constants[places[words[0]], places[words[1]]] = {places[name]: number for name, number in row.items()}
-    return LieAlgebra(tuple(names), constants)
-
-
-def _coefficients(value: Any, names: Sequence[str]) -> dict[str, Any]:
-    if isinstance(value, str):
-        value = read(value, Vocabulary(symbols={name: sp.Symbol(name) for name in names})).expr
-    if not isinstance(value, sp.Expr):
-        raise InputError(f"a linear combination of basis elements is expected, not {value!r}")
-    expression: Any = sp.expand(value)
-    own = {symbol for symbol in expression.free_symbols if symbol.name in names}
-    found = {symbol.name: expression.coeff(symbol) for symbol in own}
-    rest = expression - sp.Add(*(number * symbol for symbol in own for number in [found[symbol.name]]))
-    if sp.expand(rest) != 0 or any(number.has(*own) for number in found.values()):
-        raise InputError(f"a linear combination of basis elements is expected, not {value}")
-    return found
+    basis = letters(names)
+    return LieAlgebra(basis, positions_of(basis, brackets))
 
 
 def _rational(value: Number) -> Fraction:

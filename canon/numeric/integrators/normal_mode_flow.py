@@ -47,18 +47,14 @@ def modes_of(inverse_mass: Sequence[float], K: Any) -> Modes:
     """The modes of Σ p²/2m + ½ qᵀ K q: 1/m of n entries, positive, and K (n, n), symmetric."""
     sizes = np.abs(K[K != 0])
     spread = np.log10(sizes.max() / sizes.min()) if len(sizes) else 0.0
-    # the sums of projectors nearly cancel, too
-    with mpmath.workdps(DIGITS + int(spread)):
-        return _modes_of(inverse_mass, K)
-
-
-def _modes_of(inverse_mass: Sequence[float], K: Any) -> Modes:
+    mp = mpmath.mp.clone()  # other threads may set the digits of mpmath's own
+    mp.dps = DIGITS + int(spread)  # the sums of projectors nearly cancel, too
     n = len(K)
     diagonals: list[list[Any]] = [[], [], [], []]
     between: list[list[Any]] = [[], [], [], [], []]
     for block in coupled(K):
         inside = np.ix_(block, block)
-        squares, vectors, root = _eigen(block, inverse_mass, K)
+        squares, vectors, root = _eigen(mp, block, inverse_mass, K)
         running = [np.zeros((n, n), dtype=object) for _ in range(3)]
         for k, square in enumerate(squares):
             left, right = vectors[k] * root, vectors[k] / root
@@ -87,14 +83,14 @@ def coupled(K: Any) -> list[np.ndarray]:
     return [np.flatnonzero(row) for row in np.unique(near, axis=0)]
 
 
-def _eigen(block: np.ndarray, inverse_mass: Sequence[float], K: Any) -> tuple[list[Any], list[Any], Any]:
-    """λ in ascending order, the modes in rows, and D^½, of a set of coordinates, in many digits."""
-    root = [mpmath.sqrt(mpmath.mpf(float(inverse_mass[i]))) for i in block]
-    A = mpmath.matrix(len(block), len(block))
+def _eigen(mp: Any, block: np.ndarray, inverse_mass: Sequence[float], K: Any) -> tuple[list[Any], list[Any], Any]:
+    """λ in ascending order, the modes in rows, and D^½, of a set of coordinates, in mp's digits."""
+    root = [mp.sqrt(mp.mpf(float(inverse_mass[i]))) for i in block]
+    A = mp.matrix(len(block), len(block))
     for a, i in enumerate(block):
         for b, j in enumerate(block):
-            A[a, b] = root[a] * mpmath.mpf(float(K[i, j])) * root[b]
-    squares, columns = mpmath.eigsy(A)
+            A[a, b] = root[a] * mp.mpf(float(K[i, j])) * root[b]
+    squares, columns = mp.eigsy(A)
     order = sorted(range(len(block)), key=lambda k: squares[k])
     vectors = [np.array([columns[a, k] for a in range(len(block))], dtype=object) for k in order]
     return [squares[k] for k in order], vectors, np.array(root, dtype=object)

@@ -42,6 +42,11 @@ RELATED = [
     ("x - y", "atan(x) + atan(1/y)", "pi/2*sign(x)", "proved"),
     ("x - y", "atan(x) + atan(1/y)", "pi/2", "refuted"),
     ("2*x - y - 1", "sin(2*x - 1)", "sin(y)", "proved"),
+    ("3*x - y", "V(y)", "V(3*x)", "proved"),
+    ("3*x - y", "V(x)", "V(3*y)", "refuted"),
+    ("x**2 - y**2", "V(x**2, x*y)", "V(y**2, x*y)", "proved"),
+    ("x**2 - y**2", "V(x**2, x)", "V(y**2, y)", "refuted"),
+    ("x**2 - y**2", "V(x, x**2)", "V(y, y**2)", "refuted"),
 ]
 
 

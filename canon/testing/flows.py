@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.expected import finite_number, listed, real_array, whole_number
+from canon.expected import finite_number, function, listed, real_array, whole_number
 from canon.testing.assertions import name_of, place_of
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ def assert_hamiltonian_flow(
     from canon.numeric.precision import UNIT, double
 
     names = variables(dimension)
+    function(flow, "a flow", "flow")
     whole_number(samples, "samples", 1)
     finite_number(tolerance, "tolerance", least=0.0)
     moments_at = listed(times, "times at which to look", "times")
@@ -62,8 +63,12 @@ def assert_hamiltonian_flow(
 
     def at(times: Array) -> Array:
         with double():
-            pairs = zip(points, times, strict=True)
-            return np.array([np.array(real_array(flow(z.copy(), float(t)), "flow")) for z, t in pairs])
+            found = [np.array(real_array(flow(z.copy(), float(t)), "flow")) for z, t in zip(points, times, strict=True)]
+        for values in found:
+            if values.shape != (dimension,):
+                said = f"a flow takes a phase point z and t to a phase point: of {(dimension,)} it makes {values.shape}"
+                raise InputError(said, "flow")
+        return np.array(found)
 
     began = np.abs(at(np.zeros(len(points))) - points) / lengths
     allowed = ULPS * UNIT * (1 + np.abs(points) / lengths) + tolerance
@@ -72,15 +77,25 @@ def assert_hamiltonian_flow(
     field = _field(hamiltonian, dimension, parameters, lengths)
     for t in moments_at:
         moments = np.full((len(points), 1), float(t))
-        rate, error = central_differences(lambda s: at(s[:, 0]), moments, np.array([max(abs(float(t)), 0.1)]), UNIT)
         reached = at(moments[:, 0])
         velocity, off = field(reached)
-        size = np.abs(rate[:, :, 0] - velocity)
         speed = np.abs(velocity).max(axis=0)
+        length = np.array([min(max(abs(float(t)), 0.1), _while_it_moves(reached, speed, lengths))])
+        noise = UNIT * abs(float(t)) * speed  # as a time, or a phase, is rounded
+        rate, error = central_differences(lambda s: at(s[:, 0]), moments, length, UNIT, noise=noise)
+        size = np.abs(rate[:, :, 0] - velocity)
         bound = error[:, :, 0] + off + tolerance * np.maximum(np.abs(velocity), speed)
         what = f"{called} is not the flow of this Hamiltonian: at t = {t:g} its velocity isn't J ∇H"
         _check(size, bound, points, names, what)
         _check_symplectic(flow, float(t), points, tolerance, called)
+
+
+def _while_it_moves(reached: Array, speed: Array, lengths: Array) -> float:
+    """The time in which some variable runs through its range: differences over many turns see none of them."""
+    ranges = np.ptp(reached, axis=0)
+    with np.errstate(all="ignore"):
+        times = np.where(ranges > 0, ranges, lengths) / speed
+    return float(np.min(times, where=np.isfinite(times) & (times > 0), initial=np.inf))
 
 
 def _check(sizes: Array, bounds: Array, points: Array, names: Sequence[str], what: str) -> None:

@@ -76,6 +76,37 @@ def test_an_approximate_flow_needs_a_tolerance() -> None:
         assert_hamiltonian_flow(kick_and_drift, energy, dimension=2, times=(0.5,), samples=4)
 
 
+def oscillation(w: float) -> tuple[Any, Any]:
+    """The flow of an oscillator of angular frequency w, and H."""
+
+    def flow(z: Array, t: float) -> Array:
+        c, s = np.cos(w * t), np.sin(w * t)
+        return np.array([c * z[0] + s * z[1] / w, -w * s * z[0] + c * z[1]])
+
+    return flow, lambda z: (z[1] ** 2 + w**2 * z[0] ** 2) / 2
+
+
+@pytest.mark.parametrize(("w", "t"), [(1.0, 1e3), (1.3, 1e4), (1e4, 1.0), (0.7, -500.0), (1e-3, 1e3)])
+def test_many_turns_are_no_fault(w: float, t: float) -> None:
+    """Differences over several turns agree with each other, and not with the velocity."""
+    flow, H = oscillation(w)
+    domain = [(-1.0, 1.0), (-w, w)]
+    assert_hamiltonian_flow(flow, H, dimension=2, times=(t,), domain=domain, samples=5)
+    with pytest.raises(AssertionError, match="its velocity isn't J ∇H"):
+        assert_hamiltonian_flow(
+            lambda z, s: flow(z, s * (1 + 1e-7)), H, dimension=2, times=(t,), domain=domain, samples=5
+        )
+
+
+def test_a_flow_is_a_function_to_phase_points() -> None:
+    with pytest.raises(InputError, match="flow: a flow is a function, not None"):
+        assert_hamiltonian_flow(None, energy, dimension=2)  # type: ignore[arg-type]
+    with pytest.raises(
+        InputError, match=r"a flow takes a phase point z and t to a phase point: of \(2,\) it makes \(3,\)"
+    ):
+        assert_hamiltonian_flow(lambda z, t: np.zeros(3), energy, dimension=2)
+
+
 def test_bad_input() -> None:
     with pytest.raises(InputError, match="a Hamiltonian, or a function of z, is expected, not float"):
         assert_hamiltonian_flow(turn, 1.0, dimension=2)  # type: ignore[arg-type]

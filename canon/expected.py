@@ -19,6 +19,7 @@ _MADE_BY: Final[Mapping[str, str]] = {
     "LieAlgebra": 'one is made by LieAlgebra.of(["A", "B"], {"A,B": "B"})',
     "Claim": "one is made by a transformation's .canonical(), by bracket(space, f, g, equals), by read_file(path), ...",
     "Verdict": "one is returned by verify(claim)",
+    "ComplexType": "one is ComplexType('A', 2) of canon.mechanics.algebra.complex_type",
     "Symbol": 'one of a phase space is space.symbol("q")',
 }
 """Where the values of these types come from."""

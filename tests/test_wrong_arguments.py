@@ -11,6 +11,8 @@ import sympy as sp
 import canon
 from canon import InputError, LieAlgebra, PhaseSpace
 from canon.expected import real_array
+from canon.mechanics.algebra.casimirs import casimirs
+from canon.mechanics.algebra.root_system import cartan_matrix
 from canon.numeric.integrate import integrate
 from canon.numeric.integrators import separable
 from canon.numeric.integrators.catalogue import method
@@ -28,6 +30,7 @@ FALL = separable(lambda p: p, lambda q: -q)
 AT = {Q: 1.0, P: 0.5}
 MIRROR = canon.Transformation(SPACE, Q=-Q, P=-P)
 COMPLEX = np.array([[2, 1j], [-1j, 2]])
+CLAIM = canon.bracket(SPACE, Q, P, 1)
 CALLED = "open('/nowhere')"  # raises FileNotFoundError where it is evaluated
 
 
@@ -110,6 +113,18 @@ WRONG: dict[str, tuple[Callable[[], Any], str]] = {
     "matrices": (lambda: canon.algebra_of_matrices({"A": 3}), "matrices, 'A': a list of rows is expected, not 3"),  # type: ignore[dict-item]
     "pairs": (lambda: LieAlgebra(["A"], {1: 2}), "constants: a pair of positions in the basis is expected"),  # type: ignore[dict-item,list-item]
     "huge": (lambda: canon.fastest_descent(10**400, 1.0), "across: a finite number is needed"),
+    "names in one text": (
+        lambda: LieAlgebra.of("A,B", {"A,B": "B"}),
+        r"names: a name of the basis is expected, not ','",
+    ),
+    "no name": (lambda: LieAlgebra(["A", ""], {}), "names: a name of the basis is expected, not ''"),  # type: ignore[arg-type]
+    "degree": (lambda: casimirs(PLANE, "2"), "degree: a whole number is needed, at least 1"),  # type: ignore[arg-type]
+    "simple type": (lambda: cartan_matrix("A3"), "type: a ComplexType is expected, not 'A3': one is"),  # type: ignore[arg-type]
+    "nesting": (lambda: canon.closure(SPACE, {"A": Q}, steps=-1), "steps: a whole number is needed, at least 0"),
+    "budget": (lambda: canon.closure(SPACE, {"A": Q}, budget=-1), "a budget is a number of seconds from 0 on"),
+    # what was an undecided claim each, or passed over
+    "many claims' budget": (lambda: next(canon.verify_many([CLAIM], budget="1")), "a budget is a number of seconds"),  # type: ignore[arg-type]
+    "many claims' memory": (lambda: next(canon.verify_many([CLAIM], memory=-1)), "a limit of memory is a whole number"),
     "integrator": (
         lambda: integrate(FALL, "verlet", (np.ones(1), np.ones(1)), duration=1.0, steps=1),  # type: ignore[arg-type]
         "method: an integrator is expected",

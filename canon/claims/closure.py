@@ -19,13 +19,14 @@ from canon.claims.algebra_identity import DEPENDS
 from canon.claims.outcome import Residual
 from canon.claims.question import Question
 from canon.claims.structure_constants import Found, find_constants
+from canon.claims.well_formed import check_budget, check_seed
 from canon.decide.derivative import poisson_bracket
 from canon.decide.region import Region
 from canon.decide.tape import Node
 from canon.display import text_in_html
 from canon.domain import Domain
 from canon.errors import BudgetExceeded, InputError
-from canon.expected import instance_of, listed, table
+from canon.expected import instance_of, listed, table, whole_number
 from canon.expression import Formula
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
@@ -85,13 +86,16 @@ def closure(
     are nested; `budget` in seconds.
 
     **Returns:** a `Closure`; where brackets nested so deep still make something new, it says so. Where the name depends
-    on the sign of one value in `over`, each sign is a case of its own.
+    on the sign of one value in `over` that is no parameter of the space, each sign is a case of its own.
 
     **Raises:** `InputError` for functions that are linearly dependent, an energy without H, or something in `over` that
     doesn't commute with a function.
     """
     check_space(space)
     table(functions, "functions", "functions")
+    whole_number(steps, "steps", 0)
+    check_budget(budget)
+    check_seed(seed)
     if H is None and energy is not None:
         raise InputError("closure on surfaces of constant energy needs H too, not only its value")
     if not functions:

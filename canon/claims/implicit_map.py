@@ -52,7 +52,8 @@ class ImplicitMap:
     `tolerated`, how many roundings an image may be off before it is found in more bits, which takes some ten times as
     long: with 4, nearly all digits are kept everywhere.
 
-    **Raises:** `InputError` for a parameter without a value, an arbitrary function, or an F that defines no map.
+    **Raises:** `InputError` for a parameter without a value; when it is called, for an arbitrary function, or an F that
+    defines no map.
     """
 
     generating: GeneratingFunction

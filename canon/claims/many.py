@@ -18,7 +18,7 @@ from canon.claims.apart import decided_apart
 from canon.claims.batches import answers
 from canon.claims.read_many import Sent
 from canon.claims.run import available_cores, memory_limit
-from canon.claims.verify import Method, verify
+from canon.claims.verify import Method, check_settings, verify
 from canon.claims.worker import Settings, without_verdict
 from canon.errors import InputError
 from canon.verdict import Verdict
@@ -55,7 +55,8 @@ def verify_many(
     claim overstays its budget or needs more than `memory` bytes (default: a core's share of the machine's; False: in
     the worker itself, whose time nothing but the deciders' own clock limits).
 
-    **Raises:** `InputError` for a batch of no claims, or where `claims` or `executor` is something else.
+    **Raises:** `InputError` for a batch of no claims, settings that `verify` doesn't take, or where `claims` or
+    `executor` is something else.
 
     **Yields:** (position, verdict); for an ill-posed claim (position, `InputError`). They are the same on every
     executor and in every order, as long as no budget ends a decision.
@@ -67,6 +68,7 @@ def verify_many(
     if executor is not None and not hasattr(executor, "submit"):
         raise InputError(f"an executor of concurrent.futures is expected, not {executor!r}")
     asked = Settings(budget=budget, seed=seed, method=method, accuracy=accuracy, memory=memory)
+    check_settings(asked)
     settings = (asked, certificates, apart)
     if executor is None:
         with ProcessPoolExecutor(available_cores(), mp_context=get_context("spawn")) as own:

@@ -70,22 +70,30 @@ def verify(
     **Raises:** `InputError` where the claim is ill-posed, where the budget is none, or where it can't be decided in
     another process.
     """
-    if method not in METHODS:
-        raise InputError(f"a method is one of {', '.join(METHODS)}, not {method!r}")
     if not isinstance(claim, Claim) or claim.subject is None:
         called = ": call it" if callable(claim) else ""
         raise InputError(
             f"a claim about something is expected, as transformation.canonical() makes one, not {claim!r}{called}"
         )
-    check_budget(budget)
-    check_seed(seed)
-    check_accuracy(accuracy)
+    check_settings(Settings(budget, seed, method, memory, accuracy=accuracy))
     if memory is not None:
         return replace(_apart(claim, Settings(budget, seed, method, memory, accuracy=accuracy)), claim=claim)
     check_claim(claim)
     decide = kind_named(claim.kind)
     with in_turn(), recursion_told(), evaluate(True):  # whatever the program has told sympy
         return replace(_here(claim, decide, Settings(budget, seed, method, accuracy=accuracy), watch), claim=claim)
+
+
+def check_settings(settings: Settings) -> None:
+    """**Raises** `InputError` for settings by which nothing can be decided."""
+    if settings.method not in METHODS:
+        raise InputError(f"a method is one of {', '.join(METHODS)}, not {settings.method!r}")
+    check_budget(settings.budget)
+    check_seed(settings.seed)
+    check_accuracy(settings.accuracy)
+    memory = settings.memory
+    if memory is not None and (type(memory) is not int or memory < LEAST_MEMORY):
+        raise InputError(f"a limit of memory is a whole number of bytes, at least {LEAST_MEMORY}: {memory!r}")
 
 
 def _here(claim: Claim, decide: Kind, settings: Settings, watch: Callable[[float], None] | None) -> Verdict:
@@ -119,8 +127,6 @@ def _looked(watch: Callable[[float], None], start: float, seconds: float) -> Cal
 def _apart(claim: Claim, settings: Settings) -> Verdict:
     from canon.claims.apart import NotApart, asked_apart
 
-    if type(settings.memory) is not int or settings.memory < LEAST_MEMORY:
-        raise InputError(f"a limit of memory is a whole number of bytes, at least {LEAST_MEMORY}: {settings.memory!r}")
     try:
         answer = asked_apart(claim, settings, certificates=True)
     except NotApart as reason:

@@ -1,6 +1,6 @@
 """Generating functions from one another, and from a transformation."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import count
 
@@ -100,8 +100,7 @@ def recovered(transformation: Transformation, type: int | Sequence[int]) -> Reco
         if found is not None:
             F = GeneratingFunction(space, pattern, tidy(found.function))
             residuals = tuple(tidy(residual) for residual in found.residuals)
-            seen = all(agree(real_value(rest, point), 0.0) for rest in residuals for point in points)
-            of_type = _branch_of(F, type, points) if seen else converted(F, type)
+            of_type = _branch_of(F, type, points) if vanish(residuals, points) else converted(F, type)
             if of_type is not None:
                 return Recovered(of_type, residuals)
     raise InputError(
@@ -109,6 +108,11 @@ def recovered(transformation: Transformation, type: int | Sequence[int]) -> Reco
         "variable has several values for those on which it would depend, restrict the domain, as by "
         "space.where('p > 0')"
     )
+
+
+def vanish(residuals: Sequence[sp.Expr], points: Iterable[Point]) -> bool:
+    """Whether residuals are 0 at all points, as far as they have values there."""
+    return all(agree(real_value(rest, point), 0.0) for point in points for rest in residuals)
 
 
 def _branch_of(

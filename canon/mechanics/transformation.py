@@ -184,12 +184,17 @@ class Transformation:
     def generating_function_of(self, type: int | Sequence[int]) -> "GeneratingFunction":  # noqa: A002
         """A generating function of this type of a canonical map, by integration, up to a function of time.
 
-        **Raises:** `InputError` when none is found that is right throughout the domain. That it is one is a claim:
+        **Raises:** `InputError` when none is found that is right throughout the domain, as for a map that isn't
+        canonical: of such a one, `recovered` has what is left of dF. That it is one is a claim:
         `has_generating_function`.
         """
-        from canon.mechanics.legendre_conversion import recovered
+        from canon.mechanics.legendre_conversion import recovered, vanish
+        from canon.mechanics.map_points import points_of
 
-        return recovered(self, type).generating_function
+        found = recovered(self, type)
+        if not vanish(found.residuals, points_of(self)):
+            raise InputError("the map isn't canonical, so no function generates it: `recovered` tells by how much")
+        return found.generating_function
 
     def subject(self, hamiltonian: Expression | None = None) -> Subject:
         """What claims about this transformation are about."""

@@ -131,6 +131,18 @@ def test_recovery_shows_that_a_map_is_not_canonical(vanishes):
     assert not vanishes(found.residuals)
 
 
+@pytest.mark.parametrize(
+    ("new", "kind"), [(("2*q", "p"), 2), (("q*exp(p)", "exp(-p)"), 2), (("p", "-2*q"), 1), (("q + p**2", "p*q"), 3)]
+)
+def test_a_map_that_is_not_canonical_has_no_generating_function(new, kind):
+    """F = P q + P was found for (2q, p), and nothing said that dF leaves 1 − q."""
+    Q, P = map(ONE.formula, new)
+    with pytest.raises(
+        InputError, match=r"isn't canonical, so no function generates it|no generating function of type"
+    ):
+        Transformation(ONE, Q=Q, P=P).generating_function_of(kind)
+
+
 def test_the_inverse_map_has_the_negative_function(vanishes):
     x, P = ONE.q[0], ONE.P[0]
     F = GeneratingFunction(ONE, 2, x * P + P**2 + x**2)

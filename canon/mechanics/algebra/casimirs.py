@@ -11,6 +11,7 @@ import sympy as sp
 from flint import fmpq, nmod_mat
 
 from canon.errors import InputError
+from canon.expected import instance_of, whole_number
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
@@ -33,10 +34,12 @@ def casimirs(algebra: LieAlgebra, degree: int = 2) -> tuple[sp.Expr, ...]:
 
     **Raises:** `InputError` for too many monomials, or irrational constants.
     """
+    instance_of(algebra, LieAlgebra, "algebra")
+    whole_number(degree, "degree", 1)
     n = algebra.dimension
     if not algebra.is_rational:
         raise InputError("Casimirs are computed for rational structure constants: rescale the basis first")
-    if degree < 1 or comb(n + degree - 1, degree) > LARGEST:
+    if comb(n + degree - 1, degree) > LARGEST:
         raise InputError(f"there are too many monomials of degree {degree} in {n} elements: at most {LARGEST}")
     monomials = list(combinations_with_replacement(range(n), degree))
     generators = _generators(algebra)

@@ -73,6 +73,8 @@ def letters(names: Any) -> tuple[str, ...]:
     given = tuple(names) if isinstance(names, str) else listed(names, "names", "names")
     for name in given:
         instance_of(name, str, "names")
+        if not name.strip() or "," in name:  # a table's "A,B" takes it for two, or for none
+            raise InputError(f"a name of the basis is expected, not {name!r}: they are given as ['A', 'B']", "names")
     return given
 
 

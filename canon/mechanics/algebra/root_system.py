@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from canon.expected import instance_of
 from canon.mechanics.algebra.complex_type import ComplexType
 
 Root = tuple[int, ...]
@@ -13,6 +14,7 @@ def cartan_matrix(kind: ComplexType) -> tuple[tuple[int, ...], ...]:
 
     Kac's convention; Humphreys, Introduction to Lie Algebras (1972), 11.4, has the transposed matrix.
     """
+    instance_of(kind, ComplexType, "type")
     n = kind.rank
     a = [[2 * int(i == j) for j in range(n)] for i in range(n)]
 

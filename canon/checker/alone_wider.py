@@ -14,11 +14,11 @@ from functools import cache
 from itertools import chain, combinations, product
 from typing import Any
 
-try:
+if __package__:
     from canon.checker import alone, alone_table
-except ModuleNotFoundError:  # they lie beside this file
-    import alone
-    import alone_table
+else:  # as a program, beside the other files
+    import alone  # type: ignore
+    import alone_table  # type: ignore
 
 Formula, Stop, flat = alone.Formula, alone.Stop, alone_table.flat
 UNIT = r"([^\W\d]\w*(\*\*(-?\d+|\(-?\d+(/\d+)?\)))?)"

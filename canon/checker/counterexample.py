@@ -1,9 +1,10 @@
-"""Refutations, checked by this file and one beside it: `python counterexample.py CERTIFICATE.json …`
+"""Refutations, checked by this file and those beside it: `python counterexample.py CERTIFICATE.json …`
 
-`alone.py` reads the claim and says what has to vanish; here these formulas are evaluated at the certificate's point, by
-arithmetic of this file's own: intervals of fractions, exact as long as these are short, else rounded outwards to 64,
-128, 256, then 512 bits. Roots, exponentials, sines and so on are summed up from their series, with a bound of what is
-left over. Derivatives are taken at the point by the chain rule, with the slopes that alone.py knows.
+`alone.py` reads the claim, or `alone_wider.py` by its table, and says what has to vanish; here these formulas are
+evaluated at the certificate's point, by arithmetic of this file's own: intervals of fractions, exact as long as these
+are short, else rounded outwards to 64, 128, 256, then 512 bits. Roots, exponentials, sines and so on are summed up from
+their series, with a bound of what is left over. Derivatives are taken at the point by the chain rule, with the slopes
+that alone.py knows.
 
 "shown": the point lies in the claim's domain, all that the claim says has a value there, and something isn't 0 that has
 to be. So the claim is false, whoever wrote the certificate. "not shown": not by this file. "wrong": something isn't so.
@@ -24,8 +25,14 @@ from typing import Any
 
 if __package__:
     from canon.checker.alone import Claim, Formula, Stop, number
-else:  # as a program, beside the other file
+    from canon.checker.alone_wider import Wider
+else:  # as a program, beside the other files
     from alone import Claim, Formula, Stop, number  # type: ignore
+
+    try:
+        from alone_wider import Wider  # type: ignore
+    except (ImportError, OSError):  # it, or its table, isn't there: what it reads isn't shown then
+        Wider = None
 
 Interval = tuple[Fraction, Fraction]
 
@@ -33,11 +40,13 @@ BITS, EXACT, LARGEST, MOST_VALUES, HIGHEST, TRIES = (64, 128, 256, 512), 1000, 2
 """Precisions; and limits, in bits, of a number that stays exact, and of any; of how much is evaluated, and how often
 something is differentiated."""
 NONE, ONE = (Fraction(0), Fraction(0)), (Fraction(1), Fraction(1))
-MAPS = ("canonical", "fundamental_brackets", "new_hamiltonian", "generates", "generating_function")
-VALUES = ("identity", "inequality")
-KINDS = (*MAPS, *VALUES, "bracket", "conserved", "equations_of_motion", "hamiltonian_field", "jacobi", "infinitesimal",
-    "involution")  # fmt: skip
-"""Claims that are false where one of alone.py's zeros isn't 0: each of them has to vanish everywhere."""
+SQUARE, VALUES = ("volume", "integral_invariant"), ("identity", "inequality")
+MAPS = (*SQUARE, "canonical", "fundamental_brackets", "new_hamiltonian", "generates", "generating_function")
+TABLE = (*SQUARE, "euler_lagrange", "noether", "solves", "hamilton_jacobi", "legendre", "invariant_interval", "casimir")
+KINDS = (*MAPS, *VALUES, *TABLE, "bracket", "conserved", "equations_of_motion", "hamiltonian_field", "jacobi",
+    "infinitesimal", "involution")  # fmt: skip
+"""Claims that are false where one of the zeros isn't 0: each of them has to vanish everywhere. Those in TABLE are read
+by alone_wider.py, and so are those with a bracket of their own, and fields without a Hamiltonian."""
 MEANINGS = {"asin": "atan(a*(1 - a**2)**(-1/2))", "acos": "pi/2 - atan(a*(1 - a**2)**(-1/2))",
     "asinh": "log(a + (a**2 + 1)**(1/2))", "acosh": "log(a + (a**2 - 1)**(1/2))",
     "atanh": "log((1 + a)/(1 - a))/2"}  # fmt: skip
@@ -247,20 +256,39 @@ def claim_of(tables: Any) -> Claim:
     """What has to vanish, with the variables that the map gives. Raises Stop where it isn't all needed."""
     drop = lambda table, *keys: {key: x for key, x in table.items() if key not in keys}
     explicit, space, claim = (tables.get(key, {}) for key in ("transformation", "phase_space", "claim"))
-    plain, claim = drop(tables, "title", "source", "claim"), drop(claim, "title", "source")
-    if claim["kind"] not in KINDS or ("generating_function" in tables and not explicit):
-        raise Stop("not shown", "a refutation of such a claim, or beside a map without formulas")
-    if "q" in explicit and claim["kind"] not in MAPS:
-        raise Stop("not shown", "a refutation beside a map that gives old variables")
-    if claim["kind"] in VALUES and explicit:  # its variables are names like others, for which there are texts
+    plain, claim, kind = drop(tables, "title", "source", "claim"), drop(claim, "title", "source"), claim["kind"]
+    if (
+        kind not in KINDS
+        or ("generating_function" in tables and not explicit)
+        or ("q" in explicit and kind not in MAPS)
+    ):
+        raise Stop("not shown", "a refutation of such a claim, or beside such a map")
+    own = {"tensor", "structure"} & {*claim} or (kind == "hamiltonian_field" and "H" not in claim)
+    if kind in TABLE or own:
+        if Wider is None or (explicit and kind not in SQUARE):
+            raise Stop("not shown", "a refutation of such a claim beside a map, or without alone_wider.py")
+        return momenta_of(Wider({**plain, "claim": claim}), claim, space)
+    if kind in VALUES and explicit:  # its variables are names like others, for which there are texts
         sides = {"q": [*space["q"], *space["Q"]], "p": [*space["p"], *space["P"]]}
         plain = drop(plain, "transformation") | {"phase_space": drop(space, *"QP") | sides}
-    if claim["kind"] == "inequality":
+    if kind == "inequality":
         claim = drop(claim, "relation") | {"kind": "identity"}
     found = Claim({**plain, "claim": claim})
     for side, texts in explicit.items():
         found.texts |= dict(zip(space[side], texts, strict=True))
     return found
+
+
+def momenta_of(claim: Any, said: Any, space: Any) -> Any:
+    """The claim, with what its momenta are by ∂S/∂q or ∂L/∂v, so that they have signs and lie in the domain."""
+    f, by = ("__L", "velocities") if claim.kind == "legendre" else ("__S" if "S" in said else "__W", "")
+    if claim.kind in ("legendre", "hamilton_jacobi"):
+        names = zip(space["p"], said[by] if by else space["q"], strict=True)
+        claim.texts |= {p: f"D({f}, {x})" for p, x in names}
+    for given, _ in claim.solution.values():
+        if any({*claim.words.get(name, ())} - {"real"} for name in given):
+            raise Stop("not shown", "what is put in the place of a name that has a sign")
+    return claim
 
 
 def check_domain(point: Point, tables: Any) -> None:
@@ -276,6 +304,9 @@ def check_domain(point: Point, tables: Any) -> None:
     for name, words in claim.words.items():
         if "function" not in words:
             check(point.named(name), words)
+    for text in getattr(claim, "besides", ()):
+        if fails(point.text(text), ""):
+            raise Open("that the claim's own bracket is one")
 
 
 def somewhere(claim: Claim, witness: Any, k: int) -> dict[str, Any]:
@@ -316,7 +347,8 @@ def refuted(tables: Any, witness: Any) -> tuple[str, str]:
                     return "shown", ""
         nothing = values == [NONE] * len(claim.zeros)
         reasons.append("nothing fails at the witness" if nothing else "that something fails at the witness")
-    return ("wrong" if {*reasons} == {"nothing fails at the witness"} else "not shown"), reasons[-1]
+    nothing = {*reasons} == {"nothing fails at the witness"} and type(claim) is Claim
+    return ("wrong" if nothing else "not shown"), reasons[-1]
 
 
 def checked(data: Any) -> tuple[str, str]:

@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import isfinite
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
+from canon.expected import finite_number
 from canon.mechanics.formulas import as_expression
 from canon.numeric.deflection import cross_section, deflection, rutherford, rutherford_cross_section
 from canon.numeric.lower import lower
-from canon.numeric.precision import double
+from canon.numeric.precision import UNIT, double
+
+SAMPLES: Final = 16
+BEYOND: Final = (1e6, 1e12)
+"""So many times the distance from which a particle comes, V is looked at: there it has to fall."""
+SLOWEST: Final = 0.9
+"""By less than this factor, between the two, only a potential falls that isn't seen to vanish at all."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +59,8 @@ def scattering(
     **Returns** None where it falls into the centre, or can't come from there. **Raises:** `InputError`.
     """
     for value, where, least in ((energy, "energy", False), (impact_parameter, "impact_parameter", True)):
-        if not (isfinite(value) and (value > 0 or (least and value == 0))):
+        finite_number(value, where)
+        if not (value > 0 or (least and value == 0)):
             raise InputError(f"a {'number from 0 on' if least else 'positive number'} is expected, not {value}", where)
     potential = _with_numbers(as_expression(V, "V"), r, parameters or {})
     b, E = float(impact_parameter), float(energy)
@@ -63,16 +70,27 @@ def scattering(
             return None
         found = rutherford(float(k), E, b)
         return Scattering(found.angle, found.backward, found.nearest, rutherford_cross_section(float(k), E, b))
+    if begin is not None:
+        finite_number(begin, "begin")
     far = float(begin) if begin is not None else 1e3 * (b or 1.0)
-    if not (isfinite(far) and far > 0):
+    if not far > 0:
         raise InputError(f"a positive distance is expected, not {far}", "begin")
     with double():
         value, slope = (_function(formula, r) for formula in (potential, sp.diff(potential, r)))
+        if _stays(value, E, far):
+            raise InputError("V vanishes far away, where mv²/2 is the whole energy: this one doesn't", "V")
         of = lambda parameter: deflection(value, slope, E, parameter, far)
         found = of(b)
         if found is None:
             return None
         return Scattering(found.angle, found.backward, found.nearest, cross_section(of, b, found.nearest))
+
+
+def _stays(potential: Callable[[Any], Any], E: float, far: float) -> bool:
+    """Whether V doesn't fall between two distances far beyond the beginning."""
+    beyond = far * np.linspace(1.0, 3.0, SAMPLES)
+    near, further = (np.max(np.abs(potential(beyond * times))) for times in BEYOND)
+    return bool(further > UNIT * E and further > SLOWEST * near)
 
 
 def _with_numbers(V: Any, r: sp.Symbol, parameters: Mapping[Any, float]) -> Any:

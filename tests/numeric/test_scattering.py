@@ -27,6 +27,11 @@ def test_an_inverse_square_in_closed_form():
     assert isclose(found.angle + found.backward, pi, rel_tol=1e-14)
 
 
+@pytest.mark.parametrize("V", [r ** sp.Rational(-1, 50), sp.exp(-r), 1 / sp.log(2 + r), sp.sin(r) / r])
+def test_what_vanishes_however_it_does(V: sp.Expr):
+    assert scattering(V, r, energy=5.0, impact_parameter=1.0) is not None
+
+
 def test_attraction_and_a_fall_into_the_centre():
     assert scattering(-a / r, r, **BEAM, parameters={a: 3}).angle < 0
     assert scattering(-a / r**3, r, energy=1.5, impact_parameter=0.1, parameters={a: 3}) is None
@@ -36,6 +41,12 @@ def test_attraction_and_a_fall_into_the_centre():
     ("call", "message"),
     [
         (lambda: scattering(a / r, r, **BEAM), "the value of a"),
+        (lambda: scattering(1 / r + 1, r, energy=3.0, impact_parameter=1.0), "V vanishes far away"),
+        (lambda: scattering(-r, r, **BEAM), "V vanishes far away"),  # 0.67 was its angle
+        (lambda: scattering(sp.sin(r), r, **BEAM), "V vanishes far away"),
+        (lambda: scattering(sp.log(r), r, **BEAM), "V vanishes far away"),
+        (lambda: scattering(1 / r, r, energy="1", impact_parameter=1.0), "energy: a finite number is needed"),
+        (lambda: scattering(sp.exp(-r), r, **BEAM, begin="far"), "begin: a finite number is needed"),
         (lambda: scattering(1 / r, r, energy=-1.0, impact_parameter=1.0), "a positive number"),
         (lambda: scattering(1 / r, r, energy=1.0, impact_parameter=-1.0), "from 0 on"),
         (lambda: scattering(sp.Function("V")(r), r, **BEAM), "arbitrary function"),

@@ -74,7 +74,7 @@ class Critical:
 def landscape(profile: Profile, domain: Interval) -> tuple[Critical, ...]:
     """The critical points in order, between the ends of the domain; of one period, if there is one, from a maximum on.
 
-    **Raises:** `InputError` where V has no value anywhere that was looked at.
+    **Raises:** `InputError` where V has no value anywhere that was looked at, or H isn't least at rest.
     """
     with precision(_BITS):
         cells = list(_cells(domain))
@@ -82,6 +82,8 @@ def landscape(profile: Profile, domain: Interval) -> tuple[Critical, ...]:
         if not signed:
             raise InputError(f"the potential {profile.V} has no real value anywhere")
         inner = tuple(_changes(profile, signed))
+        for node in inner:
+            profile.check_rest(node.place())
         if domain.period is not None:
             return inner
         first, last = signed[0][0], signed[-1][1]

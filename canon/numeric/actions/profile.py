@@ -20,12 +20,15 @@ from canon.numeric.actions.harmonic import harmonic_rate
 _DOUBLINGS: Final = 200
 _HALVINGS: Final = 40
 _NEWTON: Final = 60
+_PARTS: Final = 16
+"""On the way from the momentum at rest to that of an energy, H is looked at in so many steps."""
 
 
 @dataclass(frozen=True)
 class Profile:
     """H with its potential `V` and p_0 = `centre` as formulas, and all of them as functions of balls.
 
+    `velocity` is ∂H/∂p, and `bend` ∂²H/∂p² at p_0(q).
     `square` is A(q) where H is quadratic in p, else None; `mirrored` says that H(q, p_0 + s) = H(q, p_0 − s);
     `harmonic` is the n of a pendulum's V = c + a cos nq + b sin nq.
     """
@@ -41,6 +44,7 @@ class Profile:
     curvature: BallFunction = field(repr=False)
     energy: BallFunction = field(repr=False)
     velocity: BallFunction = field(repr=False)
+    bend: BallFunction = field(repr=False)
     middle_momentum: BallFunction = field(repr=False)
     square: BallFunction | None = field(repr=False)
     kinks: tuple[BallFunction, ...] = field(repr=False)
@@ -73,7 +77,26 @@ class Profile:
         for _ in range(_HALVINGS):
             half = middle((low + high) / 2)
             low, high = (half, high) if self.energy(q, half) < E else (low, half)
+        self._rises(q, rest, middle(low), side)
         return _polished(self, q, E, middle((low + high) / 2))
+
+    def check_rest(self, q: Ball) -> None:
+        """**Raises** `InputError` where H is greatest, not least, at the momentum at rest."""
+        if self.square is None and self.bend(q) < 0:
+            at = f"{self.p} = {float(self.middle_momentum(q)):.6g}, where {self.q} = {float(middle(q)):.6g}"
+            raise InputError(f"H = {self.H} is greatest, not least, at {at}", "H")
+
+    def _rises(self, q: Ball, rest: Ball, p: Ball, side: int) -> None:
+        """**Raises** `InputError` where H falls somewhere on the way from the momentum at rest to p."""
+        for k in range(1, _PARTS):
+            between = rest + (p - rest) * k / _PARTS
+            if side * self.velocity(q, between) < 0:
+                at = f"{self.q} = {float(middle(q)):.6g}, {self.p} = {float(middle(between)):.6g}"
+                raise InputError(
+                    f"H = {self.H} isn't least at one momentum for each {self.q} and greater the farther away: "
+                    f"at {at} it falls",
+                    "H",
+                )
 
 
 def _polished(profile: Profile, q: Ball, E: Ball, p: Ball) -> tuple[Ball, Ball]:
@@ -116,6 +139,7 @@ def profile_of(H: Any, q: sp.Symbol, p: sp.Symbol) -> Profile:
         ball_function(_derivative(V, q, 2), (q,)),
         ball_function(H, (q, p)),
         ball_function(_derivative(H, p), (q, p)),
+        ball_function(_derivative(H, p, 2).subs(p, centre), (q,)),
         ball_function(centre, (q,)),
         None if A is None else ball_function(A, (q,)),
         tuple(ball_function(place, ()) for place in _kinks(H, q)),

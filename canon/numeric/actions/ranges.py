@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isfinite
 
 from canon.errors import InputError
 from canon.numeric.actions.balls import precision
@@ -23,7 +24,8 @@ def ranges_text(nodes: Sequence[Critical], domain: Interval, name: str) -> str:
                 top = f"to {float(barrier_of(nodes, node).value()):.10g}"
             except InputError:
                 top = "up"
-            parts.append(f"about {name} = {float(node):.6g} from {bottom:.10g} {top}")
+            start = f"{bottom:.10g}" if isfinite(bottom) else "a singularity"
+            parts.append(f"about {name} = {float(node):.6g} from {start} {top}")
         words = "librations " + ", ".join(parts) if parts else ""
         if len(minima) > 4:
             words += f", and {len(minima) - 4} wells more"

@@ -16,6 +16,31 @@ from canon.numeric.actions.motion import Motion, motion
 INF = math.inf
 
 
+@pytest.mark.parametrize(
+    ("H", "E"),
+    [
+        ("p**4 - p**2 + q**2", 1.0),  # J was 4.79 within 1e-16, between ±1 in place of ±1.118
+        ("p**4 - p**2 + q**2", -0.1),  # there was no motion
+        ("q**2/2 - cos(p)", 0.9),  # beyond the next maximum
+        ("q**2 - p**4", 0.5),
+        ("q**2 - sqrt(1 + p**2)", 0.5),
+        ("q**2/2 + p**4 - p**3*9/4 + p**2*5/4", 0.2),  # least at 0, and again near 1.18
+    ],
+)
+def test_more_than_one_momentum_at_which_H_is_least(H: str, E: float) -> None:
+    with pytest.raises(InputError, match=r"H: H = .* isn't least at one momentum|is greatest, not least|one momentum"):
+        motion(H).orbit(E)
+
+
+def test_one_minimum_in_p_serves_below_the_next_maximum() -> None:
+    """q²/2 − cos p is the pendulum with q and p exchanged."""
+    with mp.workdps(60):
+        exact = pendulum_reference(mp.mpf("0.75"))
+    found = motion("q**2/2 - cos(p)").orbit(-0.5)
+    assert holds(found.action, exact[0])
+    assert holds(found.period, exact[1])
+
+
 def holds(number: Bounded | None, exact: Any, ulps: float = 1.0) -> bool:
     """The bound holds, and it is no larger than so many units in the last place."""
     assert number is not None

@@ -102,7 +102,7 @@ def test_a_function_of_sympys_with_the_same_name_does_not_change_its_derivatives
 
 def test_derivatives_that_sympy_does_not_tell_apart_are_refused() -> None:
     """Of sympy's Subs(∂₁V(a, b), (a, b), (q, q)) and the same of ∂₂V, the difference is 0 before anybody can look."""
-    space = PhaseSpace("q", "p", real="a b", functions="V")
+    space = PhaseSpace("q", "p", real="a b", functions="V U")
     q, p, a, b = map(space.symbol, "qpab")
     V = space.function("V")
     first, second = (sp.Subs(V(a, b).diff(name), (a, b), (q, q)) for name in (a, b))
@@ -110,6 +110,9 @@ def test_derivatives_that_sympy_does_not_tell_apart_are_refused() -> None:
     for state in (lambda: identity(space, first, second), lambda: identity(space, V(q, q).diff(q), first + second)):
         with pytest.raises(InputError, match="does not tell"):
             state()
+    U = space.function("U")  # of three places two have the same order
+    with pytest.raises(InputError, match="does not tell"):
+        identity(space, sp.Subs(U(a, b, q).diff(a, b), (a, b, q), (p, p, p)), U(p, p, p))
     both = [sp.Subs(V(a, b).diff(a, b), names, (q, q)) for names in ((a, b), (b, a))]
     assert verify(identity(space, *both)).status == "proved"
     assert verify(identity(space, sp.Subs(V(a, b).diff(a), (a, b), (q, p)), V(q, p).diff(q))).status == "proved"

@@ -25,7 +25,7 @@ from canon.mechanics.solving import branches
 class Lagrangian:
     """L(q, v, t) with velocities v, in the order of the coordinates.
 
-    **Raises:** `InputError` when there are not as many velocities as coordinates.
+    **Raises:** `InputError` when there are not as many velocities as coordinates, or for an L of momenta.
     """
 
     space: PhaseSpace
@@ -37,6 +37,8 @@ class Lagrangian:
         names = _velocities(space, velocities)
         L = as_formula(L, "L")
         check_symbols([L], space.vocabulary, "L")
+        for symbol in sorted(L.expr.free_symbols & set(space.p), key=str):
+            raise InputError(f"L is a function of coordinates and velocities, not of {symbol}", "L")
         object.__setattr__(self, "space", space)
         object.__setattr__(self, "L", L)
         object.__setattr__(self, "velocities", names)

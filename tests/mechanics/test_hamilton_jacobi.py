@@ -1,11 +1,14 @@
 """Complete integrals: the equation, Jacobi's constants, and the motion that they give, against known motions."""
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 import sympy as sp
 
+from canon import verify
 from canon.errors import InputError
+from canon.mechanics.formulas import as_formula
 from canon.mechanics.hamilton_jacobi import CompleteIntegral
 from canon.mechanics.phase_space import PhaseSpace
 
@@ -76,11 +79,23 @@ def test_a_principal_function_has_the_time_in_it() -> None:
         (alpha * q, (), None, "1 constants are expected"),
         (p * q, alpha, None, "not of p"),
         (alpha * q * t, alpha, alpha, "not of t"),
+        # of p²/2 = αq this W was proved, and S = W − αqt is no solution
+        ((2 * alpha * q) ** sp.Rational(3, 2) / (3 * alpha), alpha, alpha * q, "energy: .* not of q"),
+        (alpha * q, alpha, alpha * t, "energy: .* not of t"),
+        (alpha * q, alpha, p**2 / 2, "energy: .* not of p"),
     ],
 )
 def test_what_is_out_of_place(function: Any, constants: Any, energy: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         CompleteIntegral(SPACE, FALL, function, constants, energy)
+
+
+def test_a_claim_whose_energy_moves() -> None:
+    made = CompleteIntegral(SPACE, p**2 / 2, alpha * q, alpha, alpha**2 / 2).complete()
+    assert verify(made).status == "proved"
+    moving = replace(made, keys={**made.keys, "energy": as_formula(alpha * q)})
+    with pytest.raises(InputError, match="key 'energy': energy is a function of constants, not of q"):
+        verify(moving)
 
 
 def test_constants_are_counted_once_each() -> None:

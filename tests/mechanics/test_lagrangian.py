@@ -26,6 +26,8 @@ def test_the_claim_of_a_legendre_transform():
     assert Lagrangian(SPACE, v**2 + w**2, [v, w]).velocities == (v, w)
     with pytest.raises(InputError, match="1 velocities for 2 coordinates"):
         Lagrangian(SPACE, v**2, v)
+    with pytest.raises(InputError, match="L: L is a function of coordinates and velocities, not of p_r"):
+        Lagrangian(SPACE, p_r * v + v**2 + w**2, (v, w))
 
 
 def test_the_relativistic_particle(vanishes):

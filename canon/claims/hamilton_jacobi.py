@@ -31,9 +31,6 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
 
 
-_OPEN_TO = {"S": "coordinates, constants and time", "W": "coordinates and constants", "energy": "constants"}
-
-
 def hamilton_jacobi(question: Question) -> Outcome:
     """`hamilton_jacobi`: `S` (or `W` at the `energy`) is a complete integral with these `constants`."""
     H = question.hamiltonian()
@@ -43,8 +40,6 @@ def hamilton_jacobi(question: Question) -> Outcome:
     constants = _constants(question, energy)
     is_free_of(H, constants, "H", _KEY)
     _only_of(function, word, (*space.q, *constants, *([space.t] if word == "S" else [])), question)
-    if energy is not None:
-        _only_of(energy, "energy", constants, question)
     node = question.load(function)
     q = question.nodes(space.q)
     momenta = [derivative(tape, node, x) for x in q]
@@ -100,7 +95,8 @@ def _only_of(function: Formula, word: str, allowed: Sequence[sp.Symbol], questio
     space = question.space
     wrong = function.expr.free_symbols & ({*space.old, *space.new, space.t} - set(allowed))
     for symbol in sorted(wrong, key=str):
-        raise InputError(f"{word} is a function of {_OPEN_TO[word]}, not of {symbol}", f"key {word!r}")
+        open_to = "coordinates, constants and time" if word == "S" else "coordinates and constants"
+        raise InputError(f"{word} is a function of {open_to}, not of {symbol}", f"key {word!r}")
 
 
 def _domain(question: Question, constants: Sequence[sp.Symbol], *formulas: Formula) -> Domain:

@@ -9,6 +9,7 @@ from typing import Any, Final
 from canon.budget import is_budget
 from canon.claim import Claim
 from canon.claims.keys import KEYS, WRITTEN
+from canon.claims.open_variables import check_variables
 from canon.decide.to_accuracy import LEAST
 from canon.errors import InputError
 from canon.expression import Formula
@@ -36,6 +37,7 @@ def check_claim(claim: Claim) -> None:
         stated = value if form in _LISTS and isinstance(value, Sequence) else (value,)
         if value is not None and form in ("expression", *_LISTS):
             _check_formulas(stated, name)
+    check_variables(claim)
 
 
 def _check_formulas(values: Sequence[Any], name: str) -> None:

@@ -19,7 +19,10 @@ from canon import (
     Transformation,
     algebra,
     bracket,
+    casimir,
+    group,
     identity,
+    matrix_algebra,
     normal_form,
     verify,
     verify_many,
@@ -38,6 +41,40 @@ def refusal(make):
 
 def test_a_claim_made_by_hand_is_decided():
     assert verify(Claim("bracket", Subject(SPACE), STATED)).status == "proved"
+
+
+A, B, C, T = *sp.symbols("a b c", real=True), SPACE.t
+GROUP = PhaseSpace("q", "p", new=("Q", "P"), real=(A, B, C), positive=m)
+SPIN = [[0, q * C, -q * B], [-q * C, 0, q * A], [q * B, -q * A, 0]]
+PAIR = {"A": q**2, "B": q * p}
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        # {q², qp} = 2q² = (2q/p) qp: the equation holds, and there are no such constants
+        (lambda: algebra(SPACE, PAIR, structure={"A,B": {"B": 2 * q / p}}), "'structure': p is out of place"),
+        (lambda: algebra(SPACE, {"A": q, "B": T * q * p}, structure={"A,B": {"A": T}}), "t is out of place"),
+        (
+            lambda: matrix_algebra(SPACE, {"A": [[0, 1], [0, 0]], "B": [[q, 0], [0, 0]]}, equals="aff(1)"),
+            "'basis': q is",
+        ),
+        (lambda: group(GROUP, [A + B + q * A * B], [A], [B], structure={}), "'composition': q is out of place"),
+        (lambda: casimir(GROUP, A**2 + B**2 + C**2, [A, B, C], SPIN), "'tensor': q is out of place"),
+        (lambda: casimir(GROUP, p, [A, B, C], [[0] * 3] * 3), "'f': p is out of place"),
+    ],
+)
+def test_formulas_of_variables_that_a_file_would_not_let_them_use(make, said):
+    claim = make()
+    assert said in refusal(lambda: verify(claim))
+
+
+def test_formulas_of_variables_that_are_open():
+    assert verify(algebra(SPACE, PAIR, structure={"A,B": {"A": 2}})).status == "proved"
+    assert verify(algebra(SPACE, {"A": m * q, "B": q * p / m}, structure={"A,B": {"A": 1 / m}})).status == "proved"
+    spin = [[0, m * C, -m * B], [-m * C, 0, m * A], [m * B, -m * A, 0]]
+    assert verify(casimir(GROUP, A**2 + B**2 + C**2, [A, B, C], spin)).status == "proved"
+    assert verify(group(GROUP, [A + B + m * A * B], [A], [B], structure={})).status == "proved"
 
 
 def test_a_key_that_is_misspelt_is_not_left_out_in_silence():

@@ -94,7 +94,7 @@ def test_a_claim_whose_energy_moves() -> None:
     made = CompleteIntegral(SPACE, p**2 / 2, alpha * q, alpha, alpha**2 / 2).complete()
     assert verify(made).status == "proved"
     moving = replace(made, keys={**made.keys, "energy": as_formula(alpha * q)})
-    with pytest.raises(InputError, match="key 'energy': energy is a function of constants, not of q"):
+    with pytest.raises(InputError, match="key 'energy': q is out of place: this is an expression of the constants"):
         verify(moving)
 
 

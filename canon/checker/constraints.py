@@ -42,7 +42,8 @@ def constraint(s: Statement) -> list[Case]:
         found.append(_determined(s, m, forms))
     for word in (w for w in ON_MOTIONS if w in asked):
         found.append(_of_motions(s, m, forms, lines, word))
-    if "determined" in asked and s.verdict == "refuted":  # it is a claim of states that the constraints allow
+    if "determined" in asked and (s.verdict == "refuted" or s.claim["determined"] is not True):
+        # it is a claim of states that the constraints allow; a determinant without a zero has none there, either
         if len(asked) > 1:
             raise Unknown("several claims about constraints at once")
         s.surface += [s.pull(a) for a in (*functions, *lines) if s.f.value(a) != 0]

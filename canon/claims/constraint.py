@@ -82,12 +82,13 @@ def constraint(question: Question) -> Outcome:
 def _dependence(rank: Outcome) -> str:
     """Why constraints that depend on each other, for some parameters or functions at least, are none."""
     at = rank.detail.get("dependent_at") or rank.detail.get("dependent_for")
-    if not isinstance(at, dict):
+    near, where = rank.detail.get("dependent_near"), rank.detail.get("dependent_where")
+    if isinstance(at, dict) or isinstance(near, dict):
+        where = " and ".join(f"{name} = {value}" for name, value in (at or near).items())
+    if where is None:
         return "the constraints depend on each other, or say nothing: leave out those that follow"
-    where = " and ".join(f"{name} = {value}" for name, value in at.items())
-    return (
-        f"where {where} the constraints depend on each other, or say nothing: exclude that under [symbols] or [domain]"
-    )
+    where = f"{'where' if at or not near else 'near'} {where}"
+    return f"{where} the constraints depend on each other, or say nothing: exclude that under [symbols] or [domain]"
 
 
 def _others(question: Question) -> Iterator[Formula]:
@@ -152,7 +153,7 @@ def _motions(
     if question.key("multipliers") is not None:
         yield _reactions(question, jets, forms, lines, regular)
     if question.key("determined") is not None:
-        yield determined(question, jets, forms, region)
+        yield determined(question, jets, forms, lines, region)
 
 
 def _wedge(question: Question, jets: Motion, forms: Sequence[Form], index: int) -> Iterator[tuple[str, Node]]:
@@ -183,14 +184,23 @@ def _frobenius(question: Question, jets: Motion, forms: Sequence[Form], region: 
     vanishing = question.decide([Residual(name, node) for name, node in kept], region)
     if vanishing.status == "proved":
         return question.refuted_exactly(region, theorem, integrable="dω ∧ ω₁ ∧ … ∧ ω_m is identically 0")
-    variables = [*jets.q, jets.t, *jets.v]
-    row = [node for _, node in kept]
-    names = [variables[i % len(variables)] for i in range(len(row))]
-    chart = chart_of(tape, question.space, None)
-    found = full_rank(question, [row], [*names, *variables], region, everywhere=True, chart=chart)
     shown = next(((name, question.show(node)) for name, node in kept), ("", ""))
+    found = _nowhere_flat(question, jets, [node for _, node in kept], region, "integrable")
     steps = ({"theorem": theorem}, {"not identically 0": shown[0], "value": shown[1]})
-    return replace(found, detail={"frobenius": f"{shown[0]}: {shown[1]}"}, arguments=(*found.arguments, *steps))
+    return replace(found.with_detail(frobenius=f"{shown[0]}: {shown[1]}"), arguments=(*found.arguments, *steps))
+
+
+def _nowhere_flat(question: Question, jets: Motion, nodes: Sequence[Node], region: Region, word: str) -> Outcome:
+    """That the nodes vanish together on no open part of the domain, for no parameters; if they do, where they are so."""
+    tape, variables = question.tape, [*jets.q, jets.t, *jets.v]
+    names = [variables[i % len(variables)] for i in range(len(nodes))]
+    chart = chart_of(tape, question.space, None)
+    found = full_rank(question, [nodes], [*names, *variables], region, everywhere=True, chart=chart)
+    if found.status == "undecided":
+        found = replace(found, note=f"it isn't shown that {question.show(nodes[0])} is 0 on no open part of the domain")
+    start = "dependent_"
+    kept = {key.replace(start, f"{word}_"): value for key, value in found.detail.items() if key.startswith(start)}
+    return replace(found, detail=kept)
 
 
 def _stationary(question: Question, jets: Motion, forms: Sequence[Form], region: Region) -> Outcome:
@@ -210,11 +220,8 @@ def _stationary(question: Question, jets: Motion, forms: Sequence[Form], region:
     if vanishing.status == "proved":
         return question.refuted_exactly(region, "no coefficient contains time, and no term is without velocities")
     row = [r.node for r in residuals if tape.value(r.node) != 0]
-    variables = [*jets.q, jets.t, *jets.v]
-    names_of = [variables[i % len(variables)] for i in range(len(row))]
-    chart = chart_of(tape, question.space, None)
-    found = full_rank(question, [row], [*names_of, *variables], region, everywhere=True, chart=chart)
-    return replace(found, detail={"moves": question.show(row[0])}) if found.status == "proved" else found
+    found = _nowhere_flat(question, jets, row, region, "stationary")
+    return found.with_detail(moves=question.show(row[0])) if found.status == "proved" else found
 
 
 def _integrals(question: Question, jets: Motion, forms: Sequence[Form], region: Region) -> Outcome:

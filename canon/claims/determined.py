@@ -29,10 +29,13 @@ if TYPE_CHECKING:
 THEOREM = "linear equations have one solution where their determinant isn't 0"
 
 
-def determined(question: Question, jets: Motion, forms: Sequence[Sequence[Node]], region: Region) -> Outcome:
+def determined(
+    question: Question, jets: Motion, forms: Sequence[Sequence[Node]], lines: Sequence[Node], region: Region
+) -> Outcome:
     """Is the determinant of the equations nowhere 0, as `determined = true` claims, or identically 0?
 
-    **Arguments:** `forms`, rows a (and the term without velocities); `region`, the surface of `functions` included.
+    **Arguments:** `forms`, rows a (and the term without velocities); `lines`, the same as expressions a·v + b;
+    `region`, the surface of `functions` included.
     """
     if question.key("L") is None:
         raise InputError("`determined` needs the Lagrangian 'L'", "key 'determined'")
@@ -44,13 +47,15 @@ def determined(question: Question, jets: Motion, forms: Sequence[Sequence[Node]]
     ]
     rows += [[*form[:-1], *([tape.zero] * len(forms))] for form in forms]
     det = determinant(tape, rows)
+    if tape.support(det) & {*jets.v}:  # then it is one at velocities that the constraints allow
+        region = replace(region, surface=(*region.surface, *lines))
     vanishing = question.decide([Residual("determinant of the equations", det, det)], region)
     if question.key("determined") is False:
         step = {"theorem": "equations whose determinant is 0 have no solution, or many"}
         return replace(vanishing, arguments=(*vanishing.arguments, step))
     if vanishing.status == "proved":
         return question.refuted_exactly(region, THEOREM, determinant="identically 0")
-    forms_of_it = [det, *_on_the_surface(question, det, region)]
+    forms_of_it = [det, *_on_the_surface(question, jets, det, region)]
     if any(_nowhere_zero(question, form, region) for form in forms_of_it):
         point = question.decide([Residual("0", tape.zero)], region)
         step = {"theorem": THEOREM, "determinant": question.show(det)}
@@ -65,16 +70,15 @@ def _nowhere_zero(question: Question, det: Node, region: Region) -> bool:
     )
 
 
-def _on_the_surface(question: Question, det: Node, region: Region) -> Iterator[Node]:
+def _on_the_surface(question: Question, jets: Motion, det: Node, region: Region) -> Iterator[Node]:
     """The determinant's remainder by the surface's equations, where all are polynomials: equal to it there."""
     tape = question.tape
     if not region.surface or tape.functions_of([det, *region.surface]):
         return
     with contextlib.suppress(sp.PolynomialError):
-        coordinates = list(question.space.q)
-        rest: Any = sp.reduced(
-            tape.to_sympy(det), [tape.to_sympy(n) for n in region.surface], *coordinates, field=True
-        )[1]
+        names = [*question.space.q, *(tape.symbol_at(v) for v in jets.v)]
+        surface = [tape.to_sympy(n) for n in region.surface]
+        rest: Any = sp.reduced(tape.to_sympy(det), surface, *names, field=True)[1]
         if not sp.denom(sp.together(rest)).is_number:
             return  # a parameter that may be 0 was divided by
         node = question.load(rest)

@@ -109,6 +109,7 @@ CIRCLE = {"q": "cos(u)", "p": "-sin(u)", "t": "u"}
 HEISENBERG = {"kind": "algebra", "basis": {"v": "q", "u": "p", "w": "1"}, "equals": "heisenberg(1)"}
 FREE: dict[str, Any] = {"phase_space": {"q": ["x", "y"], "p": ["c", "d"]}}
 UNDETERMINED = {"kind": "constraint", "velocities": ["v", "w"], "functions": ["x"], "L": "v**2/2 + x*w**2/2"}
+AT_REST = {"kind": "constraint", "velocities": ["v", "w"], "forms": ["v"], "L": "v*w**2/2", "determined": False}
 
 FALSE = {
     "an orbit through a logarithm of the map's": action(**LOGARITHM),
@@ -163,6 +164,7 @@ FALSE = {
         {"kind": "identity", "lhs": "sqrt(Q**2)", "rhs": "Q"}, phase_space=MAP, symbols={"Q": "positive"}),
     "undetermined motions, beside the constraint": against(
         {**UNDETERMINED, "determined": False}, {"x": "1", "y": "1", "v": "1", "w": "1"}, **FREE),
+    "undetermined motions, beside the velocities that are allowed": of(AT_REST | {"forms": ["v - 1"]}, **FREE),
     "a constraint that nothing keeps": of(
         {"kind": "constraint", "velocities": ["v", "w"], "functions": ["x**2 + 1"], "holonomic": True}, **FREE),
     "velocities of one coordinate of two": of(
@@ -261,6 +263,7 @@ TRUE = {
     "a length refuted": length("q + sqrt(q)"),
     "what is determined, on the constraint": of(
         {**UNDETERMINED, "L": "v**2/2 + w**2/2", "determined": True}, **FREE),
+    "undetermined motions, at velocities that are allowed": of(AT_REST, **FREE),
     "a constraint": of(
         {"kind": "constraint", "velocities": ["v", "w"], "functions": ["x**2 + y**2 - 1"], "holonomic": True}, **FREE),
     "a coordinate t, which isn't time": of({"kind": "conserved", "f": "e"}, phase_space={"q": ["t"], "p": ["e"]},

@@ -48,6 +48,37 @@ def test_a_refuted_integrability_names_the_coefficient(ask):
 
 
 @pytest.mark.parametrize(
+    ("form", "key", "detail"),
+    [
+        ("y*vx - x*vy + k*a*w", "holonomic", {"integrable_at": {"k": "0"}}),
+        ("vx + V(y)*x*w", "holonomic", {"integrable_for": {"V": "0"}}),
+        ("vx - (abs(y) + y)*w", "holonomic", {"integrable_where": "-y > 0"}),
+        ("vx - k", "stationary", {"stationary_at": {"k": "0"}}),
+        ("vx - y**2*a*w", "holonomic", {"frobenius": "coefficient of dx dy da in dω ∧ ω, form 1: -2*a*y"}),
+    ],
+)
+def test_the_answer_says_for_which_values_forms_are_what_they_are_said_not_to_be(ask, form, key, detail):
+    (verdict,) = ask(_claim(form, f"{key} = false"), space=SKATE, symbols=SYMBOLS)
+    assert detail.items() <= dict(verdict.detail).items()
+    assert "minor" not in verdict.detail  # one of columns that aren't derivatives
+
+
+def test_forms_that_are_not_seen_to_be_integrable_or_not_say_which_coefficient_is_open(ask):
+    """Beyond 10000 the slope of tanh y is less than every ball knows."""
+    (verdict,) = ask(_claim("vx - tanh(y)*w", "holonomic = false"), space=SKATE, domain='where = ["y > 10000"]')
+    assert verdict.status == "undecided"
+    assert "is 0 on no open part of the domain" in verdict.detail["note"]
+
+
+@pytest.mark.parametrize(
+    ("form", "where"), [("(abs(y) + y)*vx", "where -y > 0"), ("(asin(sin(y)) - y)*vx", "near .*y = ")]
+)
+def test_forms_that_vanish_in_a_part_of_the_domain_are_told_where(ask, form, where):
+    with pytest.raises(InputError, match=where):
+        ask(_claim(form, "holonomic = true"), space=SKATE)
+
+
+@pytest.mark.parametrize(
     ("form", "word", "stationary", "expected"),
     [
         ("x**2 + y**2 - R**2", "functions", "true", "proved"),
@@ -195,3 +226,19 @@ def test_determined(status, form, word, L, claimed, expected):
 def test_determined_needs_a_lagrangian(ask):
     with pytest.raises((InputError, AssertionError), match="needs the Lagrangian"):
         ask(_claim(KNIFE, "determined = true"), space=SKATE)
+
+
+@pytest.mark.parametrize(
+    ("form", "word", "L", "claimed", "expected"),
+    [
+        ("vx", "forms", "vx*vy**2 + w**2", "false", "proved"),  # the determinant is vx, which is 0
+        ("x", "functions", "vx*vy**2 + w**2", "false", "proved"),
+        ("vx - 1", "forms", "(vx - 1)*vy**2 + w**2", "false", "proved"),
+        ("vx - 1", "forms", "(vx - 1)*vy**2 + w**2", "true", "refuted"),
+        ("vx - 1", "forms", "vx*vy**2 + w**2", "true", "proved"),
+        ("vx - 1", "forms", "vx*vy**2 + w**2", "false", "refuted"),
+        ("vx - 1", "forms", "(vx - 1001/1000)*vy**2 + w**2", "false", "refuted"),
+    ],
+)
+def test_a_state_has_velocities_that_the_constraints_allow(status, form, word, L, claimed, expected):
+    assert status(_claim(form, f'L = "{L}"', f"determined = {claimed}", word=word), space=SKATE) == expected

@@ -81,14 +81,14 @@ def constraint(question: Question) -> Outcome:
 
 def _dependence(rank: Outcome) -> str:
     """Why constraints that depend on each other, for some parameters or functions at least, are none."""
-    at = rank.detail.get("dependent_at") or rank.detail.get("dependent_for")
-    near, where = rank.detail.get("dependent_near"), rank.detail.get("dependent_where")
-    if isinstance(at, dict) or isinstance(near, dict):
-        where = " and ".join(f"{name} = {value}" for name, value in (at or near).items())
-    if where is None:
+    words = {"dependent_at": "where", "dependent_for": "where", "dependent_near": "near", "dependent_where": "where"}
+    key = next((key for key in words if key in rank.detail), None)
+    if key is None:
         return "the constraints depend on each other, or say nothing: leave out those that follow"
-    where = f"{'where' if at or not near else 'near'} {where}"
-    return f"{where} the constraints depend on each other, or say nothing: exclude that under [symbols] or [domain]"
+    at = rank.detail[key]
+    said = at if isinstance(at, str) else " and ".join(f"{name} = {value}" for name, value in at.items())
+    advice = "exclude that under [symbols] or [domain]"
+    return f"{words[key]} {said} the constraints depend on each other, or say nothing: {advice}"
 
 
 def _others(question: Question) -> Iterator[Formula]:
@@ -191,7 +191,7 @@ def _frobenius(question: Question, jets: Motion, forms: Sequence[Form], region: 
 
 
 def _nowhere_flat(question: Question, jets: Motion, nodes: Sequence[Node], region: Region, word: str) -> Outcome:
-    """That the nodes vanish together on no open part of the domain, for no parameters; if they do, where they are so."""
+    """That the nodes vanish together on no open part of the domain, for no parameters; if they do, where."""
     tape, variables = question.tape, [*jets.q, jets.t, *jets.v]
     names = [variables[i % len(variables)] for i in range(len(nodes))]
     chart = chart_of(tape, question.space, None)

@@ -94,6 +94,7 @@ def pendulum_angle(half_sine: Any, half_cosine: Any, momentum: Any) -> Any:
     import jax.numpy as jnp
 
     S, C, P = doubles(half_sine=half_sine, half_cosine=half_cosine, momentum=momentum)
+    S = jnp.where(C < 0, -S, S)  # q and q + 2π are one place: S and C both change their signs
     m1, m = (C - P) * (C + P), S * S + P * P
     turning = m1 < 0
     K, _, _, _ = _mean(jnp.where(turning, 1 / m, m), jnp.where(turning, -m1 / m, m1))

@@ -169,3 +169,12 @@ def test_a_logarithmic_potential_with_a_mass_against_balls() -> None:
 def test_what_is_refused(V: str, state: Any, message: str) -> None:
     with pytest.raises(InputError, match=message):
         central_actions(V, *state)
+
+
+@pytest.mark.parametrize(("q", "p"), [(1.0, 2.5), (-2.0, -2.5), (3.0, 2.0), (0.5, 0.3), (-2.5, -0.1)])
+def test_an_angle_of_the_pendulum_is_that_of_the_place_after_any_number_of_turns(q: float, p: float) -> None:
+    """At q + 2π both sin(q/2) and cos(q/2) change their signs."""
+    places = q + 2 * np.pi * np.arange(-3, 4)
+    with double():
+        w = np.asarray(pendulum_angle(np.sin(places / 2), np.cos(places / 2), p / 2))
+        assert np.all(np.abs(w - float(motion("p**2/2 - cos(q)").at(q, p).angle.value)) < 1e-14)  # type: ignore[union-attr]

@@ -113,6 +113,19 @@ WRONG: dict[str, tuple[Callable[[], Any], str]] = {
     "matrices": (lambda: canon.algebra_of_matrices({"A": 3}), "matrices, 'A': a list of rows is expected, not 3"),  # type: ignore[dict-item]
     "pairs": (lambda: LieAlgebra(["A"], {1: 2}), "constants: a pair of positions in the basis is expected"),  # type: ignore[dict-item,list-item]
     "huge": (lambda: canon.fastest_descent(10**400, 1.0), "across: a finite number is needed"),
+    "a bracket of new variables": (
+        lambda: canon.poisson_bracket(*SPACE.new, SPACE),
+        "Q is one of the new variables, and brackets are in the old ones",  # {Q, P} was 0
+    ),
+    "brackets of new variables": (lambda: canon.bracket_matrix(SPACE.new, SPACE), "Q is one of the new variables"),
+    "a generator of new variables": (
+        lambda: canon.InfinitesimalTransformation(SPACE, SPACE.Q[0] * SPACE.P[0]),
+        "generator: P is one of the new variables",
+    ),
+    "a series of new variables": (
+        lambda: canon.closed_lie_series(SPACE.Q[0], P, S, SPACE),
+        "Q is one of the new variables",
+    ),
     "names in one text": (
         lambda: LieAlgebra.of("A,B", {"A,B": "B"}),
         r"names: a name of the basis is expected, not ','",

@@ -12,11 +12,11 @@ from canon.errors import InputError
 from canon.expected import instance_of, whole_number
 from canon.expression import Formula
 from canon.mechanics import statements
-from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols, replaced
+from canon.mechanics.formulas import Expression, as_expression, as_formula, replaced
 from canon.mechanics.linear_recurrence import constant_recurrence, periodic_sum, recurrent_sum
 from canon.mechanics.one_form import tidy
 from canon.mechanics.phase_space import PhaseSpace, check_space
-from canon.mechanics.poisson import bracket_in
+from canon.mechanics.poisson import bracket_in, check_functions
 from canon.mechanics.transformation import Transformation
 
 _LONGEST = 200  # operations in a bracket, after which no pattern is looked for
@@ -25,7 +25,7 @@ _LONGEST = 200  # operations in a bracket, after which no pattern is looked for
 def iterated_brackets(f: Expression, generator: Expression, space: PhaseSpace, count: int) -> tuple[sp.Expr, ...]:
     """f, {f, G}, {{f, G}, G}, ...: `count` brackets, so count + 1 functions."""
     G, terms = as_expression(generator), [as_expression(f)]
-    check_symbols([G, *terms], space.vocabulary)
+    check_functions([G, *terms], space)
     for _ in range(count):
         terms.append(tidy(bracket_in(terms[-1], G, space.q, space.p)))
     return tuple(terms)
@@ -63,7 +63,7 @@ def closed_lie_series(
     _check(parameter, space)
     whole_number(depth, "depth", 1)
     value, G = as_expression(f), as_expression(generator)
-    check_symbols([value, G], space.vocabulary)
+    check_functions([value, G], space)
     if value.is_Symbol:
         return _summed(value, G, parameter, space, depth, recurrences=True)
     moving = [x for x in space.old if x in value.free_symbols]
@@ -119,12 +119,12 @@ class InfinitesimalTransformation:
         check_space(space)
         object.__setattr__(self, "space", space)
         object.__setattr__(self, "generator", as_formula(generator, "generator"))
-        check_symbols([self.generator], space.vocabulary, "generator")
+        check_functions([self.generator], space, "generator")
 
     def change(self, f: Expression) -> sp.Expr:
         """{f, G}: the change of f, without the eps."""
         value = as_expression(f)
-        check_symbols([value], self.space.vocabulary)
+        check_functions([value], self.space)
         return bracket_in(value, self.generator.expr, self.space.q, self.space.p)
 
     def changes(self) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:

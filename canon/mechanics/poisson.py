@@ -3,7 +3,7 @@
 Sign: {f, g} = sum_i (df/dq_i dg/dp_i - df/dp_i dg/dq_i), so {q, p} = 1. Other conventions: `conventions`.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -12,6 +12,7 @@ import sympy as sp
 from canon.display import latex
 from canon.errors import InputError
 from canon.expected import instance_of, listed, whole_number
+from canon.expression import Formula
 from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import Expression, as_expression, check_symbols
 from canon.mechanics.phase_space import PhaseSpace, check_space
@@ -24,12 +25,25 @@ def standard_j(n: int) -> sp.ImmutableMatrix:
 
 
 def poisson_bracket(f: Expression, g: Expression, space: PhaseSpace) -> sp.Expr:
-    """{f, g} in the old variables of `space`. Goldstein, Poole and Safko (2002), eq. 9.67."""
+    """{f, g} in the old variables of `space`. Goldstein, Poole and Safko (2002), eq. 9.67.
+
+    **Raises:** `InputError` for functions of new variables.
+    """
     check_space(space)
     with recursion_told():
         values = as_expression(f), as_expression(g)
-        check_symbols(values, space.vocabulary)
+        check_functions(values, space)
         return bracket_in(*values, space.q, space.p)
+
+
+def check_functions(functions: Iterable[Formula | sp.Expr], space: PhaseSpace, where: str = "") -> None:
+    """**Raises** `InputError` for what is no function of the old variables: {Q, P} of new ones isn't 0."""
+    functions = tuple(functions)
+    check_symbols(functions, space.vocabulary, where)
+    for f in functions:
+        for symbol in sorted((f.expr if isinstance(f, Formula) else f).free_symbols & {*space.new}, key=str):
+            advice = "put the formula that it stands for in its place"
+            raise InputError(f"{symbol} is one of the new variables, and brackets are in the old ones: {advice}", where)
 
 
 def bracket_in(f: sp.Expr, g: sp.Expr, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol]) -> sp.Expr:
@@ -104,7 +118,7 @@ def bracket_matrix(functions: Sequence[Expression], space: PhaseSpace, names: Se
     values = [as_expression(function) for function in listed(functions, "functions", "functions")]
     if not values:
         raise InputError("no functions to take brackets of")
-    check_symbols(values, space.vocabulary)
+    check_functions(values, space)
     size = len(values)
     upper = {
         (i, j): bracket_in(values[i], values[j], space.q, space.p) for i in range(size) for j in range(i + 1, size)

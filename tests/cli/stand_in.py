@@ -89,6 +89,7 @@ verifier = types.ModuleType("canon.claims.verify")
 reader.read_text = read_text  # type: ignore[attr-defined]
 verifier.verify = verify  # type: ignore[attr-defined]
 verifier.Method = str  # type: ignore[attr-defined]
+verifier.check_settings = lambda settings: None  # type: ignore[attr-defined]
 sys.modules["canon.claims.reader"] = reader
 sys.modules["canon.claims.verify"] = verifier
 

@@ -25,7 +25,7 @@ from canon.numeric.actions.landscape import Critical, Interval, landscape
 from canon.numeric.actions.levels import Level, level_at, level_of
 from canon.numeric.actions.measure import drifted, measured
 from canon.numeric.actions.orbit import Orbit
-from canon.numeric.actions.period import least_period
+from canon.numeric.actions.period import least_period, seems_periodic
 from canon.numeric.actions.profile import Profile, profile_of
 from canon.numeric.actions.ranges import ranges_text
 from canon.numeric.actions.wells import holds
@@ -263,6 +263,8 @@ def motion(
     turn = None
     if domain is None and not q.is_positive:
         turn = _period(period) if period is not None else least_period(H, q)
+        if period is not None and turn is not None and not seems_periodic(profile.energy, turn):
+            raise InputError(f"H = {H} doesn't repeat itself after {period}", "period")
     interval = Interval(float(low), float(high), turn, walls)
     return Motion(profile, interval, landscape(profile, interval))
 

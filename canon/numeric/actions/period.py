@@ -1,16 +1,22 @@
-"""The least period of a formula that holds a coordinate in sines and cosines alone."""
+"""The least period of a formula that holds a coordinate in sines and cosines alone; is a given one a period?"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Final
 
 import sympy as sp
+from flint import arb
 
-from canon.numeric.actions.balls import Ball, ball_function
+from canon.numeric.actions.balls import Ball, BallFunction, ball_function, precision
 
 _TWICE = (sp.tan, sp.cot)
 _CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+
+_BITS: Final = 128
+_PLACES: Final = 17
+_MISSED: Final = 1e-9
+"""So much of what H ranges over, the rounding of a period may change."""
 
 
 def least_period(H: Any, q: sp.Symbol) -> Callable[[], Ball] | None:
@@ -43,3 +49,17 @@ def _least(H: Any, q: sp.Symbol, period: Any) -> Any:
         while sp.expand(sp.expand(waves.xreplace({q: q + period / n}), complex=False) - waves) == 0:
             period = period / n
     return period
+
+
+def seems_periodic(energy: BallFunction, period: Callable[[], Ball]) -> bool:
+    """Whether H(q + T, p) is H(q, p) wherever it was looked at, up to what a T in double precision misses."""
+    with precision(_BITS):
+        T = period()
+        places = [T * (k + arb(0.3)) / _PLACES for k in range(_PLACES)]
+        for p in (arb(0), arb(1)):
+            values = [(energy(q, p), energy(q + T, p)) for q in places]
+            known = [(here, there) for here, there in values if here.is_finite() and there.is_finite()]
+            spread = max((abs(here - known[0][0]) for here, _ in known), key=float, default=arb(0))
+            if any(abs(there - here) > spread * _MISSED for here, there in known):
+                return False
+    return True

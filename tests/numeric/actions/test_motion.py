@@ -16,6 +16,27 @@ from canon.numeric.actions.motion import Motion, motion
 INF = math.inf
 
 
+def test_a_period_that_is_none() -> None:
+    """J of a rotation over a length of 1 was 2.38 ± 3e-18."""
+    for H, period in (
+        ("p**2/2 - cos(q)", 1),
+        ("p**2/2 - cos(q)", "pi"),
+        ("p**2*(2 + sin(q))", "pi"),
+        ("p**2 + q**2", 1),
+    ):
+        with pytest.raises(InputError, match=r"period: H = .* doesn't repeat itself after"):
+            motion(H, period=period)
+    for H, period in (
+        ("p**2/2 - cos(q)", 2 * math.pi),
+        ("p**2/2 - cos(q)", "4*pi"),
+        ("p**2/2 - exp(cos(2*q))", "pi"),
+        ("p**2*(2 + sin(q)**2)", "pi"),
+        ("p**2 + 3", 1),
+        ("p**2/2 + tan(q)**2", "pi"),
+    ):
+        motion(H, period=period)
+
+
 @pytest.mark.parametrize(
     ("H", "E"),
     [

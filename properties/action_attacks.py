@@ -13,7 +13,8 @@ from the reference alone, with near misses of them,
 `round15_algebra.toml` those of Lie algebras, groups and matrices at each sign of their parameters, and of branches,
 `round16.toml` those of every kind with optional keys that are false, and of functions that vanish nowhere,
 `round17.toml` those of all kinds about what a decider may take for granted,
-`round18_maps.toml` those of maps and brackets with terms that are nearly 0, and with holes, branches and slivers.
+`round18_maps.toml` those of maps and brackets with terms that are nearly 0, and with holes, branches and slivers,
+`round18_motion.toml` those that fail at one value of a parameter, and of states that constraints allow.
 `action_attacks.toml`, where no file is named, those about actions and their mutants: a sign, a factor, a thousandth;
 energies at and beyond separatrices; several wells, barriers, branches; variables of one sign, domains that cut the
 orbit, kinks, masses that change their sign; angles of several turns. An ill-posed claim has no orbit, or several: it

@@ -126,6 +126,10 @@ WRONG: dict[str, tuple[Callable[[], Any], str]] = {
         lambda: canon.closed_lie_series(SPACE.Q[0], P, S, SPACE),
         "Q is one of the new variables",
     ),
+    "a cycloid beyond doubles": (
+        lambda: canon.fastest_descent(1e-300, 1.0),
+        "across, down: in double precision there is",
+    ),
     "names in one text": (
         lambda: LieAlgebra.of("A,B", {"A,B": "B"}),
         r"names: a name of the basis is expected, not ','",

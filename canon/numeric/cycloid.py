@@ -7,7 +7,7 @@ steep descent, which is as `down`³/`across`², to 5 roundings.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf, isfinite, nan, pi, sin, sqrt, ulp
+from math import hypot, inf, isfinite, nan, pi, sin, sqrt, ulp
 
 from canon.errors import InputError
 from canon.expected import finite_number
@@ -52,11 +52,13 @@ def fastest_descent(across: float, down: float, g: float = 9.80665) -> Descent:
             raise InputError(f"a positive number is expected, not {value}", name)
     if not (isfinite(down) and down >= 0):
         raise InputError(f"the end lies not above the beginning: a number from 0 on is expected, not {down}", "down")
-    theta = _angle(across / down if down else inf)
-    radius = across / _arc(theta) if down < across else down / _height(theta)
-    length = sqrt(across**2 + down**2)
-    straight = length * sqrt(2 / (g * down)) if down else inf
-    return Descent(radius, theta, sqrt(radius / g) * theta, straight)
+    try:
+        theta = _angle(across / down if down else inf)
+        radius = across / _arc(theta) if down < across else down / _height(theta)
+        straight = hypot(across, down) * sqrt(2 / (g * down)) if down else inf
+        return Descent(radius, theta, sqrt(radius / g) * theta, straight)
+    except (ZeroDivisionError, OverflowError):
+        raise InputError(f"in double precision there is no cycloid to ({across}, {down})", "across, down") from None
 
 
 def _angle(ratio: float) -> float:

@@ -45,13 +45,15 @@ class _Scales(NamedTuple):
 def isochrone_actions(r: Any, p_r: Any, L: Any, *, m: Any = 1.0, a: Any = 1.0, b: Any = 0.0) -> CentralActions:
     """The actions of orbits given by radius, radial momentum and angular momentum L ≥ 0, elementwise.
 
-    It is a function of arrays that jax can trace, batch and differentiate; nan where the orbit is not bound.
+    It is a function of arrays that jax can trace, batch and differentiate; nan where the orbit is not bound, and
+    where r isn't positive or L is negative.
 
     **Arguments:** `m`, the mass; the potential energy is −a/(b + √(b² + r²)), with `b` = 0 for Kepler's.
     """
     import jax.numpy as jnp
 
     r, p_r, L, m, a, b = doubles(r=r, p_r=p_r, L=L, m=m, a=a, b=b)
+    L = jnp.where((r > 0) & (L >= 0), L, jnp.nan)
     k, s, beta, lam, gap, root = _scales(r, p_r, L, m, a, b)
     scale = k / jnp.sqrt(beta)
     square = (lam * p_r) ** 2 + gap * gap

@@ -60,7 +60,8 @@ def pendulum_actions(
     action = jnp.where(turning, 8 * root * jnp.sqrt(m) * whole, 16 * root * swing)
     period = jnp.sqrt(inertia / strength) * jnp.where(turning, 2 * K * jnp.sqrt(small), 4 * K)
     period = jnp.where(m1 == 0, jnp.inf, period)
-    action, period = (jnp.where((m > 0) & (other >= 0), value, jnp.nan) for value in (action, period))
+    known = (m > 0) & (other >= 0) & (inertia > 0) & (strength > 0)
+    action, period = (jnp.where(known, value, jnp.nan) for value in (action, period))
     return PendulumActions(action, period, 1 / period)
 
 

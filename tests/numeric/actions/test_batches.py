@@ -178,3 +178,14 @@ def test_an_angle_of_the_pendulum_is_that_of_the_place_after_any_number_of_turns
     with double():
         w = np.asarray(pendulum_angle(np.sin(places / 2), np.cos(places / 2), p / 2))
         assert np.all(np.abs(w - float(motion("p**2/2 - cos(q)").at(q, p).angle.value)) < 1e-14)  # type: ignore[union-attr]
+
+
+def test_what_is_no_orbit_has_no_numbers() -> None:
+    """J_r was 5.99 at L = −0.9, and 0.34 at r = −1."""
+    with double():
+        found = isochrone_actions(np.array([1.0, 1.0, -1.0, 1.0]), 0.3, np.array([0.9, -0.9, 0.9, 0.0]))
+        assert np.isfinite(np.asarray(found.radial)).tolist() == [True, False, False, True]
+        assert np.isfinite(np.asarray(found.azimuthal)).tolist() == [True, False, False, True]
+        for inertia, strength in ((-1.0, -1.0), (-1.0, 1.0), (1.0, 0.0)):
+            swing = pendulum_actions(0.5, inertia=inertia, strength=strength)
+            assert np.isnan([float(swing.action), float(swing.period), float(swing.frequency)]).all()

@@ -32,7 +32,8 @@ def as_an_equation(rng: random.Random, tables: Tables) -> Tables | None:
     if kind == "action" and "fixed" not in claim and plain:
         new = {**claim, "kind": "frequency", "equals": f"1/D({claim['equals']},{claim['energy']})"}
         return {**tables, "claim": [new]}
-    free = all(words_of(tables, p) == ["real"] for p in space.get("p", ()))
+    told = {name for text in domain.get("where", ()) for name in names_in(str(text))}
+    free = all(words_of(tables, p) == ["real"] and p not in told for p in space.get("p", ()))
     if kind == "hamilton_jacobi" and plain and free and not variables(tables) & {*claim["constants"]}:
         for name in (*claim["constants"], *([claim["energy"]] if str(claim.get("energy", "")).isidentifier() else ())):
             if name not in tables.get("symbols", {}) and name not in tables.get("definitions", {}):
@@ -41,7 +42,7 @@ def as_an_equation(rng: random.Random, tables: Tables) -> Tables | None:
         energy = put(H, {p: f"D({S},{q})" for q, p in zip(space["q"], space["p"], strict=True)})
         rhs = f"-D({S},{t})" if "S" in claim else str(claim["energy"])
         return with_claim_of(tables, kind="identity", lhs=energy, rhs=rhs)
-    if kind == "legendre" and plain:
+    if kind == "legendre" and plain and free:
         L, v = claim["L"], claim["velocities"]
         for name in v:
             tables = with_symbol(tables, name, tables.get("symbols", {}).get(name, "real"))

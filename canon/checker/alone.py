@@ -310,7 +310,7 @@ def random_prime() -> int:
             return p
 
 
-def sample(claim: Claim, case: Any, prime: int, of: Any = Point) -> int:
+def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = None) -> int:
     """Put one random point into everything; returns the number of roots that were met."""
     point, own = of(claim, prime), {}
     value = lambda text: point.at(claim.known(text))
@@ -328,6 +328,8 @@ def sample(claim: Claim, case: Any, prime: int, of: Any = Point) -> int:
     constant = not all((scale * b - a) % prime for a, b in product(SMALL, SMALL))
     if any(map(value, claim.zeros)) or not constant:
         raise Stop("not shown", "that all of it is 0, and the scale a number that isn't 0")
+    if besides:
+        besides(point)
     for k in case["kernels"]:
         own[k["name"]] = claim.read(k["stands for"], own)
     kernel, free = cache(lambda name: point.at(claim.read(name, own))), cache(lambda name: RANDOM.randrange(prime))

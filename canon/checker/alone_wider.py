@@ -54,14 +54,14 @@ class Wider(alone.Claim):
         template = alone_table.Template(held, form.get("absent", {}))
         for key, row in form.get("let", {}).items():
             held[key] = self.stored(f"__{key}", *template.texts(row))
-        self.zeros, self.besides, self.nonzero = (
-            [text for row in form.get(key, ()) for text in template.texts(row)]
-            for key in ("zeros", "besides", "nonzero")
-        )
+        rows = lambda key: [text for row in form.get(key, ()) for text in template.texts(row)]
+        self.zeros, self.besides, self.nonzero = map(rows, ("zeros", "besides", "nonzero"))
         if not self.zeros + self.besides:
             raise Stop("not shown", "nothing that is asked for")
         self.check_solution()
         self.check_germ(tables, held)
+        read = [self.known(text) for text in (*self.zeros, *self.besides, *self.nonzero)]
+        self.places = tuple(self.placed) if read else ()  # no others, whatever a certificate says of its kernels
 
     def take_names(self, tables: Any, claim: Any, held: Any) -> list[str]:
         """The names of the claim's own; each name has one meaning."""
@@ -244,6 +244,16 @@ class Placed(alone.Point):
                 self.at(claim.outer(f, k))
         return found
 
+    def check(self) -> None:
+        """What stands in a name's place is what is assumed of it; and what else the claim asks for."""
+        for f, words in self.asked.places:
+            if words & {"positive", "nonnegative", "negative"}:
+                self.square(self.at(f) * (-1 if "negative" in words else 1) % self.p)
+        if any(self.at(self.asked.known(text)) for text in self.asked.besides):
+            raise Stop("not shown", "that all is 0 that has to be")
+        for text in self.asked.nonzero:
+            self.check_apart(self.asked.known(text))
+
     def check_apart(self, f: Any) -> None:
         """See that a formula is 0 nearly nowhere, whatever the parameters are.
 
@@ -273,17 +283,7 @@ class Placed(alone.Point):
 
 def sample(claim: Any, case: Any, prime: int) -> int:
     """Put one random point into everything; returns the number of roots that were met."""
-    points = list[Placed]()
-    found = alone.sample(claim, case, prime, lambda *given: points.append(Placed(*given)) or points[0])
-    for f, words in claim.placed:  # what stands in a name's place is what is assumed of it
-        if words & {"positive", "nonnegative", "negative"}:
-            points[0].square(points[0].at(f) * (-1 if "negative" in words else 1) % prime)
-    for text in claim.besides:
-        if points[0].at(claim.known(text)):
-            raise Stop("not shown", f"that {text[:60]} is 0")
-    for text in claim.nonzero:
-        points[0].check_apart(claim.known(text))
-    return max(found, len(points[0].roots))
+    return alone.sample(claim, case, prime, Placed, Placed.check)
 
 
 def checked(data: Any) -> tuple[str, str]:

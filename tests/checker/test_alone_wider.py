@@ -125,14 +125,14 @@ def test_it_shows_what_the_table_defines(name: str) -> None:
     assert alone_wider.checked(proof(name)) == ("shown", "")
 
 
-def forged(tables: Any) -> tuple[str, str]:
+def forged(tables: Any, *kernels: Any) -> tuple[str, str]:
     """The answer about a certificate that says of each residual that it is 0."""
     try:
         count = len(alone_wider.Wider(tables).zeros)
     except Exception:  # whatever the checker says of them
         count = 1
     entry = {"numerator": {}, "denominator": {"": "1"}, "cofactors": {}}
-    cases = [{"kernels": [], "residuals": [entry] * count}]
+    cases = [{"kernels": [*kernels], "residuals": [entry] * count}]
     data = {"certificate": 1, "tables": tables, "verdict": "proved", "witness": None, "cases": cases}
     return alone_wider.checked(resealed(data))
 
@@ -389,6 +389,25 @@ EMPTY: dict[str, Any] = {
 @pytest.mark.parametrize("name", EMPTY)
 def test_nothing_is_shown_by_a_forgery(name: str) -> None:
     assert forged(EMPTY[name])[0] == "not shown"
+
+
+THROWN: Any = {
+    "a Hessian that is 0 on a half": NOTHING["a Hessian that is 0 on a half"],
+    "what has a dimension on a half": {
+        **SPACE, "claim": {"kind": "dimension", "functions": ["q + (sqrt(q**2) - q)*sin(q)"], "dimensions": {"q": "L"},
+                           "equals": "L"},
+    },
+}  # fmt: skip
+KERNEL: Any = {"name": "k", "stands for": "sqrt(q)", "relation": {"k^2": "1", "q": "-1"}}
+PLACED: Any = {"name": "k", "stands for": "_with(m, m, q)", "relation": {"k": "1", "q": "-1"}}
+
+
+@pytest.mark.parametrize("kernel", [KERNEL, PLACED], ids=["a root", "a place"])
+@pytest.mark.parametrize("name", THROWN)
+def test_a_kernel_does_not_choose_the_points(name: str, kernel: Any) -> None:
+    """It would throw away those at which the claim is false; of the second, those after the first."""
+    tables = {**THROWN[name], "symbols": {"m": "positive"}}
+    assert [forged(tables, kernel)[0] for _ in range(6)] == ["not shown"] * 6
 
 
 def test_its_files_are_short_and_need_nothing_but_python(tmp_path: Path) -> None:

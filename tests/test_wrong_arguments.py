@@ -16,7 +16,7 @@ from canon.mechanics.algebra.root_system import cartan_matrix
 from canon.numeric.integrate import integrate
 from canon.numeric.integrators import separable
 from canon.numeric.integrators.catalogue import method
-from canon.testing import assert_hamiltonian_flow, assert_order, assert_reversible
+from canon.testing import BRACKET_LAWS, assert_hamiltonian_flow, assert_law, assert_order, assert_reversible, check_laws
 
 SPACE = PhaseSpace("q", "p", new=("Q", "P"), real="s")
 Q, P, S = (SPACE.symbol(name) for name in ("q", "p", "s"))
@@ -130,6 +130,11 @@ WRONG: dict[str, tuple[Callable[[], Any], str]] = {
         lambda: canon.fastest_descent(1e-300, 1.0),
         "across, down: in double precision there is",
     ),
+    "a law": (lambda: assert_law(None, SPACE), "law: a Law is expected, not None"),  # type: ignore[arg-type]
+    "objects of a law": (lambda: assert_law(BRACKET_LAWS[0], SPACE, *[Q] * 7), "objects: the law .* takes .*, not 7"),
+    "laws": (lambda: check_laws(3), "laws: a list of laws is expected, not 3"),  # type: ignore[arg-type]
+    "laws that are none": (lambda: check_laws([3]), "laws: a Law is expected, not 3"),  # type: ignore[list-item]
+    "no examples": (lambda: check_laws(BRACKET_LAWS, max_examples=0), "max_examples: a whole number is needed"),
     "names in one text": (
         lambda: LieAlgebra.of("A,B", {"A,B": "B"}),
         r"names: a name of the basis is expected, not ','",

@@ -9,6 +9,7 @@ from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 
 from canon.errors import InputError
+from canon.expected import instance_of, listed, whole_number
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.transformation import Transformation
 from canon.testing.laws import Law, assert_law
@@ -66,10 +67,12 @@ def check_laws(
 
     **Returns:** how many laws were checked. **Raises:** `AssertionError` for the first that fails, at a simple example.
     """
+    whole_number(max_examples, "max_examples", 1)
     chosen = {**MAKERS, **(makers or {})}
     homes = phase_spaces(max_degrees=2) if spaces is None else spaces
     count = 0
-    for law in laws:
+    for law in listed(laws, "laws", "laws"):
+        instance_of(law, Law, "laws")
         unknown = [kind for kind in law.takes if kind not in chosen]
         if unknown:
             raise InputError(f"no strategy for {unknown[0]!r}, which the law {law.name!r} takes: give one in `makers`")

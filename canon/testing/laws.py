@@ -14,6 +14,7 @@ import sympy as sp
 
 from canon.claims.verify import verify
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.mechanics.composition import compose, identity_transformation
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.phase_space import PhaseSpace
@@ -45,6 +46,11 @@ class Law:
 
 def assert_law(law: Law, space: PhaseSpace, *objects: Any, budget: float = 10.0) -> None:
     """Raise `AssertionError`, with the witness, unless the law is proved (at least supported) of these objects."""
+    instance_of(law, Law, "law")
+    instance_of(space, PhaseSpace, "space")
+    if len(objects) != len(law.takes):
+        said = f"the law {law.name!r} takes {', '.join(law.takes) or 'no objects'}, {len(law.takes)} in all"
+        raise InputError(f"{said}, not {len(objects)}", "objects")
     residuals = [*law.residuals(space, *objects)]
     if not residuals:
         raise InputError(f"the law {law.name!r} has no residual that could be other than 0", "law")

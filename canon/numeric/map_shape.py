@@ -24,6 +24,8 @@ _THREE: Final = np.ones((3, 1))
 EXPECTED: Final = "a map takes and returns one phase point z = (q_1…q_n, p_1…p_n), or a pair (q, p), or points (…, 2n)"
 COMPLEX: Final = "the map returns complex numbers: an audit is of a real map"
 WHOLE: Final = "the map returns whole numbers ({}), which have no derivatives: return floating-point numbers"
+NO_NUMBERS: Final = {"O": "objects", "U": "texts", "S": "bytes", "M": "dates", "m": "spans of time"}
+"""Kinds of arrays, by the letters of numpy, that a map may not return."""
 
 
 class _WrongShape(Exception):
@@ -188,8 +190,9 @@ def _point(value: Any, size: int) -> Any:
         shape = getattr(value, "shape", None)
         what = f"an array of shape {shape}" if shape is not None else f"a {type(value).__name__}"
         raise _WrongShape(f"the map returns {what} for a point of shape ({size},)")
-    if getattr(value, "dtype", None) == np.dtype(object):
-        raise _WrongShape("the map returns an array of objects")
+    dtype = getattr(value, "dtype", None)
+    if isinstance(dtype, np.dtype) and dtype.kind in NO_NUMBERS:
+        raise _WrongShape(f"the map returns an array of {NO_NUMBERS[dtype.kind]}")
     return value
 
 

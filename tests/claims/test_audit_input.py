@@ -96,6 +96,8 @@ def test_derivatives_that_are_not_those_of_the_values_are_noticed() -> None:
         (lambda z: z * 1j, "complex"),
         (lambda z: z.astype(int), r"whole numbers \(int64\)"),
         (lambda z: np.array([int(10 * float(z[0])), 0]), r"whole numbers \(int64\)"),
+        (lambda z: ["a", "b"], "an array of texts"),
+        (lambda z: np.array([z[0], None], dtype=object), "an array of objects"),
         (lambda z: z * np.nan, "no finite value at any"),
         (3, "a map is a function or a transformation, not int"),
     ],

@@ -7,6 +7,7 @@ isn't meant. Where no map shows the orbit that was found, nothing is refuted.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -40,12 +41,29 @@ def translation(square: sp.Expr, q: sp.Symbol) -> Fraction | None:
     return None
 
 
+def _period_there(question: Question, setting: Setting, integrand: Integrand) -> Fraction | None:
+    """A little less than a period of the square at these constants, as that of tan²(a q) at a = 2/5; else None."""
+    from canon.numeric.actions.period import least_period
+
+    period = least_period(setting.motion.square.xreplace(_at(question, integrand)), setting.q)
+    if period is None:
+        return None
+    with precision(BITS):
+        length = float(period())
+    return Fraction(length) * Fraction(10**9 - 1, 10**9) if 0 < length < math.inf else None
+
+
+def _at(question: Question, integrand: Integrand) -> dict[Any, Any]:
+    """The constants at which the orbit is looked at, as sympy's numbers."""
+    return {question.tape.symbol_at(n): sp.Rational(v.numerator, v.denominator) for n, v in integrand.point.items()}
+
+
 def check_one_well(question: Question, setting: Setting, integrand: Integrand, orbit: Orbit) -> None:
     """**Raises** `InputError` where another well shows at the same energy, among a hundred points on either side.
 
     Of a square with a period the wells between the orbit and its next images count: the images are the same well.
     """
-    length = translation(setting.motion.square, setting.q)
+    length = translation(setting.motion.square, setting.q) or _period_there(question, setting, integrand)
     width = orbit.right - orbit.left
     beside = list[tuple[Fraction, Fraction]]()  # stretches of wells that aren't in the domain
     for k in range(1, 101):
@@ -134,10 +152,7 @@ def check_images(question: Question, setting: Setting, place: Place) -> None:
     motion, integrand = setting.motion, place.integrand
     if setting.well is not None or not (motion.low.is_infinite or motion.high.is_infinite):
         return
-    square: Any = motion.square.xreplace(
-        {question.tape.symbol_at(n): sp.Rational(v.numerator, v.denominator) for n, v in integrand.point.items()}
-    )
-    period = least_period(square, setting.q)
+    period = least_period(motion.square.xreplace(_at(question, integrand)), setting.q)
     if period is None:
         return
     tape, (f, *_) = question.tape, setting.also

@@ -32,6 +32,15 @@ def test_the_images_of_a_well_under_a_translation_are_the_same_well(status, pote
     assert status(action_claim("1", branch='"libration"'), space=LINE, **sections) == "refuted"
 
 
+def test_a_period_that_shows_at_the_constants_alone_has_images_and_other_wells(status):
+    sections = {"symbols": 'a = "positive"', "hamiltonian": 'H = "p**2/2 + tan(a*q)**2"'}
+    for value, expected in (("2*pi/a*(sqrt(2*E + 2) - sqrt(2))", "supported"), ("2*pi*E", "refuted")):
+        assert status(action_claim(value, fixed='{a = "2/5"}'), space=LINE, **sections) == expected
+    unlike = {"hamiltonian": 'H = "p**2/2 + cos(8*q/5) + cos(4*q/5)/10"'}
+    with pytest.raises(InputError, match="more than one well"):
+        status(action_claim("1", fixed='{E = "1/2"}', branch='"libration"'), space=LINE, **unlike)
+
+
 ROOTS = {
     "hamiltonian": 'H = "p**2/2 - q**3/2 + q**2*(a + b + c)/2 - q*(a*b + b*c + a*c)/2"',
     "symbols": 'a = "real"\nb = "real"\nc = "real"\nE = "real"',

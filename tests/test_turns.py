@@ -62,6 +62,15 @@ def test_threads_compute_what_one_computes() -> None:
     assert (flint.ctx.prec, flint.ctx.cap) == before
 
 
+@pytest.mark.parametrize("bits", [20, 400])
+def test_the_precision_of_who_asks_changes_nothing(bits: int) -> None:
+    """It did: a Lie sum's bound was computed after its own precision had been put back."""
+    for call in CALLS:
+        alone = call()
+        with precision(bits):
+            assert call() == alone
+
+
 def test_a_thread_that_is_waited_for_has_the_turn_too() -> None:
     def bits() -> int:
         with precision(77), in_turn():

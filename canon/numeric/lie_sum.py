@@ -94,15 +94,12 @@ def lie_sum(f: Any, G: Any, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], at: 
     start, s = flow.point(at), formula_of(s, "s")
     if not s.is_real or not s.is_finite:
         raise InputError(f"a finite number is needed, not {shown(s)}", "s")
-    found: tuple[Ball, float, int] | None = None
     for bits in BITS:
         with precision(bits):
-            found = flow.summed([ball_of(x) for x in start], ball_of(s))
-            if not found[0].is_finite() or found[0].rel_accuracy_bits() >= ENOUGH:
+            ball, radius, pieces = flow.summed([ball_of(x) for x in start], ball_of(s))
+            value = bounded(ball) if ball.is_finite() else Bounded(float(ball.mid()), inf)
+            if not ball.is_finite() or ball.rel_accuracy_bits() >= ENOUGH:
                 break
-    assert found is not None
-    ball, radius, pieces = found
-    value = bounded(ball) if ball.is_finite() else Bounded(float(ball.mid()), inf)
     return LieSum(value, radius, pieces)
 
 

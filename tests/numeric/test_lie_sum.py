@@ -7,6 +7,7 @@ import pytest
 import sympy as sp
 
 from canon import InputError
+from canon.ball_precision import precision
 from canon.mechanics.poisson import bracket_in
 from canon.numeric.lie_sum import lie_sum, nested_bracket
 from canon.numeric.values import value_at
@@ -73,3 +74,10 @@ def test_what_is_refused() -> None:
         value_at(1 / q, {q: 0.0})
     with pytest.raises(InputError, match="has no value at this point"):
         lie_sum(sp.log(q), MOEBIUS, (q,), (p,), {q: -1.0, p: 1.0}, 0.1)
+
+
+def test_a_sum_and_its_bound_do_not_depend_on_the_precision_of_others() -> None:
+    alone = lie_sum(q, q**2 * p, (q,), (p,), {q: 1.0, p: 0.5}, 0.99)
+    for bits in (20, 400):
+        with precision(bits):
+            assert lie_sum(q, q**2 * p, (q,), (p,), {q: 1.0, p: 0.5}, 0.99) == alone

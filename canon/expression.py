@@ -15,6 +15,7 @@ from canon.errors import InputError
 from canon.measure import Measure
 from canon.syntax import parse, parse_relation
 from canon.vocabulary import Formula, Vocabulary
+from canon.whole_bounds import at_least_zero
 
 __all__ = ["Formula", "Vocabulary", "read", "read_relation"]
 
@@ -35,7 +36,7 @@ def read_relation(
 ) -> tuple[Condition, ...]:
     """The conditions that a chain of inequalities states, and those of its sides.
 
-    `>=` says as much as `>`, since claims speak of the open part of a domain.
+    `>=` says as much as `>`, since claims speak of the open part of a domain; but among whole numbers it is what it is.
 
     **Raises:** `InputError` as `read` does; for `==` too, and where the inequality can't hold anywhere.
     """
@@ -74,8 +75,12 @@ def _read_relation(text: str, vocabulary: Vocabulary, measure: Measure | None) -
         if builder.measure.is_complex(difference) and sign != "!=":
             raise InputError(f"{left} {sign} {right} compares complex values")
         make, written = (nonzero, "!=") if sign == "!=" else (positive, sign.rstrip("="))
+        difference = -difference if written == "<" else difference
+        if sign in ("<=", ">="):
+            bound = at_least_zero(difference, f"{left} {sign} {right}")
+            difference, written = (difference, written) if bound is difference else (bound, sign)
         try:
-            conditions = make(-difference if written == "<" else difference)
+            conditions = make(difference)
         except InputError:
             raise InputError(f"the inequality {left} {sign} {right} can't hold anywhere") from None
         found += [Condition(c.kind, c.terms, f"{left} {written} {right}") for c in conditions]

@@ -15,7 +15,7 @@ from typing import Any
 
 from canon.checker.case import Case
 from canon.checker.followed import is_identity
-from canon.checker.functions import Rejected, Unknown, Unreadable
+from canon.checker.functions import NotZero, Rejected, Unknown, Unreadable
 from canon.checker.kinds import obligations
 from canon.checker.obligations import hessian
 from canon.checker.schema import check_known, check_tables
@@ -125,7 +125,12 @@ class _Check:
             return [*_doubts(case), *self.shown.of(grounds, data)]
         if not case.nonzeros:
             raise Unknown("a refutation without a point, by an argument that there is no rule for")
-        return self.shown.of(Case(case.nonzeros[0], [], case.images), data)  # what must not vanish everywhere does
+        try:
+            return self.shown.of(Case(case.nonzeros[0], [], case.images), data)  # what must not vanish everywhere does
+        except NotZero:
+            if not case.trusted:
+                raise
+            raise Unknown("what must not vanish isn't 0 everywhere; whether it is on a part isn't said") from None
 
 
 def _doubts(case: Case) -> list[str]:

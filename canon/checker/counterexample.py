@@ -299,8 +299,10 @@ def check_domain(point: Point, tables: Any) -> None:
         point.text(text)
     for words in (re.split(r"(<=|>=|!=|<|>)", text) for text in claim.domain.get("where", [])):
         for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
-            word = "nonzero" if sign == "!=" else "positive" if "<" in sign else "negative"
-            check(point.text(f"({b}) - ({a})"), [word])
+            names = re.findall(r"[^\W\d]\w*", a + b)
+            edge = sign in ("<=", ">=") and all("integer" in claim.words.get(name, ()) for name in names)
+            a, b = (a, b) if "<" in sign else (b, a)
+            check(point.text(f"({b}) - ({a})"), ["nonzero" if sign == "!=" else "nonnegative" if edge else "positive"])
     for name, words in claim.words.items():
         if "function" not in words:
             check(point.named(name), words)

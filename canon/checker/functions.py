@@ -59,3 +59,7 @@ class Unknown(ValueError):
 
 class Rejected(Exception):
     """What the certificate says isn't so."""
+
+
+class NotZero(Rejected):
+    """What the certificate takes for 0 isn't, at a point of the domain."""

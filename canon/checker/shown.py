@@ -18,7 +18,7 @@ from typing import Any
 from canon.checker import core
 from canon.checker.case import Case
 from canon.checker.followed import Followed, is_identity
-from canon.checker.functions import Rejected, Unknown
+from canon.checker.functions import NotZero, Rejected, Unknown
 from canon.checker.independent import are_independent
 from canon.checker.inhabited import is_inhabited
 from canon.checker.intervals import Intervals, Open
@@ -95,7 +95,7 @@ class Shown:
             relations[f"surface {k}"] = core.fraction(self._program(a, atoms), entry, self.primes)
         for a, entry in zip(case.zeros, data["residuals"], strict=True):
             if any(abs(of[a]) > 10.0**-CLOSE * (1 + max(map(abs, of.values()))) for _, of in places):
-                raise Rejected("a residual doesn't vanish at a point of the domain")
+                raise NotZero("a residual doesn't vanish at a point of the domain")
             if "expression" in entry and entry["expression"] != f.text(a):
                 raise Rejected("a residual is written down wrongly")
             if "cofactors" not in entry and not followed.is_zero(a):

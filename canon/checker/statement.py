@@ -10,6 +10,7 @@ from typing import Any
 from canon.checker import places, stated
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
+from canon.checker.whole import at_least_zero
 
 TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("p", -1, "P", 1)}
 """Of each type of generating function: its old variable, the sign of ∂F by it, its new one, the sign of ∂F by that."""
@@ -169,7 +170,10 @@ class Statement:
             raise Unreadable(f"complex values are compared: {text[:60]!r}")
         for left, sign, right in zip(sides, words[1::2], sides[1:], strict=False):
             a, b = (right, left) if "<" in sign else (left, right)
-            yield self.f.sub(a, b), "nonzero" if sign == "!=" else "positive"
+            difference = self.f.sub(a, b)
+            if sign in ("<=", ">="):
+                difference = at_least_zero(self.f, difference, self.fixed)
+            yield difference, "nonzero" if sign == "!=" else "positive"
 
     # -- the map ------------------------------------------------------------------------------------
 

@@ -210,8 +210,8 @@ class PhaseSpace:
     def where(self, *relations: sp.Basic | str) -> "PhaseSpace":
         """The same space, with claims restricted to the region where the relations hold.
 
-        **Arguments:** inequalities (`>=` is read as `>`: claims speak of the open part), as text or from sympy; of
-        these also `Ne`, conjunctions, and `Eq` for a surface.
+        **Arguments:** inequalities (`>=` is read as `>`: claims speak of the open part; not so among whole
+        numbers), as text or from sympy; of these also `Ne`, conjunctions, and `Eq` for a surface.
 
         **Raises:** `InputError` for a relation that cannot hold, or that is none.
         """

@@ -9,6 +9,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from canon.domain import Condition, Domain, conditions_of
 from canon.errors import InputError
 from canon.mechanics.extent import check_extent
+from canon.whole_bounds import at_least_zero
 
 
 def region_of(relation: Any) -> Domain:
@@ -34,6 +35,8 @@ def region_of(relation: Any) -> Domain:
         check_extent(side, where="domain")
     if isinstance(relation, GreaterThan | LessThan | StrictGreaterThan | StrictLessThan):
         difference = ordered.gts - ordered.lts
+        if isinstance(relation, GreaterThan | LessThan):
+            difference = at_least_zero(difference, str(relation))
     else:
         difference = ordered.lhs - ordered.rhs
     defined = tuple(conditions_of(ordered.lhs)) + tuple(conditions_of(ordered.rhs))

@@ -217,3 +217,11 @@ def test_what_is_open_has_no_certificate() -> None:
     (claim,) = read_text(f'{POLAR}[[claim]]\nkind = "canonical"\n').claims
     with pytest.raises(InputError, match="proved or refuted; this one is undecided"):
         certificate(claim, replace(canon.verify(claim), status="undecided", witness=None), {"claim": {}})
+
+
+@pytest.mark.parametrize("factor", ["(a - 1)", "(a + abs(a))", "cos(pi*n/2)"])
+def test_what_fails_at_a_value_of_a_parameter_is_no_forgery(factor: str) -> None:
+    text = '[phase_space]\nq = ["q"]\np = ["p"]\n[symbols]\na = "real"\nn = "integer"\n'
+    data = certified(text, f'kind = "independent"\nfunctions = ["q", "{factor}*p"]')
+    assert data["verdict"] == "refuted"
+    assert check(data).status == "not confirmed"

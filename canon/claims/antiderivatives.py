@@ -114,7 +114,9 @@ def _of_cosines(f: Any, x: sp.Symbol) -> Iterator[Any]:
     for sign in (1, -1) if moduli else (1,):
         plain = f.xreplace({part: sign * value for part, value in moduli.items()})
         above, below = (_in_cosines(part) for part in sp.fraction(sp.together(plain)))
-        yield from _by_rules(sp.expand(sp.cancel(above / below)), x)
+        plainer = sp.expand(sp.cancel(above / below))
+        yield from wave_integrals(plainer, x)
+        yield from _by_rules(plainer, x)
 
 
 def _in_cosines(f: Any) -> Any:

@@ -149,6 +149,8 @@ def test_round_an_ellipse(status, f, high, equals, expected):
         ("(sin(u)**2 + (1 - e**2)*cos(u)**2)/(1 - e*cos(u))", "2*pi + e/10**6", "refuted"),
         ("sqrt(1 - e**2)*sin(u)*(1 - e*cos(u))", "0", "proved"),
         ("sqrt((cos(u) - 2)**6)", "22*pi", "proved"),
+        ("1/sqrt((1 - e*cos(u))**2)", "2*pi/sqrt(1 - e**2)", "proved"),  # without jumps
+        ("1/sqrt((1 - e*cos(u))**2)", "2*pi/sqrt(1 + e**2)", "refuted"),
         ("sqrt(sin(u)**2)", "0", "undecided"),  # of sin u, but not of its modulus
         ("sqrt((1 - 2*cos(u))**2)", "2*pi", "undecided"),  # of 1 - 2 cos u alone
     ],

@@ -37,8 +37,9 @@ def antiderivatives(question: Question, f: Formula, x: sp.Symbol) -> Iterator[Fo
         return
     rules = (_of_a_slope,) if expression.has(sp.Derivative) else (wave_integrals, _by_rules, _of_exponentials)
     plain = sp.Symbol(x.name, real=True)
-    integrand, seen = expression.subs(x, plain), set[Any]()
-    for rule in rules:
+    constant, integrand = expression.subs(x, plain).as_independent(plain, as_Add=False)
+    seen = set[Any]()
+    for rule in (_of_cosines, *rules):
         try:
             found = within(question.budget.share(0.3), lambda rule=rule: list(rule(integrand, plain)))
         except FOUND_NONE:
@@ -48,7 +49,7 @@ def antiderivatives(question: Question, f: Formula, x: sp.Symbol) -> Iterator[Fo
                 continue
             seen.add(F)
             try:
-                formula = as_formula(F.subs(plain, x))
+                formula = as_formula(constant * F.subs(plain, x))
             except FOUND_NONE:
                 continue
             yield formula
@@ -94,6 +95,36 @@ def _of_exponentials(f: Any, x: sp.Symbol) -> Iterator[Any]:
     from sympy.integrals.rationaltools import ratint
 
     yield ratint(rational, w).subs(w, sp.exp(unit * x)) / unit
+
+
+def _of_cosines(f: Any, x: sp.Symbol) -> Iterator[Any]:
+    """What becomes plainer where sin² is 1 − cos², as p² along an ellipse; and with g, then −g, for a root √(g²), as
+    that of the distance r = 1 − e cos u by x and y.
+    """
+    if not f.has(sp.sin, sp.cos):
+        return
+    moduli: dict[Any, Any] = {part: part.args[0] for part in f.atoms(sp.Abs) if part.has(x)}
+    for part in f.atoms(sp.Pow):
+        if part.exp.is_Rational and part.exp.q == 2 and part.base.has(x):
+            found: Any = sp.factor_list(_in_cosines(part.base))
+            factor, factors = found
+            if any(power % 2 for _, power in factors):
+                return
+            moduli[part] = (sp.sqrt(factor) * sp.prod([base ** (power // 2) for base, power in factors])) ** part.exp.p
+    for sign in (1, -1) if moduli else (1,):
+        plain = f.xreplace({part: sign * value for part, value in moduli.items()})
+        above, below = (_in_cosines(part) for part in sp.fraction(sp.together(plain)))
+        plainer = sp.expand(sp.cancel(above / below))
+        yield from wave_integrals(plainer, x)
+        yield from _by_rules(plainer, x)
+
+
+def _in_cosines(f: Any) -> Any:
+    """A polynomial in sines and cosines, of the sines at most their first powers."""
+    written = sp.expand(f)
+    for wave in written.atoms(sp.sin):
+        written = sp.expand(written.subs(wave**2, 1 - sp.cos(wave.args[0]) ** 2))
+    return written
 
 
 def _of_a_slope(f: Any, x: sp.Symbol) -> Iterator[Any]:

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 FAR = 60
 LOOKS = 40
 """Points of another orbit at which it is asked whether it is in the domain."""
+WELL = "key 'well'"
+"""Where the answer says that several wells may be meant."""
 UNKNOWN = "it isn't known whether this is the only well at its energy: name a `well`"
 
 
@@ -86,7 +88,7 @@ def check_one_well(question: Question, setting: Setting, integrand: Integrand, o
                 f"there is more than one well, near {float((orbit.left + orbit.right) / 2):.3g} and "
                 f"{float(where):.3g}, at {_words(question, integrand)}: name a point of the one that is meant, or "
                 "restrict the domain",
-                "key 'well'",
+                WELL,
             )
 
 
@@ -135,7 +137,7 @@ def is_only_well(question: Question, setting: Setting, place: Place) -> bool:
             places = ", ".join(f"{float(left + right) / 2:.6g}" for left, right in meant)
             raise InputError(
                 f"at {_words(question, integrand)} {len(meant)} wells have orbits: choose one with well = {places}",
-                "key 'well'",
+                WELL,
             )
         if len(meant) == 1 and _holds(meant[0], place.inside, orbits):
             return True
@@ -172,7 +174,7 @@ def check_images(question: Question, setting: Setting, place: Place) -> None:
             raise InputError(
                 f"{f} has other averages in the images of the well, a period of H apart: name a point of the one that "
                 "is meant, or restrict the domain",
-                "key 'well'",
+                WELL,
             )
 
 

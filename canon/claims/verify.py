@@ -18,6 +18,7 @@ from canon.claims.kinds import Kind, kind_named
 from canon.claims.matters import mattering
 from canon.claims.no_numbers import sampled_only
 from canon.claims.on_image import grounds, on_image, without_its_map
+from canon.claims.other_wells import WELL
 from canon.claims.outcome import Outcome
 from canon.claims.own_names import are_continuous
 from canon.claims.question import Question
@@ -155,7 +156,16 @@ def _decided(decide: Kind, question: Question) -> Outcome:
     """What the kind says, of a claim without the file's map where its domain is the same."""
     alone, seen = without_its_map(question)
     if alone is None or seen is None:
-        return on_its_domain(question, on_image(question, unconfined(question, decide(question)), seen))
+        try:
+            outcome = unconfined(question, decide(question))
+        except InputError as fault:
+            if fault.where != WELL or question.key("well") is not None:
+                raise
+            left = on_its_domain(question, on_image(question, Outcome("refuted"), seen))
+            if left.status != "undecided":
+                raise
+            return left  # the other well may be where the map doesn't lead
+        return on_its_domain(question, on_image(question, outcome, seen))
     return grounds(seen, decide(alone))
 
 

@@ -4,6 +4,7 @@ import pytest
 
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
+from canon.errors import InputError
 
 FILE = """[phase_space]
 q = ["q"]
@@ -96,3 +97,18 @@ def test_an_integral_is_one_where_the_map_given_forward_has_a_value(cut: str, cl
         text = HAMILTON_JACOBI.format(given=given, symbols=symbols, where=where, claim=claim.format(sign=sign))
         (read,) = read_text(text).claims
         assert verify(read).status == truth
+
+
+TWO_WELLS = FILE.replace('q**2/2"', 'q**2/2 + 1/(2*q**2)"')
+
+
+@pytest.mark.parametrize("right", ["1", "1001/1000"])
+@pytest.mark.parametrize("given", ['Q = ["log(q)"]\nP = ["p*q"]', 'q = ["exp(Q)"]\np = ["P*exp(-Q)"]'])
+def test_a_second_well_that_the_map_leaves_out_is_no_fault_of_the_claim(given: str, right: str) -> None:
+    claim = 'kind = "action"\n' + ORBIT + 'equals = "{right}*pi*(E - 1)"'
+    text = TWO_WELLS.format(given=given, symbols="", where="", claim=claim.format(right=right))
+    (read,) = read_text(text).claims
+    assert verify(read).status == "undecided"
+    (plain,) = read_text(text.replace(given, 'Q = ["q"]\nP = ["p"]')).claims
+    with pytest.raises(InputError, match="more than one well"):
+        verify(plain)

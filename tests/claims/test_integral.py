@@ -139,6 +139,27 @@ def test_round_an_ellipse(status, f, high, equals, expected):
     assert status(_claim(f, "q", "0", high, equals), symbols=SYMBOLS, domain='where = ["0 < k < 1"]') == expected
 
 
+@pytest.mark.parametrize(
+    ("f", "equals", "expected"),
+    [
+        ("sqrt((cos(u) - e)**2 + (1 - e**2)*sin(u)**2)", "2*pi", "proved"),  # the distance, 1 - e cos u
+        ("sqrt((cos(u) - e)**2 + (1 - e**2)*sin(u)**2)", "-2*pi", "refuted"),
+        ("sqrt((cos(u) - e)**2 + (1 - e**2)*sin(u)**2)*(1 - e*cos(u))", "2*pi + pi*e**2", "proved"),
+        ("(sin(u)**2 + (1 - e**2)*cos(u)**2)/(1 - e*cos(u))", "2*pi", "proved"),  # 1 + e cos u
+        ("(sin(u)**2 + (1 - e**2)*cos(u)**2)/(1 - e*cos(u))", "2*pi + e/10**6", "refuted"),
+        ("sqrt(1 - e**2)*sin(u)*(1 - e*cos(u))", "0", "proved"),
+        ("sqrt((cos(u) - 2)**6)", "22*pi", "proved"),
+        ("1/sqrt((1 - e*cos(u))**2)", "2*pi/sqrt(1 - e**2)", "proved"),  # without jumps
+        ("1/sqrt((1 - e*cos(u))**2)", "2*pi/sqrt(1 + e**2)", "refuted"),
+        ("sqrt(sin(u)**2)", "0", "undecided"),  # of sin u, but not of its modulus
+        ("sqrt((1 - 2*cos(u))**2)", "2*pi", "undecided"),  # of 1 - 2 cos u alone
+    ],
+)
+def test_roots_of_squares_round_a_circle(status, f, equals, expected):
+    found = status(_claim(f, "u", "0", "2*pi", equals), symbols='e = "real"', domain='where = ["0 < e < 1"]')
+    assert found == expected
+
+
 def test_an_ellipse_that_may_be_a_hyperbola(status):
     claim = _claim("1/(1 + k*cos(q))", "q", "0", "2*pi", "2*pi/sqrt(abs(1 - k**2))")
     assert status(claim, symbols=SYMBOLS, domain='where = ["0 < k < 2"]') == "undecided"

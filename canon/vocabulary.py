@@ -6,6 +6,7 @@ import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import SequenceMatcher
+from functools import cached_property
 from heapq import nlargest
 from itertools import islice
 from typing import Final
@@ -123,11 +124,16 @@ class Vocabulary:
     def declaring(self, symbols: Mapping[str, sp.Symbol]) -> Vocabulary:
         """The same with further symbols; a name that is declared already keeps its symbol."""
         new = {name: symbol for name, symbol in symbols.items() if not self.declares(name)}
-        return replace(self, symbols={**self.symbols, **new})
+        return replace(self, symbols={**self.symbols, **new}) if new else self
 
     def declares(self, name: str) -> bool:
         """Whether the file declares `name`, so that it wins over a built-in one."""
         return name in self.symbols or name in self.functions or name in self.definitions
+
+    @cached_property
+    def has_integers(self) -> bool:
+        """Whether a name stands for whole numbers alone."""
+        return any(symbol.is_integer for symbol in self.symbols.values())
 
     @property
     def words(self) -> int:

@@ -19,7 +19,7 @@ from canon.functions import FUNCTIONS, applied
 from canon.measure import AGAIN, CALL, Measure, check_power, check_product, check_sum
 from canon.slope import differentiated
 from canon.syntax import Call, Name, Node, Number, Power, Product, Sum, children, place
-from canon.vocabulary import CALLABLE, CONSTANTS, Formula, Vocabulary
+from canon.vocabulary import CALLABLE, CONSTANTS, Vocabulary, written_functions, written_names
 
 _ROOTS: Final = {"sqrt": sp.Rational(1, 2), "cbrt": sp.Rational(1, 3)}
 _HIGHEST: Final = 20
@@ -213,8 +213,9 @@ class Builder:
     def arbitrary(self, name: str, values: list[Any], where: str) -> Any:
         self.use(name, where)
         self.calls.add((name, len(values)))
-        self.measure.spend(CALL // 2)
-        value = function(name)(*values)
+        known, called = self.measure.built, (name, *values)
+        self.measure.spend(AGAIN if called in known else CALL // 2)
+        known[called] = value = function(name)(*values)
         sign = self.vocabulary.signs.get(name)
         if sign == "nonzero":
             self.add((Condition("nonzero", (value,)),))
@@ -278,31 +279,3 @@ class Builder:
             df, dg = ([differentiated(h, x, self.measure) for x in (q, p)] for h in (f, g))
             terms += [df[0] * dg[1], -df[1] * dg[0]]
         return sp.Add(*terms)
-
-
-def written_names(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
-    """The names that are written below `node`, abbreviations followed."""
-    found: set[str] = set()
-    stack = [node]
-    while stack:
-        part = stack.pop()
-        stack.extend(children(part))
-        if isinstance(part, Name):
-            formula = vocabulary.definitions.get(part.name)
-            found |= formula.names if isinstance(formula, Formula) else {part.name}
-    return frozenset(found)
-
-
-def written_functions(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
-    """The arbitrary functions that are called below `node`, abbreviations followed."""
-    found: set[str] = set()
-    stack = [node]
-    while stack:
-        part = stack.pop()
-        stack.extend(children(part))
-        formula = vocabulary.definitions.get(part.name) if isinstance(part, Name) else None
-        if isinstance(formula, Formula):
-            found |= {name for name, _ in formula.calls}
-        elif isinstance(part, Call) and part.name in vocabulary.functions:
-            found.add(part.name)
-    return frozenset(found)

@@ -16,6 +16,7 @@ import sympy as sp
 from canon.display import latex
 from canon.domain import Condition, checked_conditions
 from canon.errors import InputError
+from canon.syntax import Call, Name, Node, children
 
 CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
 """Built-in names that stand for a number."""
@@ -186,3 +187,31 @@ def closest(name: str, words: Iterable[str]) -> str:
         likeness.append((matcher.ratio(), word))
     most, word = max(likeness, default=(0.0, ""))
     return word if most >= LIKE else ""
+
+
+def written_names(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
+    """The names that are written below `node`, abbreviations followed."""
+    found: set[str] = set()
+    stack = [node]
+    while stack:
+        part = stack.pop()
+        stack.extend(children(part))
+        if isinstance(part, Name):
+            formula = vocabulary.definitions.get(part.name)
+            found |= formula.names if isinstance(formula, Formula) else {part.name}
+    return frozenset(found)
+
+
+def written_functions(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
+    """The arbitrary functions that are called below `node`, abbreviations followed."""
+    found: set[str] = set()
+    stack = [node]
+    while stack:
+        part = stack.pop()
+        stack.extend(children(part))
+        formula = vocabulary.definitions.get(part.name) if isinstance(part, Name) else None
+        if isinstance(formula, Formula):
+            found |= {name for name, _ in formula.calls}
+        elif isinstance(part, Call) and part.name in vocabulary.functions:
+            found.add(part.name)
+    return frozenset(found)

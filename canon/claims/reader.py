@@ -115,7 +115,11 @@ def _claim(value: Any, index: int, subject: Subject, names: Names, source: str |
     kind = document.text(table["kind"], key("kind"))
     if kind not in KEYS:
         meant = f": did you mean {MEANT[kind]!r}?" if kind in MEANT else ""
-        advice = meant or (nearest(kind, KEYS) if names.measure.compares(len(KEYS)) else "") or f": the kinds are {', '.join(KEYS)}"
+        advice = (
+            meant
+            or (nearest(kind, KEYS) if names.measure.compares(len(KEYS)) else "")
+            or f": the kinds are {', '.join(KEYS)}"
+        )
         raise InputError(f"unknown kind {kind[:80]!r}{advice}", key("kind"))
     spec = KEYS[kind]
     document.only(table, (*COMMON, *spec.keys), "")

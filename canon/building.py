@@ -6,6 +6,7 @@ them.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Final
 
 import sympy as sp
@@ -15,10 +16,10 @@ from canon.constants import check_constant_condition, check_constant_power
 from canon.domain import Condition, function_conditions, nonzero, power_conditions
 from canon.errors import InputError
 from canon.functions import FUNCTIONS, applied
-from canon.measure import Measure, check_power, check_product, check_sum
+from canon.measure import AGAIN, CALL, Measure, check_power, check_product, check_sum
 from canon.slope import differentiated
 from canon.syntax import Call, Name, Node, Number, Power, Product, Sum, children, place
-from canon.vocabulary import CALLABLE, CONSTANTS, Formula, Vocabulary
+from canon.vocabulary import CALLABLE, CONSTANTS, Vocabulary, written_functions, written_names
 
 _ROOTS: Final = {"sqrt": sp.Rational(1, 2), "cbrt": sp.Rational(1, 3)}
 _HIGHEST: Final = 20
@@ -32,7 +33,7 @@ class Builder:
     def __init__(self, text: str, vocabulary: Vocabulary, measure: Measure | None = None) -> None:
         self.text = text
         self.vocabulary = vocabulary
-        self.measure = (measure or Measure()).begin()
+        self.measure = (measure or Measure()).begin(text)
         self.conditions: dict[Condition, None] = {}
         self.names: set[str] = set()
         self.calls: set[tuple[str, int]] = set()
@@ -129,6 +130,7 @@ class Builder:
                 else f"{_WRONG} {name!r} is wrong: {formula.message}"
             )
             raise InputError(first)
+        self.measure.spend(len(formula.names) + 2 * len(formula.conditions))
         for inner in sorted(formula.names):
             self.use(inner, where, name)
         if formula.has_bracket:
@@ -145,16 +147,22 @@ class Builder:
             if not straight:
                 self.add(nonzero(value, self.source(part), is_complex=self.measure.is_complex))
                 check_power(value, sp.Integer(-1))
+                self.measure.spend_on_power(value, -1)
             factors.append(value if straight else value**-1)
         return sp.Mul(*factors)
 
     def power(self, base: Any, exponent: Any, text: str) -> Any:
-        if not exponent.is_Integer:
-            self.measure.spend_on((base,) if exponent.is_Rational else (base, exponent, exponent))
-        self.add(power_conditions(base, exponent, text, is_complex=self.measure.is_complex))
-        check_power(base, exponent)
-        check_constant_power(base, exponent)
-        return base**exponent
+        def built() -> tuple[tuple[Condition, ...], Any]:
+            if not exponent.is_Integer:
+                self.measure.spend_on((base,) if exponent.is_Rational else (base, exponent, exponent))
+            self.measure.spend_on_power(base, exponent)
+            conditions = power_conditions(base, exponent, text, is_complex=self.measure.is_complex)
+            self.add(conditions)
+            check_power(base, exponent)
+            check_constant_power(base, exponent)
+            return conditions, base**exponent
+
+        return self.once(("power", base, exponent, text), built)
 
     def call(self, node: Call, values: list[Any]) -> Any:
         name, where = node.name, place(self.text, node.span[0])
@@ -183,15 +191,31 @@ class Builder:
             raise InputError(f"{name!r} {where} takes {expected} argument{'s'[: wanted != (1,)]}, not {given}")
 
     def function(self, function: Any, values: list[Any], texts: tuple[str, ...]) -> Any:
-        self.measure.spend_on(values)
-        self.add(function_conditions(function, tuple(values), texts, is_complex=self.measure.is_complex))
-        beside_integers = any(symbol.is_integer for symbol in self.vocabulary.symbols.values())
-        return applied(function, values, any(self.measure.is_complex(value) for value in values), beside_integers)
+        def built() -> tuple[tuple[Condition, ...], Any]:
+            self.measure.spend_on(values)
+            conditions = function_conditions(function, tuple(values), texts, is_complex=self.measure.is_complex)
+            self.add(conditions)
+            is_complex = any(self.measure.is_complex(value) for value in values)
+            return conditions, applied(function, values, is_complex, self.vocabulary.has_integers)
+
+        return self.once((function, *values, texts), built)
+
+    def once(self, key: Any, build: Callable[[], tuple[tuple[Condition, ...], Any]]) -> Any:
+        """What `build` makes; where the same was written in this file before, what it made then."""
+        known = self.measure.built
+        if key in known:
+            self.measure.spend(AGAIN)
+            self.conditions.update(dict.fromkeys(known[key][0]))
+        else:
+            known[key] = build()
+        return known[key][1]
 
     def arbitrary(self, name: str, values: list[Any], where: str) -> Any:
         self.use(name, where)
         self.calls.add((name, len(values)))
-        value = function(name)(*values)
+        known, called = self.measure.built, (name, *values)
+        self.measure.spend(AGAIN if called in known else CALL // 2)
+        known[called] = value = function(name)(*values)
         sign = self.vocabulary.signs.get(name)
         if sign == "nonzero":
             self.add((Condition("nonzero", (value,)),))
@@ -245,37 +269,13 @@ class Builder:
             raise InputError(f"'bracket' {where} is in the old variables, but {name!r} is a new one")
         f, g = values
         terms = list[Any]()
-        inside = written_functions(node, self.vocabulary)
+        if inside := written_functions(node, self.vocabulary):
+            self.slopes |= {(x.name, name) for pair in self.vocabulary.pairs for x in pair for name in inside}
+        self.measure.spend(len(self.vocabulary.pairs) * (1 + len(inside)))
+        moving = f.free_symbols | g.free_symbols
         for q, p in self.vocabulary.pairs:
-            self.slopes |= {(x.name, name) for x in (q, p) for name in inside}
+            if q not in moving and p not in moving:
+                continue
             df, dg = ([differentiated(h, x, self.measure) for x in (q, p)] for h in (f, g))
             terms += [df[0] * dg[1], -df[1] * dg[0]]
         return sp.Add(*terms)
-
-
-def written_names(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
-    """The names that are written below `node`, abbreviations followed."""
-    found: set[str] = set()
-    stack = [node]
-    while stack:
-        part = stack.pop()
-        stack.extend(children(part))
-        if isinstance(part, Name):
-            formula = vocabulary.definitions.get(part.name)
-            found |= formula.names if isinstance(formula, Formula) else {part.name}
-    return frozenset(found)
-
-
-def written_functions(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
-    """The arbitrary functions that are called below `node`, abbreviations followed."""
-    found: set[str] = set()
-    stack = [node]
-    while stack:
-        part = stack.pop()
-        stack.extend(children(part))
-        formula = vocabulary.definitions.get(part.name) if isinstance(part, Name) else None
-        if isinstance(formula, Formula):
-            found |= {name for name, _ in formula.calls}
-        elif isinstance(part, Call) and part.name in vocabulary.functions:
-            found.add(part.name)
-    return frozenset(found)

@@ -27,11 +27,27 @@ STEEPEST: Final = 10_000
 """The largest numerical exponent."""
 LONG: Final = 512
 """The most bits of a number in a function's argument, or in the base of a root."""
-EFFORT: Final = 1_000_000
+EFFORT: Final = 400_000
 """The most work that a formula may take to build, in about the microseconds that sympy needs for it."""
 
-FORMULAS: Final = 5
-"""How many formulas of that much work a file may hold."""
+OF_FILE: Final = 700_000
+"""The same of all formulas of a file: what is refused for it is refused in under a second.
+
+What is built already is hardly counted again, so that it is different functions, and derivatives, that are dear: the
+dearest file of the catalogue takes a seventh of it.
+"""
+
+CLAIM: Final = 100
+FORMULA: Final = 30
+LETTER: Final = 2
+"""The work of a claim, of a formula, and of each letter of it, whatever is in them."""
+
+CALL: Final = 1_000
+AGAIN: Final = 20
+"""The work of a function or a root, and of one that has been built in this file before."""
+POWER: Final = 200
+POWER_OF: Final = 8
+"""The work of a power of a sum, and of each node of that."""
 
 COMPARED: Final = 10_000
 """How many words the unknown names of a file are compared with in all, to say which are meant: tenths of a second."""
@@ -48,14 +64,18 @@ _CONSTANTS: Final = (sp.pi, sp.E, sp.I, sp.EulerGamma, sp.Catalan)
 class Measure:
     """Tree size, depth and reality of expressions, each distinct one looked at once, and the work done on them.
 
-    One may serve all formulas of a file: then `begin` each of them.
+    One may serve all formulas of a file: then `begin` each of them. The file's `letters` had to be read, too.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, letters: int = 0) -> None:
         self._spent = 0
-        self._before = 0
+        self._before = letters // 2
         self._compared = 0
         self._known: dict[Any, tuple[int, int, bool]] = {}
+        self.slopes: dict[Any, dict[Any, Any]] = {}
+        """Of each symbol: the derivatives by it that are known."""
+        self.built: dict[Any, Any] = {}
+        """What has been built already, by what it was built of."""
 
     def size(self, expression: Any) -> int:
         """The number of nodes of the tree."""
@@ -66,22 +86,36 @@ class Measure:
         return self._of(expression)[2]
 
     def spend(self, effort: int) -> None:
-        """Count work that is about to be done. **Raises:** `InputError` if it is more than `EFFORT` in all."""
+        """Count work that is about to be done.
+
+        **Raises:** `InputError` if it is more than `EFFORT` for this formula, or more than `OF_FILE` in all.
+        """
         self._spent += effort
         if self._spent > EFFORT:
             raise InputError("too much work to read: shorten the formula, or divide it over several claims")
-        if self._before + self._spent > FORMULAS * EFFORT:
+        if self.is_spent:
             raise InputError("too much work to read all formulas up to here: divide them over several files")
+
+    def spend_on_claim(self) -> None:
+        """Count a claim, whatever it says. **Raises:** `InputError` if it is one more than the file may have."""
+        self._before += CLAIM
+        self.spend(0)
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether the file has taken all the work that it may."""
+        return self._before + self._spent > OF_FILE
 
     def compares(self, words: int) -> bool:
         """Whether an unknown name may still be compared with so many words: a file may have thousands of such names."""
         self._compared += words
         return self._compared <= COMPARED
 
-    def begin(self) -> Measure:
-        """Itself, for a further formula: what has been spent counts for the file only."""
+    def begin(self, text: str) -> Measure:
+        """Itself, for a further formula: what has been spent counts for the file only. **Raises:** `InputError`."""
         self._before += self._spent
         self._spent = 0
+        self.spend(FORMULA + LETTER * len(text))
         return self
 
     def spend_on(self, arguments: Iterable[Any]) -> None:
@@ -96,7 +130,14 @@ class Measure:
             if any(_height(number) > LONG for number in argument.atoms(sp.Rational)):
                 raise InputError(f"a number of more than {LONG} bits in an argument")
             numeric = 0 if argument.free_symbols else 1_000 if size == 1 else 8_000
-            self.spend(800 + size + numeric)
+            self.spend(CALL + size + numeric)
+
+    def spend_on_power(self, base: Any, exponent: Any) -> None:
+        """Count the work of a power of a sum, of which sympy asks whether it is infinite. **Raises:** `InputError`."""
+        if base.is_Add:
+            key = ("of a sum", base, exponent)
+            self.spend(AGAIN if key in self.built else POWER + POWER_OF * self.size(base))
+            self.built[key] = None
 
     def admit(self, expression: Any) -> Any:
         """The expression itself.

@@ -6,6 +6,7 @@ import unicodedata
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from difflib import SequenceMatcher
+from functools import cached_property
 from heapq import nlargest
 from itertools import islice
 from typing import Final
@@ -15,6 +16,7 @@ import sympy as sp
 from canon.display import latex
 from canon.domain import Condition, checked_conditions
 from canon.errors import InputError
+from canon.syntax import Call, Name, Node, children
 
 CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
 """Built-in names that stand for a number."""
@@ -123,11 +125,16 @@ class Vocabulary:
     def declaring(self, symbols: Mapping[str, sp.Symbol]) -> Vocabulary:
         """The same with further symbols; a name that is declared already keeps its symbol."""
         new = {name: symbol for name, symbol in symbols.items() if not self.declares(name)}
-        return replace(self, symbols={**self.symbols, **new})
+        return replace(self, symbols={**self.symbols, **new}) if new else self
 
     def declares(self, name: str) -> bool:
         """Whether the file declares `name`, so that it wins over a built-in one."""
         return name in self.symbols or name in self.functions or name in self.definitions
+
+    @cached_property
+    def has_integers(self) -> bool:
+        """Whether a name stands for whole numbers alone."""
+        return any(symbol.is_integer for symbol in self.symbols.values())
 
     @property
     def words(self) -> int:
@@ -180,3 +187,31 @@ def closest(name: str, words: Iterable[str]) -> str:
         likeness.append((matcher.ratio(), word))
     most, word = max(likeness, default=(0.0, ""))
     return word if most >= LIKE else ""
+
+
+def written_names(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
+    """The names that are written below `node`, abbreviations followed."""
+    found: set[str] = set()
+    stack = [node]
+    while stack:
+        part = stack.pop()
+        stack.extend(children(part))
+        if isinstance(part, Name):
+            formula = vocabulary.definitions.get(part.name)
+            found |= formula.names if isinstance(formula, Formula) else {part.name}
+    return frozenset(found)
+
+
+def written_functions(node: Node, vocabulary: Vocabulary) -> frozenset[str]:
+    """The arbitrary functions that are called below `node`, abbreviations followed."""
+    found: set[str] = set()
+    stack = [node]
+    while stack:
+        part = stack.pop()
+        stack.extend(children(part))
+        formula = vocabulary.definitions.get(part.name) if isinstance(part, Name) else None
+        if isinstance(formula, Formula):
+            found |= {name for name, _ in formula.calls}
+        elif isinstance(part, Call) and part.name in vocabulary.functions:
+            found.add(part.name)
+    return frozenset(found)

@@ -41,6 +41,7 @@ class Names:
     arity: dict[str, int] = field(default_factory=dict)
     hamiltonian: Formula | None = None
     measure: Measure = field(default_factory=Measure)
+    _restricted: dict[Any, tuple[Vocabulary, Vocabulary]] = field(default_factory=dict)
 
     def formula(self, value: Any, side: Side, where: str, **options: Any) -> Formula:
         """The formula that a TOML value states, in the variables of `side` (see `restricted`).
@@ -72,11 +73,21 @@ class Names:
         `allowed`, the variables that are open instead of those of `side`.
         """
         vocabulary = vocabulary or self.vocabulary
+        key = (side, types, None if allowed is None else tuple(allowed))
+        known = self._restricted.get(key)
+        if known is None or known[0] is not vocabulary:
+            self._restricted[key] = known = (vocabulary, self._restrict(vocabulary, *key))
+        return known[1]
+
+    def _restrict(
+        self, vocabulary: Vocabulary, side: Side, types: tuple[int, ...], allowed: tuple[str, ...] | None
+    ) -> Vocabulary:
         space = self.space
         old, new = _named(space.old), _named(space.new)
         no_bracket = "" if side in ("old", "both") else "it is the bracket in the old variables"
-        open_names = _open(space, side, types) if allowed is None else tuple(allowed)
-        refused = [name for name in (*old, *new) if name not in open_names]
+        open_names = _open(space, side, types) if allowed is None else allowed
+        taken = {*open_names}
+        refused = [name for name in (*old, *new) if name not in taken]
         if side == "parameters":
             refused.append(space.t.name)
         return vocabulary.refusing(refused, _allowed_words(side, open_names), no_bracket)
@@ -110,8 +121,8 @@ def _allowed_words(side: Side, allowed: tuple[str, ...]) -> str:
     return f"{words} {', '.join(allowed)}".rstrip()
 
 
-def read_names(tables: Table) -> Names:
-    """Phase space, symbols and definitions of a file.
+def read_names(tables: Table, letters: int = 0) -> Names:
+    """Phase space, symbols and definitions of a file of so many `letters`.
 
     Time is `t` where the file doesn't name it; if it calls something else `t`, its formulas have no time.
 
@@ -149,7 +160,7 @@ def read_names(tables: Table) -> Names:
         new=frozenset(_named(space.new)),
         undeclared="declare it in [symbols]",
     )
-    names = Names(space, vocabulary)
+    names = Names(space, vocabulary, measure=Measure(letters))
     _define(names, definitions)
     return names
 
@@ -256,5 +267,7 @@ def _define(names: Names, definitions: Table) -> None:
         try:
             known[name] = names.formula(value, "both", key(name, "[definitions]"))
         except InputError as error:
+            if names.measure.is_spent:
+                raise
             known[name] = error
     names.vocabulary = replace(names.vocabulary, definitions=known, later=frozenset())

@@ -1,7 +1,8 @@
 """From a claim file to claims.
 
-A fault in a section that all claims share fails the file; a fault in one claim fails that claim alone. Nothing in a
-file is ever executed: it is text and tables, and its formulas are read by `canon.expression`.
+A fault in a section that all claims share fails the file, and so does more work than reading may take; a fault in one
+claim fails that claim alone. Nothing in a file is ever executed: it is text and tables, and its formulas are read by
+`canon.expression`.
 """
 
 from __future__ import annotations
@@ -42,10 +43,10 @@ class Reading(NamedTuple):
 def read_file(path: str | os.PathLike[str]) -> Reading:
     """The claims in the file at `path`, and what is wrong with the file. Never raises for what is in it."""
     try:
-        tables = document.load(path)
+        text = document.content(path)
     except InputError as error:
         return Reading([], [_problem(error)])
-    return read_tables(tables)
+    return read_text(text)
 
 
 def read_text(text: str) -> Reading:
@@ -54,11 +55,11 @@ def read_text(text: str) -> Reading:
         tables = document.parse(text)
     except InputError as error:
         return Reading([], [_problem(error)])
-    return read_tables(tables)
+    return read_tables(tables, len(text))
 
 
-def read_tables(tables: Table) -> Reading:
-    """The claims in a TOML document that has been read already."""
+def read_tables(tables: Table, letters: int = 0) -> Reading:
+    """The claims in a TOML document that has been read already, of a text of so many letters."""
     problems: list[dict[str, str]] = []
     claims: list[Claim] = []
     names = None
@@ -67,13 +68,16 @@ def read_tables(tables: Table) -> Reading:
         for word in ("title", "source"):
             document.text(tables.get(word, ""), key(word))
         listed = _listed(tables)
-        names = read_names(tables)
+        names = read_names(tables, letters)
         subject = read_subject(tables, names)
         for index, table in enumerate(listed):
             try:
                 claims.append(_claim(table, index, subject, names, tables.get("source")))
             except InputError as error:
-                problems.append(_problem(error.at(f"claim {index + 1}")))
+                fault = error.at(f"claim {index + 1}")
+                if names.measure.is_spent:
+                    raise fault from None
+                problems.append(_problem(fault))
     except InputError as error:
         claims = []
         problems.append(_problem(error))
@@ -105,12 +109,17 @@ def _listed(tables: Table) -> list[Any]:
 
 def _claim(value: Any, index: int, subject: Subject, names: Names, source: str | None) -> Claim:
     table = document.table(value, "")
+    names.measure.spend_on_claim()
     if "kind" not in table:
         raise InputError("the key 'kind' is missing")
     kind = document.text(table["kind"], key("kind"))
     if kind not in KEYS:
-        meant = f": did you mean {MEANT[kind]!r}?" if kind in MEANT else nearest(kind, KEYS)
-        advice = meant or f": the kinds are {', '.join(KEYS)}"
+        meant = f": did you mean {MEANT[kind]!r}?" if kind in MEANT else ""
+        advice = (
+            meant
+            or (nearest(kind, KEYS) if names.measure.compares(len(KEYS)) else "")
+            or f": the kinds are {', '.join(KEYS)}"
+        )
         raise InputError(f"unknown kind {kind[:80]!r}{advice}", key("kind"))
     spec = KEYS[kind]
     document.only(table, (*COMMON, *spec.keys), "")

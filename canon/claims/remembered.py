@@ -22,6 +22,7 @@ from typing import Any, Final
 
 from canon.claim import Claim
 from canon.claims import document
+from canon.claims.folders import make_folder
 from canon.claims.worker import Entry, Settings
 from canon.errors import InputError
 
@@ -132,7 +133,7 @@ def remember(kept: Memory, digest: str, claims: Sequence[Claim], records: Sequen
     text = json.dumps({"checksum": _checksum(body), "body": body}, allow_nan=False)
     with contextlib.suppress(OSError, ValueError):
         place = kept.entry(digest)
-        kept.folder.mkdir(parents=True, exist_ok=True)
+        make_folder(kept.folder)
         handle, name = tempfile.mkstemp(dir=kept.folder, prefix=".new-")
         try:
             with os.fdopen(handle, "w", encoding="utf-8") as file:

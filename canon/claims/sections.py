@@ -12,6 +12,7 @@ from canon.claims.names import Names
 from canon.domain import Condition, Domain, unique
 from canon.errors import InputError
 from canon.expression import read_relation
+from canon.measure import CALL
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.subject import Subject
@@ -21,6 +22,9 @@ SECTIONS: Final = (
     "title", "source", "phase_space", "symbols", "definitions", "hamiltonian", "generating_function",
     "transformation", "domain", "claim",
 )  # fmt: skip
+
+SURFACE: Final = 60
+"""The work of asking whether an equation is 0 = 0, for each node of it."""
 
 
 def read_subject(tables: Table, names: Names) -> Subject:
@@ -120,6 +124,7 @@ def _domain(value: Any, names: Names, side: Side) -> Domain:
     for i, equation in enumerate(document.listing(section.get("on", []), key("on", where)), 1):
         place = f"{key('on', where)}, equation {i}"
         formula = names.formula(equation, side, place)
+        names.measure.spend(CALL + SURFACE * names.measure.size(formula.expr))
         if formula.expr.is_number and not formula.expr.is_zero:
             raise InputError(f"{formula} doesn't vanish anywhere, so the surface is empty", place)
         conditions += formula.conditions

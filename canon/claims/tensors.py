@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import sympy as sp
@@ -39,8 +40,9 @@ def read_tensor(table: Table, names: Names) -> dict[str, Any]:
     rows = document.listing(table["tensor"], where)
     if len(rows) != n or any(len(document.listing(row, where)) != n for row in rows):
         raise InputError(f"a matrix of {n} rows of {n} expressions is expected, for the coordinates", where)
+    read = _reader(coordinates, names)
     matrix: Matrix = tuple(
-        tuple(_formula(entry, coordinates, names, f"{where}, row {i}, column {j}") for j, entry in enumerate(row, 1))
+        tuple(read(entry, f"{where}, row {i}, column {j}") for j, entry in enumerate(row, 1))
         for i, row in enumerate(rows, 1)
     )
     for i in range(n):
@@ -64,10 +66,11 @@ def _coordinates(listed: tuple[str, ...], names: Names, where: str) -> tuple[sp.
     return tuple(vocabulary.symbols.get(name) or symbol_with(name) for name in listed)
 
 
-def _formula(value: Any, coordinates: tuple[sp.Symbol, ...], names: Names, where: str) -> Formula:
+def _reader(coordinates: tuple[sp.Symbol, ...], names: Names) -> Callable[[Any, str], Formula]:
+    """What reads formulas in the coordinates of a bracket, each with its place."""
     vocabulary: Vocabulary = names.vocabulary.declaring({symbol.name: symbol for symbol in coordinates})
-    allowed = [symbol.name for symbol in coordinates]
-    return names.formula(value, "old", where, vocabulary=vocabulary, allowed=allowed)
+    allowed = tuple(symbol.name for symbol in coordinates)
+    return lambda value, where: names.formula(value, "old", where, vocabulary=vocabulary, allowed=allowed)
 
 
 def _from_structure(table: Table, names: Names) -> dict[str, Any]:
@@ -89,12 +92,13 @@ def _from_structure(table: Table, names: Names) -> dict[str, Any]:
         if name not in listed:
             raise InputError(f"{name!r} is not among the coordinates", where)
     coordinates = _coordinates(listed, names, where)
+    read = _reader(coordinates, names)
     n = len(listed)
     zero = Formula(sp.Integer(0), text="0")
     matrix = [[zero] * n for _ in range(n)]
     for (a, b), (value, place) in entries.items():
         try:
-            formula = _formula(value, coordinates, names, place)
+            formula = read(value, place)
         except InputError as error:
             if "coordinates" in table or not error.message.startswith("unknown name"):
                 raise

@@ -8,8 +8,8 @@ import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Final
 
-from canon.cli.parser import NOT_WRITTEN
-from canon.cli.refusal import refused
+from canon.cli.parser import NOT_WRITTEN, seconds
+from canon.cli.refusal import refused, unfinished
 from canon.cli.simulate import picture
 from canon.cli.spoken import complain, notation, shown
 
@@ -23,6 +23,8 @@ DESCRIPTION: Final = (
     "the others are cyclic, and for central problems in Cartesian coordinates. The orbit is that of the scene's "
     "initial state, or one that is named by its energy, or by its distance from the minimum or separatrix of a well."
 )
+BUDGET: Final = 60.0
+"""Seconds, where none are given: a hundred times what the examples take."""
 _NAMES: Final = ("energy", "above_minimum", "above_separatrix", "below_separatrix", "well", "branch")
 
 
@@ -48,6 +50,9 @@ def declare(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--q", metavar="Q", help="a claim file's coordinate, with --p: the orbit through this point")
     parser.add_argument("--p", metavar="P", help="the momentum there")
     parser.add_argument(
+        "--budget", metavar="SECONDS", type=seconds, default=BUDGET, help=f"time for all of it (default: {BUDGET:g})"
+    )
+    parser.add_argument(
         "--parameter",
         metavar="NAME=VALUE",
         action="append",
@@ -58,16 +63,25 @@ def declare(parser: argparse.ArgumentParser) -> None:
 
 def execute(arguments: argparse.Namespace) -> int:
     """Print and draw what is asked for, and return the exit status."""
+    from canon.budget import Budget
     from canon.cli.simulate import check_folder, write_each
-    from canon.errors import InputError
+    from canon.deadline import within
+    from canon.errors import BudgetExceeded, InputError
 
-    begun = time.monotonic()
+    begun, budget = time.monotonic(), Budget(arguments.budget)
+    found = None
     try:
         check_folder("--plot", arguments.plot, arguments.file)
-        found = _found(arguments)
-        faults = write_each(arguments, {"plot": lambda: _draw(found, arguments.plot)})
+        found = within(budget, lambda: _found(arguments))
+        faults = write_each(arguments, {"plot": lambda: within(budget, lambda: _draw(found, arguments.plot))})
     except InputError as error:
         return refused("actions", arguments.file, error, as_json=arguments.json)
+    except BudgetExceeded:
+        if found is None:
+            reason = f"nothing is known after {arguments.budget:g} s, the time that it has: give more with --budget"
+            return unfinished("actions", arguments.file, reason, as_json=arguments.json)
+        faults = [f"--plot {arguments.plot} was not drawn within the {arguments.budget:g} s that there are (--budget)"]
+        arguments.plot = None
     from canon.report.action_record import action_lines, action_record
 
     if arguments.json:

@@ -11,6 +11,8 @@ from typing import Any, NoReturn
 
 from canon.cli.spoken import shown
 
+NOT_FOUND = 2
+"""The exit status where the time was over before there was an answer."""
 BAD_INPUT = 3
 FLAW = 70
 """The exit status of an error that nobody has foreseen (EX_SOFTWARE of sysexits)."""

@@ -61,8 +61,10 @@ def not_a_folder(name: str, journal: str | None) -> str:
     inside = os.path.join(os.path.realpath(name), "")
     if journal and journal.endswith(".json") and os.path.realpath(journal).startswith(inside):
         return f"a certificate might be written over the journal {journal!r}: call that otherwise, or keep it elsewhere"
+    from canon.claims.folders import make_folder
+
     try:
-        os.makedirs(name, exist_ok=True)
+        make_folder(name)
     except OSError as error:
         return f"{name!r} is no folder and can't be made one: {error.strerror}"
     return "" if os.access(name, os.W_OK) else f"{name!r} can't be written to"

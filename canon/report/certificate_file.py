@@ -13,6 +13,7 @@ from typing import Any
 
 from canon.claim import Claim
 from canon.claims.certificate_path import certificate_path
+from canon.claims.folders import make_folder
 from canon.claims.worker import Entry, text_of
 from canon.errors import InputError
 from canon.report.record import claim_record
@@ -59,7 +60,7 @@ def _tables(text: str) -> Mapping[str, Any]:
 
 def write_certificate(path: Path, data: dict[str, Any]) -> None:
     """Write the certificate, all of it or nothing. Raises OSError."""
-    path.parent.mkdir(parents=True, exist_ok=True)
+    make_folder(path.parent)
     handle, temporary = tempfile.mkstemp(prefix=".", suffix=".tmp", dir=path.parent)
     try:
         with os.fdopen(handle, "w", encoding="utf-8") as file:

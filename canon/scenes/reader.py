@@ -30,7 +30,7 @@ from canon.scenes.settings import read_settings
 from canon.scenes.skate_system import own_names, read_skate
 from canon.scenes.skates import model_of_skates, start_of_skates
 from canon.scenes.systems import Placed, named_system, read_named_system
-from canon.scenes.values import number
+from canon.scenes.values import number, one_file
 from canon.vocabulary import nearest
 
 SECTIONS: Final = ("title", "dynamics", "units", "constants", "body", "rigid_body", "effect", "system", "run")
@@ -53,6 +53,11 @@ def read_scene_text(text: str) -> Scene:
 
 def scene_of(tables: Table) -> Scene:
     """The scene in a TOML document. **Raises:** `InputError` with the place."""
+    with one_file():
+        return _scene_of(tables)
+
+
+def _scene_of(tables: Table) -> Scene:
     document.only(
         tables, SECTIONS, "", dict.fromkeys(OF_CLAIMS, "that is a claim file's, and `canon verify` checks it")
     )

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from decimal import Decimal
 from typing import Any
 
@@ -11,7 +13,20 @@ import sympy as sp
 from canon.claims import document
 from canon.errors import InputError
 from canon.expression import Vocabulary, read
+from canon.measure import Measure
 from canon.scenes.multiplied_out import check_size
+
+_OF_FILE: ContextVar[Measure | None] = ContextVar("the measure of the file that is read", default=None)
+
+
+@contextmanager
+def one_file() -> Iterator[None]:
+    """The formulas that are read inside are those of one file, and their work is counted together."""
+    before = _OF_FILE.set(Measure())
+    try:
+        yield
+    finally:
+        _OF_FILE.reset(before)
 
 
 def number(value: Any, where: str, *, positive: bool = False, least: float | None = None) -> Any:
@@ -21,7 +36,7 @@ def number(value: Any, where: str, *, positive: bool = False, least: float | Non
     """
     if isinstance(value, Decimal) and not value.is_finite():
         raise InputError(f"a finite number is expected, not {value}", where)
-    found: Any = read(document.expression_text(value, where), Vocabulary(), where).expr
+    found: Any = read(document.expression_text(value, where), Vocabulary(), where, _OF_FILE.get()).expr
     if not found.is_real:
         raise InputError(f"a real number is expected, not {value!r}", where)
     if positive and not found.is_positive:
@@ -67,7 +82,7 @@ def expression(value: Any, names: Mapping[str, Any], where: str, undeclared: str
         return number(value, where)
     symbols = {name: sp.Symbol(name, real=True) for name in names}
     advice = undeclared or f"the names here are {', '.join(names)}"
-    found = read(value, Vocabulary(symbols, no_bracket="this is a scene", undeclared=advice), where)
+    found = read(value, Vocabulary(symbols, no_bracket="this is a scene", undeclared=advice), where, _OF_FILE.get())
     return check_size(found.expr, where).xreplace({symbol: names[name] for name, symbol in symbols.items()})
 
 

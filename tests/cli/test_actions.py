@@ -2,10 +2,12 @@
 
 import json
 import math
+import time
 from pathlib import Path
 
 import pytest
 
+from canon.cli import actions
 from canon.cli.main import main
 
 WELL = """
@@ -139,3 +141,33 @@ def test_a_claim_file_with_cyclic_coordinates(tmp_path: Path, capsys: pytest.Cap
     path.write_text(path.read_text().replace("- k/r", "- k/r + phi"))
     assert main([*options, "--parameter", "M=1/2"]) == 3
     assert "r, phi occur in H" in json.loads(capsys.readouterr().out)["errors"][0]["message"]
+
+
+def test_what_takes_longer_than_its_budget_is_given_up(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    nested = "sin(q)"
+    for _ in range(5):
+        nested = f"sin(q*{nested})"
+    file = tmp_path / "long.toml"
+    file.write_text(
+        WELL.replace("x", "q").replace("k*q**2/2", f"k*{nested}*exp(sin(40*q**3)) + q**4"), encoding="utf-8"
+    )
+    asked = ["actions", str(file), "--parameter", "k=1", "--energy", "3", "--budget", "0.5"]
+    start = time.monotonic()
+    assert main(asked) == 2
+    assert time.monotonic() - start < 15
+    assert "nothing is known after 0.5 s" in capsys.readouterr().err
+    assert main([*asked, "--json"]) == 2
+    (error,) = json.loads(capsys.readouterr().out)["errors"]
+    assert error["file"] == str(file)
+    assert "--budget" in error["message"]
+
+
+def test_a_figure_that_takes_too_long_takes_no_number_along(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(actions, "_draw", lambda found, path: time.sleep(4))
+    assert main(["actions", "pendulum", "--budget", "3", "--plot", str(tmp_path / "pendulum.png")]) == 74
+    out, err = capsys.readouterr()
+    assert "frequency" in out
+    assert "was not drawn within the 3 s" in err
+    assert not list(tmp_path.iterdir())

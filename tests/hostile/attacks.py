@@ -201,7 +201,7 @@ LARGE: Final = {
     ).encode(),
     "1 MB of digits": b"a = " + b"9" * 999_000,
     "dear conditions": (
-        _HEAD + "[domain]\nwhere = [" + _filled('"bracket(sin(q*sin(q*p)),exp(q*p)*sin(p)) > 0",', 40_000)
+        _HEAD + "[domain]\nwhere = [" + _numbered(800, '"bracket(sin(q*sin({k}*q*p)),exp(q*p)*sin(p)) > 0",')
         + "]\n" + _CLAIM
     ).encode(),
     "definitions that are derived": (

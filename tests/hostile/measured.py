@@ -8,8 +8,6 @@ SECONDS = 5.0
 """Of a processor: ten times what the dearest takes."""
 HEAVY = ("expanding power",)
 """What is a formula after all, if a large one."""
-COSTLY = ("dear definitions",)
-"""Hundreds of formulas, each of them a formula: all that may be asked of the reader in one file."""
 DEAR = ("derivatives nested", "brackets nested", "derivative of a tower", "denested roots", "commas")
 """What is refused only when it has been built in part; looked at once."""
 

@@ -16,6 +16,7 @@ import pytest
 import canon.__main__ as start
 import canon.report.certificate_file as certificate_file
 from canon.claims.certificate_path import LONGEST, certificate_path
+from canon.claims.folders import make_folder
 from canon.claims.worker import Entry
 from canon.cli.files import claim_files, files_below
 from canon.cli.main import main
@@ -103,6 +104,28 @@ def test_compiled_files_are_kept_where_python_is_told_to(monkeypatch: pytest.Mon
     monkeypatch.setattr(sys, "pycache_prefix", str(tmp_path / "a" / "b"))
     assert start._is_short_of_room()
     assert asked == [os.path.dirname(os.path.abspath(start.__file__)), str(tmp_path)]
+
+
+def test_a_folder_is_made_as_deep_as_it_is_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A thousand of them ended in a `RecursionError`, though a message about names that are too long was there."""
+    deep = tmp_path.joinpath(*["d"] * 2 * ROOM)
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(len(inspect.stack()) + ROOM)
+    try:
+        make_folder(deep)
+        make_folder(deep)
+    finally:
+        sys.setrecursionlimit(limit)
+    assert deep.is_dir()
+    (tmp_path / "file").touch()
+    for place in ("file", "file/below", "e/" * 3000, "e" * 300):
+        with pytest.raises(OSError):  # noqa: PT011 - which one is the system's
+            make_folder(tmp_path / place)
+    assert not (tmp_path / "e").exists()
+    claims = tmp_path / "claims.toml"
+    claims.write_text(CLAIMS, encoding="utf-8")
+    assert main(["verify", str(claims), "--certificate", "d/" * 3000]) == 3
+    assert "can't be made one" in capsys.readouterr().err
 
 
 def test_folders_lie_in_folders_as_deep_as_they_like(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys) -> None:

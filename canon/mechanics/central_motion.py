@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
-from math import isfinite
-from numbers import Rational, Real
 from typing import Any, Literal
 
 import sympy as sp
 
 from canon.errors import InputError
-from canon.expected import instance_of, shown
+from canon.expected import exact_object, instance_of, shown
 from canon.mechanics.formulas import as_expression
 
 Kind = Literal["bounded", "unbounded", "falls in", "falls in and escapes", "circular", "separatrix"]
@@ -83,10 +82,11 @@ def radial_regions(
 
 
 def _rational(value: Any, where: str) -> Any:
-    infinite = isinstance(value, Real) and not isinstance(value, Rational) and not isfinite(value)
-    try:
-        found = None if infinite or isinstance(value, bool) else sp.Rational(value)  # that of nan would be 0
-    except (TypeError, ValueError):
+    try:  # a decimal one as text is 0.1 for "0.1"
+        given = Fraction(value) if isinstance(value, str) else exact_object(value)
+        finite = given is not None and given not in (sp.nan, sp.oo, -sp.oo, sp.zoo)  # the Rational of nan would be 0
+        found = sp.Rational(given) if finite else None
+    except (TypeError, ValueError, ZeroDivisionError):
         found = None
     if not isinstance(found, sp.Rational):
         raise InputError(f"mass, energy and angular momentum are rational numbers, not {shown(value)}", where)

@@ -26,6 +26,7 @@ REACH: Final = 90
 
 _CELLS: Final = 96
 _HALVINGS: Final = 7
+_NARROW_HALVINGS: Final = 4
 _BITS: Final = 128
 _SHIFT: Final = 0.98765
 """No cell begins at a round number, where critical points like to lie."""
@@ -87,16 +88,16 @@ def landscape(profile: Profile, domain: Interval) -> tuple[Critical, ...]:
         if domain.period is not None:
             return inner
         first, last = signed[0][0], signed[-1][1]
-        low = Critical(profile, 0, first, _beyond(domain.low, first))
-        high = Critical(profile, 0, last, _beyond(domain.high, last))
+        low = Critical(profile, 0, first, further(domain.low, first))
+        high = Critical(profile, 0, last, further(domain.high, last))
         return (low, *inner, high)
 
 
-def _beyond(end: float, reached: Ball) -> Ball:
-    """A place further towards the end, to see where V tends."""
+def further(end: float, reached: Ball, doublings: int = REACH) -> Ball:
+    """A place further towards the end, to see where V tends: so many doublings of the distance, or halvings."""
     if end in (float("inf"), float("-inf")):
-        return reached * arb(2) ** REACH
-    return end + (reached - end) * arb(2) ** -REACH
+        return reached * arb(2) ** doublings
+    return end + (reached - end) * arb(2) ** -doublings
 
 
 def _cells(domain: Interval) -> Iterator[tuple[Ball, Ball]]:
@@ -134,11 +135,12 @@ def _signed(profile: Profile, low: Ball, high: Ball, halvings: int) -> Iterator[
     if certain:
         yield low, high, certain
         return
-    moderate = high - low < arb(2) ** 24 and high - low > arb(2) ** -24
-    if halvings and moderate:
+    narrow = not high - low > arb(2) ** -24  # near an end: halved as far as balls of powers need it
+    left = min(halvings, _NARROW_HALVINGS) if narrow and not over.is_finite() else halvings
+    if left and high - low < arb(2) ** 24 and not (narrow and over.is_finite()):
         half = ((low + high) / 2).mid()
-        yield from _signed(profile, low, half, halvings - 1)
-        yield from _signed(profile, half, high, halvings - 1)
+        yield from _signed(profile, low, half, left - 1)
+        yield from _signed(profile, half, high, left - 1)
         return
     ends = [sign_of(profile.slope(x)) for x in (low, high)]
     if None in ends or (high - low < 1 and not over.is_finite()):

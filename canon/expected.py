@@ -118,8 +118,8 @@ def formula_of(value: Any, where: str) -> Any:
 def exact_object(value: Any) -> Any:
     """What sympy makes of its own objects and of numbers, as Python, numpy and mpmath have them; None of all else.
 
-    Nothing else may come to `sympify`: `strict` or not, it evaluates text as a program of Python's, and with `strict` it
-    still does so where the text stands in a tuple, a set or a table.
+    Nothing else may come to `sympify`: it evaluates text as a program of Python's, and with `strict` it still does so
+    where the text stands in a tuple, a set or a table.
     """
     import sympy as sp
 

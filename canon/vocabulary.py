@@ -15,6 +15,7 @@ import sympy as sp
 from canon.display import latex
 from canon.domain import Condition, checked_conditions
 from canon.errors import InputError
+from canon.expected import text
 
 CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
 """Built-in names that stand for a number."""
@@ -68,6 +69,7 @@ class Formula:
     def __post_init__(self) -> None:
         if not isinstance(self.expr, sp.Expr):
             raise InputError(f"a formula holds an expression of sympy's, not {self.expr!r}")
+        text(self.text, "text")
         object.__setattr__(self, "conditions", checked_conditions(self.conditions))
 
     def __str__(self) -> str:

@@ -201,6 +201,9 @@ def setting_of(question: Question, *also: Formula) -> Setting:
         raise InputError(f"a claim of kind {question.claim.kind!r} needs the key 'equals'")
     for symbol in sorted(equals.expr.free_symbols & {q, p, space.t, *space.new}, key=str):
         raise InputError(f"{_what(question)} is a function of energy and constants, not of {symbol}", "key 'equals'")
+    used = {named, *space.old, *H.expr.free_symbols, *(s for given in (equals, *also) for s in given.expr.free_symbols)}
+    for name in sorted({*fixed} - used, key=str):
+        raise InputError(f"{name} is held fixed, but nothing here depends on it", "key 'fixed'")
     others = {*space.new}
     asked = question.subject.domain
     if asked.surface:

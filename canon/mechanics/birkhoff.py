@@ -80,7 +80,9 @@ class NormalForm:
             found = sp.Poly(expression, *algebra.variables).terms()
             return algebra.sum(algebra.monomial(e) * algebra.constant(c) for e, c in found)
         except (sp.PolynomialError, AttributeError, ValueError, TypeError):  # a coefficient outside of the field
-            said = f"a polynomial in {', '.join(map(str, algebra.variables))} with coefficients as those of H is expected"
+            said = (
+                f"a polynomial in {', '.join(map(str, algebra.variables))} with coefficients as those of H is expected"
+            )
             raise InputError(f"{said}, not {shown(f)}", "f") from None
 
     def transformation(self) -> tuple[sp.Expr, ...]:

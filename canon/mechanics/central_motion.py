@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Any, Literal
 
 import sympy as sp
+from sympy.core.evalf import PrecisionExhausted
 
 from canon.errors import InputError
 from canon.expected import exact_object, instance_of, shown
@@ -70,7 +71,12 @@ def radial_regions(
             multiplicity[root] = multiplicity.get(root, 0) + 1
     roots = list(multiplicity)
     ends = [sp.Integer(0), *roots, sp.oo]
-    signs = [_sign_between(numerator, denominator, a, b) for a, b in pairwise(ends)]
+    try:
+        signs = [_sign_between(numerator, denominator, a, b) for a, b in pairwise(ends)]
+    except PrecisionExhausted:
+        raise InputError(
+            "the turning points are too far apart, or too large, to be told from each other", "V"
+        ) from None
     found = []
     for k, sign in enumerate(signs):
         low, high = ends[k], ends[k + 1]

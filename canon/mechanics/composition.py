@@ -115,9 +115,11 @@ def extended_by_time(
     both = listed(time, "two names, of the momentum of time and of the new time,", "time")
     if len(both) != 2:
         raise InputError(f"two names are expected, of the momentum of time and of the new time, not {time!r}", "time")
-    names = [listed_names(name, where) for name, where in zip((*both, new_momentum), (*["time"] * 2, "new_momentum"))]
+    names = [*(listed_names(name, "time") for name in both), listed_names(new_momentum, "new_momentum")]
     if any(len(name) != 1 for name in names):
-        raise InputError("a single name is expected for each of time's momentum, the new time, and its momentum", "time")
+        raise InputError(
+            "a single name is expected for each of time's momentum, the new time, and its momentum", "time"
+        )
     (momentum_name,), (time_name,), (new_name,) = names
 
     extended = PhaseSpace(

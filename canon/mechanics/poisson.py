@@ -17,7 +17,6 @@ from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import Expression, as_expression, check_symbols
 from canon.mechanics.phase_space import PhaseSpace, check_space
 
-
 MOST_DEGREES: Final = 500
 """The most degrees of freedom of a matrix that is made of nothing but their number: 10⁶ entries, a few seconds."""
 

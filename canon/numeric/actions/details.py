@@ -34,7 +34,7 @@ def has_details(profile: Profile, places: Sequence[Ball]) -> bool:
 
 
 def _bends_within(profile: Profile, q: Ball, distance: Ball) -> bool:
-    """Whether V'' changes by as much as itself within this distance of a place, by its own slope and curvature there."""
+    """Whether V'' changes by as much as itself within this distance of a place, by its slope and curvature there."""
     changes = _changes(profile)
     if changes is None:
         return False

@@ -52,6 +52,7 @@ def frequency_lines(signal: Array, step: float, count: int = 1, *, power: int = 
     whole_number(count, "count", 1)
     finite_number(step, "step")
     finite_number(power, "power", least=0.0)
+    step, power = float(step), float(power)
     try:
         values = np.asarray(signal, dtype=complex)
     except (TypeError, ValueError, OverflowError):

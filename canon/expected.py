@@ -60,11 +60,11 @@ def table(value: Any, what: str, where: str) -> None:
 
 def whole_number(value: Any, where: str, least: int | None = None, most: int | None = None) -> int:
     """A whole number, no less than `least` and no more than `most`; as Python's own."""
-    fits = isinstance(value, Integral) and not isinstance(value, bool)
-    if not fits or (least is not None and value < least) or (most is not None and value > most):
+    found: Any = int(value) if isinstance(value, Integral) and not isinstance(value, bool) else None
+    if found is None or (least is not None and found < least) or (most is not None and found > most):
         bound = ("" if least is None else f", at least {least}") + ("" if most is None else f", at most {most}")
         raise InputError(f"a whole number is needed{bound}, not {shown(value)}", where)
-    return int(value)
+    return found
 
 
 def one_of(value: Any, choices: Sequence[str], where: str) -> None:

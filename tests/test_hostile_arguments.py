@@ -17,7 +17,8 @@ Q, P = SPACE.old
 R = sp.Symbol("r", positive=True)
 PROGRAM = "__import__('os').environ.__setitem__('CANON_WAS_RUN', '1')"
 CONTAINERS: tuple[Any, ...] = (
-    (PROGRAM,), [PROGRAM], {PROGRAM}, frozenset({PROGRAM}), {PROGRAM: 1}, {1: PROGRAM}, {"A": (PROGRAM,)}, [[(PROGRAM,)]],
+    (PROGRAM,), [PROGRAM], {PROGRAM}, frozenset({PROGRAM}), {PROGRAM: 1}, {1: PROGRAM}, {"A": (PROGRAM,)},
+    [[(PROGRAM,)]],
     np.array([PROGRAM]), np.array([(PROGRAM,)], dtype=object), PROGRAM,
 )  # fmt: skip
 SWING = canon.motion("p**2/2 - cos(q)")

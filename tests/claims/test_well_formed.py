@@ -198,7 +198,7 @@ def test_many_claims_are_some_and_each_is_one():
     """With batches of none nothing would be decided, and nobody would be told."""
     true = bracket(SPACE, q, p, 1)
     asked = [
-        (lambda: verify_many([true], batch=0), "a batch is a number of claims"),
+        (lambda: verify_many([true], batch=0), "batch: a whole number is needed"),
         (lambda: verify_many(true), "claims are expected"),
         (lambda: verify_many([true], executor=5), "an executor of concurrent.futures is expected"),
     ]

@@ -248,7 +248,7 @@ class LieAlgebra:
         **Raises:** `InputError` where they are dependent or don't close under the bracket.
         """
         basis = self._rows(basis, "basis")
-        names = listed(names, "names", "names")
+        names = letters(names) if isinstance(names, str) else listed(names, "names", "names")
         size = basis.nrows()
         pairs = list(combinations(range(size), 2))
         brackets = linear.matrix(self.products(basis), self.dimension)

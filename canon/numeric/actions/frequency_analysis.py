@@ -41,7 +41,7 @@ class Lines:
     left: float
 
 
-def frequency_lines(signal: Array, step: float, count: int = 1, *, power: int = POWER) -> Lines:
+def frequency_lines(signal: Array, step: float, count: int = 1, *, power: float = POWER) -> Lines:
     """The `count` largest lines of a signal of N samples at intervals `step`.
 
     **Arguments:** `signal`, real or complex, as q + ip of a degree of freedom; of a real one, each line comes with its
@@ -94,7 +94,7 @@ def frequency_lines(signal: Array, step: float, count: int = 1, *, power: int = 
 class _Grid:
     """N times, in units of the step and from the middle, and the window on them, whose sum is 1."""
 
-    def __init__(self, size: int, power: int) -> None:
+    def __init__(self, size: int, power: float) -> None:
         self.times = np.arange(size) - (size - 1) / 2
         self.window = (1 + np.cos(2 * np.pi * self.times / size)) ** power
         self.window = self.window / self.window.sum()

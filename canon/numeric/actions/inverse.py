@@ -5,6 +5,7 @@ Both are increasing functions with known derivatives, solved by Newton's method 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
@@ -32,9 +33,8 @@ _AGREED: Final = 40
 
 def point_of(motion: Motion, J: Ball, w: Ball, well: float | None, kind: str | None) -> tuple[Bounded, Bounded]:
     """(q, p) at J and w. **Raises:** `InputError` where the branch has no such action."""
-    if J < 0:
-        raise InputError(f"an action is 0 or more, unlike {float(J):.6g}", "action")
-    with precision(DIGITS):
+    _check_action(J)
+    with precision(_bits_for(J)):
         kind = kind or _kind(motion)
         w = w - w.mid().floor()
         if kind == LIBRATION:
@@ -47,10 +47,26 @@ def point_of(motion: Motion, J: Ball, w: Ball, well: float | None, kind: str | N
 
 def energy_of(motion: Motion, J: Ball, well: float | None, kind: str | None) -> Bounded:
     """H(J). **Raises:** `InputError` where the branch has no such action."""
-    with precision(DIGITS):
-        course = _course(motion, J, kind or _kind(motion), well)
+    _check_action(J)
+    with precision(_bits_for(J)):
+        kind = kind or _kind(motion)
+        if J.is_zero() and kind == LIBRATION:
+            return bounded(well_of(motion.nodes, well).value())
+        course = _course(motion, J, kind, well)
         period = whole(course, bits=BITS, times=True).values[1]
         return bounded(course.E + arb(0, (abs(J) / 2 ** (BITS - 2) / period).abs_upper()))
+
+
+def _check_action(J: Ball) -> None:
+    if J < 0:
+        raise InputError(f"an action is 0 or more, unlike {float(J):.6g}", "action")
+
+
+def _bits_for(J: Ball) -> int:
+    """Digits in which the energy of a small action is told from that of the minimum."""
+    if J.is_zero() or not J < 1:
+        return DIGITS
+    return DIGITS + 2 * math.ceil(-float(J.log()) / math.log(2))
 
 
 def _kind(motion: Motion) -> str:

@@ -81,3 +81,12 @@ def test_there_is_nothing_below_a_cusp(H: str, inside: Any, outside: Any) -> Non
 def test_a_pole_is_no_cusp(H: str) -> None:
     assert "from a singularity" in motion(H).ranges()
     assert motion(H).orbit(-1).action.value > 0
+
+
+@pytest.mark.parametrize("action", [0, "1e-300", "1e-200", "1e-30"])
+def test_the_energy_of_a_small_action(action: Any) -> None:
+    """E = 1 − (1 − J/2π√2)² of Morse's well."""
+    found = motion("p**2/2 + (1 - exp(-q))**2").energy(action)
+    with mp.workdps(320):
+        J = mpf(action)
+        assert agrees(found, 1 - (1 - J / (2 * mp.pi * mp.sqrt(2))) ** 2)

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
 
 DIGITS: Final = 768
 BITS: Final = 58
+FINE: Final = 72
+"""Bits to which an action is met: so many more than those of the answer that it is off by nothing that counts there."""
 _ROUNDS: Final = 200
 _AGREED: Final = 40
 
@@ -53,8 +55,8 @@ def energy_of(motion: Motion, J: Ball, well: float | None, kind: str | None) -> 
         if J.is_zero() and kind == LIBRATION:
             return bounded(well_of(motion.nodes, well).value())
         course = _course(motion, J, kind, well)
-        period = whole(course, bits=BITS, times=True).values[1]
-        return bounded(course.E + arb(0, (abs(J) / 2 ** (BITS - 2) / period).abs_upper()))
+        action, period = whole(course, bits=FINE, times=True).values
+        return bounded(course.E + arb(0, (2 * abs(action - J) / period).abs_upper()))
 
 
 def _check_action(J: Ball) -> None:
@@ -82,7 +84,7 @@ def _course(motion: Motion, J: Ball, kind: str, well: float | None) -> Course:
     def at(E: Ball) -> tuple[Course, Ball, Ball]:
         branch = _branch(motion, E, kind, lowest)
         course = course_of(motion.profile, branch, motion.domain, E)
-        found = whole(course, bits=BITS, times=True)
+        found = whole(course, bits=FINE, times=True)
         if not found.resolved:
             raise InputError(f"the action near E = {float(E):.17g} does not settle", "action")
         return course, found.values[0], found.values[1]
@@ -99,7 +101,7 @@ def _course(motion: Motion, J: Ball, kind: str, well: float | None) -> Course:
         last[:] = [(course, action)]
         return action - J, period
 
-    _increasing(defect, low, high, J)
+    _increasing(defect, low, high, J, FINE)
     course, action = last[0]
     if abs(action - J) > abs(J) / 2**_AGREED:
         raise InputError(
@@ -117,10 +119,12 @@ def _branch(motion: Motion, E: Ball, kind: str, lowest: Critical | None) -> Bran
     raise InputError(f"there is no {kind} at E = {float(E):.17g}: {motion.ranges()}", "action")
 
 
-def _increasing(function: Callable[[Ball], tuple[Ball, Ball]], low: Ball, high: Ball, scale: Ball) -> Ball:
-    """The zero of an increasing function given with its derivative."""
+def _increasing(
+    function: Callable[[Ball], tuple[Ball, Ball]], low: Ball, high: Ball, scale: Ball, bits: int = BITS
+) -> Ball:
+    """The zero of an increasing function given with its derivative, to so many bits of the `scale`."""
     x = ((low + high) / 2).mid()
-    close = abs(scale) / 2**BITS
+    close = abs(scale) / 2**bits
     for _ in range(_ROUNDS):
         value, slope = function(x)
         if abs(value.mid()) <= close:

@@ -90,3 +90,12 @@ def test_the_energy_of_a_small_action(action: Any) -> None:
     with mp.workdps(320):
         J = mpf(action)
         assert agrees(found, 1 - (1 - J / (2 * mp.pi * mp.sqrt(2))) ** 2)
+
+
+@pytest.mark.parametrize("action", [1e-10, 1e-3, 0.3, 2.0, 7.7, 8.88])
+def test_the_bound_of_an_energy_holds(action: float) -> None:
+    with mp.workdps(60):
+        found = motion("p**2/2 + (1 - exp(-q))**2").energy(action)
+        assert agrees(found, 1 - (1 - mpf(action) / (2 * mp.pi * mp.sqrt(2))) ** 2)
+        found = motion("p**2/2 + 1/(8*q**2) - 1/q", domain=(0, math.inf)).energy(action)
+        assert agrees(found, -1 / (2 * (mpf(action) / (2 * mp.pi) + mpf(1) / 2) ** 2))

@@ -124,7 +124,7 @@ def exact_object(value: Any) -> Any:
     import sympy as sp
 
     if isinstance(value, sp.Basic):
-        return value
+        return None if isinstance(value, sp.Lambda) else value
     if not isinstance(value, Number) or isinstance(value, bool):
         return None
     try:

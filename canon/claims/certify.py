@@ -85,7 +85,10 @@ def certify(
         if not isinstance(value, Real) or isinstance(value, bool) or not value >= 0:
             raise InputError(f"a number of at least 0 is needed, not {value!r}", name)
     tolerance, budget = float(min(tolerance, LONGEST)), float(min(budget, LONGEST))
-    boxes, degree = whole_number(boxes, "boxes", 1), degree and whole_number(degree, "degree", 1, HIGHEST)
+    boxes, degree = (
+        whole_number(boxes, "boxes", 1),
+        None if degree is None else whole_number(degree, "degree", 1, HIGHEST),
+    )
     if isinstance(box, np.ndarray) and box.ndim == 2 and box.shape[1] != 2:
         raise InputError("a box is a pair (low, high) for each variable, not an array of points", "box")
     if isinstance(map, Transformation):

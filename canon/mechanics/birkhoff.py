@@ -117,6 +117,8 @@ def birkhoff_gustavson(space: PhaseSpace, H: Expression, order: int) -> NormalFo
     order = whole_number(order, "order", 2, HIGHEST)
     energy = as_expression(H, "H")
     check_functions([energy], space)
+    if energy.has(sp.Piecewise):
+        raise InputError("a function given by cases has no series that is its own", "H")
     try:
         algebra, (parts,) = homogeneous_parts(energy, space.old, order)
     except ValueError as reason:

@@ -54,6 +54,7 @@ def assert_hamiltonian_flow(
     moments_at = listed(times, "times at which to look", "times")
     for t in moments_at:
         finite_number(t, "times")
+    moments_at = tuple(float(t) for t in moments_at)
     if not moments_at:
         raise InputError("at least one time at which to look is needed", "times")
     where = points_of(domain, names, [DEFAULT] * dimension)

@@ -22,6 +22,7 @@ from canon.expected import finite_number, shown, whole_number
 Array = Any  # numpy arrays
 
 POWER: Final = 4
+HIGHEST_POWER: Final = 64
 _PASSES: Final = 12
 _STEPS: Final = 30
 _SETTLED: Final = 1e-16
@@ -53,6 +54,8 @@ def frequency_lines(signal: Array, step: float, count: int = 1, *, power: float 
     finite_number(step, "step")
     finite_number(power, "power", least=0.0)
     step, power = float(step), float(power)
+    if power > HIGHEST_POWER:
+        raise InputError(f"a power of at most {HIGHEST_POWER} is needed, not {shown(power)}", "power")
     try:
         values = np.asarray(signal, dtype=complex)
     except (TypeError, ValueError, OverflowError):

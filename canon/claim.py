@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from canon.errors import InputError
+from canon.expected import text, whole_number
 
 EXPECTATIONS: Final = ("holds", "fails", "proved", "refuted", "supported", "undecided")
 """The words of `expect`: a verdict, or `holds` (proved or supported), or `fails` (refuted)."""
@@ -37,8 +38,12 @@ class Claim:
     index: int = 0
 
     def __post_init__(self) -> None:
-        if self.expect not in EXPECTATIONS:
+        if not isinstance(self.expect, str) or self.expect not in EXPECTATIONS:
             raise InputError(f"expect is one of {', '.join(EXPECTATIONS)}, not {self.expect!r}")
+        for said, where in ((self.title, "title"), (self.source, "source")):
+            if said is not None:
+                text(said, where)
+        whole_number(self.index, "index", 0)
         if not isinstance(self.kind, str) or not isinstance(self.keys, Mapping):
             raise InputError(f"a claim has a kind and a table of keys, not {self.kind!r} and {self.keys!r}")
         object.__setattr__(self, "keys", _frozen(self.keys))
@@ -56,6 +61,7 @@ class Claim:
 
     def is_met_by(self, status: str) -> bool:
         """Whether a verdict of this status is what the claim's author expects."""
+        text(status, "status")
         return status in _MET.get(self.expect, (self.expect,))
 
 

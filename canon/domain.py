@@ -15,6 +15,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
+from canon.expected import listed, table, text
 from canon.sign import Reality, known_sign
 from canon.sign import is_complex as _is_complex
 from canon.special import EllipticPi, JacobiCN, JacobiDN, JacobiEpsilon, JacobiSN
@@ -46,11 +47,12 @@ class Condition:
     text: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
-        if self.kind not in _KINDS:
+        if not isinstance(self.kind, str) or self.kind not in _KINDS:
             raise InputError(f"a condition is one of {', '.join(_KINDS)}, not {self.kind!r}")
-        terms = self.terms if type(self.terms) is tuple else _listed(self.terms)
+        terms = self.terms if type(self.terms) is tuple else listed(self.terms, "expressions", "terms")
         if len(terms) != 1 + (self.kind == "uncut") or not all(isinstance(term, sp.Expr) for term in terms):
             raise InputError(f"the terms of a condition are expressions of sympy's in a tuple, not {self.terms!r}")
+        text(self.text, "text")
         object.__setattr__(self, "terms", terms)
 
     def __str__(self) -> str:
@@ -58,6 +60,7 @@ class Condition:
 
     def substitute(self, mapping: Mapping[sp.Expr, sp.Expr]) -> Condition:
         """The condition pulled back: every key of `mapping` replaced by its value, all at once."""
+        table(mapping, "formulas to put in", "mapping")
         terms: tuple[Any, ...] = tuple(replaced(term, mapping) for term in self.terms)
         return self if terms == self.terms else Condition(self.kind, terms)
 
@@ -71,34 +74,29 @@ class Domain:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "conditions", checked_conditions(self.conditions))
-        surface = _listed(self.surface)
+        surface = listed(self.surface, "expressions", "surface")
         if not all(isinstance(expression, sp.Expr) for expression in surface):
             raise InputError(f"a surface is where expressions of sympy's vanish, not {self.surface!r}", "domain")
         object.__setattr__(self, "surface", surface)
 
     def __and__(self, other: Domain | Iterable[Condition]) -> Domain:
-        conditions, surface = (other.conditions, other.surface) if isinstance(other, Domain) else (tuple(other), ())
-        return Domain(unique(self.conditions, conditions), tuple(dict.fromkeys(self.surface + surface)))
+        joined = other if isinstance(other, Domain) else Domain(checked_conditions(other))
+        return Domain(unique(self.conditions, joined.conditions), tuple(dict.fromkeys(self.surface + joined.surface)))
 
     def substitute(self, mapping: Mapping[sp.Expr, sp.Expr]) -> Domain:
         """The domain pulled back: every key of `mapping` replaced by its value, all at once."""
+        table(mapping, "formulas to put in", "mapping")
         surface: tuple[Any, ...] = tuple(replaced(expression, mapping) for expression in self.surface)
         return Domain(unique(condition.substitute(mapping) for condition in self.conditions), surface)
 
 
 def checked_conditions(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
     """The conditions as a tuple, which nobody changes any more. **Raises** `InputError` where something else is."""
-    found = _listed(conditions)
+    found = listed(conditions, "conditions", "conditions")
     for condition in found:
         if not isinstance(condition, Condition):
             raise InputError(f"a Condition is expected, not {condition!r}: relations are read by space.where(...)")
     return found
-
-
-def _listed(values: Any) -> tuple[Any, ...]:
-    if isinstance(values, str) or not isinstance(values, Iterable):
-        raise InputError(f"a tuple is expected, not {values!r}")
-    return tuple(values)
 
 
 def unique(*groups: Iterable[Condition]) -> tuple[Condition, ...]:

@@ -6,8 +6,8 @@ Each **raises** an `InputError` that names the argument, says what was given, an
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from numbers import Integral, Real
+from collections.abc import Mapping, Sequence
+from numbers import Integral, Number, Real
 from typing import Any, Final
 
 from canon.errors import InputError
@@ -23,6 +23,8 @@ _MADE_BY: Final[Mapping[str, str]] = {
     "Symbol": 'one of a phase space is space.symbol("q")',
 }
 """Where the values of these types come from."""
+_NUMPYS_OWN: Final = (("numpy", "bool"), ("numpy", "bool_"))
+"""The type of numpy's True and False, which not everybody who asks here has loaded."""
 
 
 def shown(value: Any) -> str:
@@ -56,11 +58,32 @@ def table(value: Any, what: str, where: str) -> None:
         raise InputError(f"a table of {what} is expected, as {{name: value}}, not {shown(value)}", where)
 
 
-def whole_number(value: Any, where: str, least: int | None = None) -> None:
-    """A whole number, and no less than `least`."""
-    if not isinstance(value, Integral) or isinstance(value, bool) or (least is not None and value < least):
-        bound = "" if least is None else f", at least {least}"
+def whole_number(value: Any, where: str, least: int | None = None, most: int | None = None) -> int:
+    """A whole number, no less than `least` and no more than `most`; as Python's own."""
+    found: Any = int(value) if isinstance(value, Integral) and not isinstance(value, bool) else None
+    if found is None or (least is not None and found < least) or (most is not None and found > most):
+        bound = ("" if least is None else f", at least {least}") + ("" if most is None else f", at most {most}")
         raise InputError(f"a whole number is needed{bound}, not {shown(value)}", where)
+    return found
+
+
+def one_of(value: Any, choices: Sequence[str], where: str) -> None:
+    """One of these words."""
+    if not isinstance(value, str) or value not in choices:
+        words = ", ".join(f"'{word}'" for word in choices)
+        raise InputError(f"one of {words} is expected, not {shown(value)}", where)
+
+
+def yes_or_no(value: Any, where: str) -> None:
+    """True or False: of anything else the truth is a guess, and an array, or an inequality, has none."""
+    if not isinstance(value, bool) and (type(value).__module__, type(value).__name__) not in _NUMPYS_OWN:
+        raise InputError(f"True or False is expected, not {shown(value)}", where)
+
+
+def text(value: Any, where: str) -> None:
+    """A text."""
+    if not isinstance(value, str):
+        raise InputError(f"a text is expected, not {shown(value)}", where)
 
 
 def finite_number(value: Any, where: str, *, least: float | None = None, nonzero: bool = False) -> None:
@@ -84,13 +107,30 @@ def formula_of(value: Any, where: str) -> Any:
     """The formula of sympy's that a value stands for: an expression, or a number."""
     import sympy as sp
 
-    try:
-        found = sp.sympify(value, strict=True)
-    except (sp.SympifyError, TypeError, ValueError):
-        found = None
+    found = exact_object(value)
     if not isinstance(found, sp.Expr):
         raise InputError(f"a formula of sympy's is expected, not {shown(value)}", where)
+    if found.has(sp.nan, sp.oo, -sp.oo, sp.zoo):
+        raise InputError(f"a formula with finite values is expected, not {shown(value)}", where)
     return found
+
+
+def exact_object(value: Any) -> Any:
+    """What sympy makes of its own objects and of numbers, as Python, numpy and mpmath have them; None of all else.
+
+    Nothing else may come to `sympify`: it evaluates text as a program of Python's, and with `strict` it still does so
+    where the text stands in a tuple, a set or a table.
+    """
+    import sympy as sp
+
+    if isinstance(value, sp.Basic):
+        return None if isinstance(value, sp.Lambda) else value
+    if not isinstance(value, Number) or isinstance(value, bool):
+        return None
+    try:
+        return sp.sympify(value, strict=True)
+    except (sp.SympifyError, TypeError, ValueError):
+        return None
 
 
 def numbers(value: Any, where: str) -> list[float]:

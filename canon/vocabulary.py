@@ -16,6 +16,7 @@ import sympy as sp
 from canon.display import latex
 from canon.domain import Condition, checked_conditions
 from canon.errors import InputError
+from canon.expected import text
 from canon.syntax import Call, Name, Node, children
 
 CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
@@ -70,6 +71,7 @@ class Formula:
     def __post_init__(self) -> None:
         if not isinstance(self.expr, sp.Expr):
             raise InputError(f"a formula holds an expression of sympy's, not {self.expr!r}")
+        text(self.text, "text")
         object.__setattr__(self, "conditions", checked_conditions(self.conditions))
 
     def __str__(self) -> str:

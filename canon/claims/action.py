@@ -201,12 +201,16 @@ def setting_of(question: Question, *also: Formula) -> Setting:
         raise InputError(f"a claim of kind {question.claim.kind!r} needs the key 'equals'")
     for symbol in sorted(equals.expr.free_symbols & {q, p, space.t, *space.new}, key=str):
         raise InputError(f"{_what(question)} is a function of energy and constants, not of {symbol}", "key 'equals'")
+    written = (H, equals, *also, *(given for given in (period, well) if given is not None))
+    used = {named, *space.old, *(symbol for formula in written for symbol in formula.expr.free_symbols)}
+    for name in sorted({*fixed} - used, key=str):
+        raise InputError(f"{name} is held fixed, but nothing here depends on it", "key 'fixed'")
     others = {*space.new}
     asked = question.subject.domain
     if asked.surface:
         raise InputError(f"{_what(question)} is one on the whole phase space, not on a surface")
     conditions = [c for c in asked.conditions if not any(term.free_symbols & others for term in c.terms)]
-    for formula in (H, equals, *also, *(given for given in (period, well) if given is not None)):
+    for formula in written:
         conditions += formula.conditions
     held = [c for name, formula in fixed.items() for c in (*formula.conditions, *_as_assumed(name, formula))]
     stated = (*assumed(q, sign=False), *assumed(p, sign=True))  # the sign of q is an end of its range

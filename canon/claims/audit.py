@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 __all__ = ["AuditFailed", "AuditReport", "audit"]
 
 Array = np.ndarray
+MOST_SAMPLES: Final = 10**9
 LARGEST: Final = 100_000
 """The most dimensions of a phase space whose variables are named."""
 
@@ -71,7 +72,7 @@ def audit(
     from canon.mechanics.transformation import Transformation
 
     start = time.monotonic()
-    whole_number(samples, "samples", 1)
+    samples = whole_number(samples, "samples", 1, MOST_SAMPLES)
     checked_valence(scale)
     parameters = checked_parameters(parameters)
     for curves, name in ((loops, "loops"), (surfaces, "surfaces")):

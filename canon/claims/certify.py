@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 from itertools import count
-from numbers import Integral, Real
+from numbers import Real
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -21,6 +21,7 @@ from canon.decide.series_program import Unenclosed
 from canon.decide.symplectic_defect import BITS, Box, BoxBound, defect_over, degree_for
 from canon.decide.tape import Unsupported
 from canon.errors import InputError
+from canon.expected import whole_number
 from canon.numeric.points import DEFAULT, points_of
 from canon.program import Program
 
@@ -33,6 +34,10 @@ __all__ = ["DefectBound", "certify"]
 CLOSE: Final = 1.05
 """A bound that is no larger than so many times the defect at some point can't be bettered by much."""
 
+LONGEST: Final = 1e9
+"""Seconds, beyond which a budget is as good as any."""
+HIGHEST: Final = 64
+"""The highest degree of an expansion: the number of its terms grows as a power of it."""
 FINEST: Final = Fraction(1, 2**12)
 """A part of the box this much narrower, where the map still can't be enclosed, is given up."""
 
@@ -77,11 +82,13 @@ def certify(
     checked_valence(scale)
     parameters = checked_parameters(parameters)
     for name, value in (("tolerance", tolerance), ("budget", budget)):
-        if not isinstance(value, Real) or not value >= 0:
+        if not isinstance(value, Real) or isinstance(value, bool) or not value >= 0:
             raise InputError(f"a number of at least 0 is needed, not {value!r}", name)
-    for name, value in (("boxes", boxes), ("degree", 1 if degree is None else degree)):
-        if not isinstance(value, Integral) or value < 1:
-            raise InputError(f"a whole number of at least 1 is needed, not {value!r}", name)
+    tolerance, budget = float(min(tolerance, LONGEST)), float(min(budget, LONGEST))
+    boxes, degree = (
+        whole_number(boxes, "boxes", 1),
+        None if degree is None else whole_number(degree, "degree", 1, HIGHEST),
+    )
     if isinstance(box, np.ndarray) and box.ndim == 2 and box.shape[1] != 2:
         raise InputError("a box is a pair (low, high) for each variable, not an array of points", "box")
     if isinstance(map, Transformation):

@@ -26,7 +26,7 @@ from canon.decide.tape import Node
 from canon.display import text_in_html
 from canon.domain import Domain
 from canon.errors import BudgetExceeded, InputError
-from canon.expected import instance_of, listed, table, whole_number
+from canon.expected import instance_of, listed, table, text, whole_number
 from canon.expression import Formula
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols
@@ -101,8 +101,14 @@ def closure(
     if not functions:
         raise InputError("no functions to take brackets of")
     levels = {} if H is None else {"E" if energy is None else str(energy): as_formula(H, "H")}
+    if energy is not None and not isinstance(energy, (sp.Symbol, str)):
+        raise InputError(f"the name of the energy is a text or a parameter of the space, not {energy!r}", "energy")
     if isinstance(energy, sp.Symbol) and energy not in space.parameters:
         raise InputError(f"{energy} is no parameter of the phase space: declare it there, as negative='{energy}'")
+    if over is not None:
+        table(over, "functions", "over")
+    for name in (*functions, *(over or ())):
+        text(name, "functions, over")
     levels |= {name: as_formula(f, name) for name, f in (over or {}).items()}
     formulas = {name: as_formula(f, name) for name, f in functions.items()}
     work = Budget(budget)
@@ -277,6 +283,8 @@ def closure_of_fields(
     renamed = dict(zip(coordinates, space.q, strict=True))
     functions: dict[str, Expression] = {}
     for name, components in fields.items():
+        text(name, "fields")
+        components = listed(components, "components", f"fields, {name}")
         if len(components) != len(coordinates):
             raise InputError(f"{len(components)} components for {len(coordinates)} coordinates", name)
         functions[name] = sp.Add(

@@ -84,7 +84,7 @@ class Invariance:
     _repr_html_ = text_in_html
 
     def __str__(self) -> str:
-        factor = "" if self.found.factor == 1 else f", {self.found.factor:g} times which is expected"
+        factor = "" if self.found.factor == 1 else f", {float(self.found.factor):g} times which is expected"
         lines = [
             f"{self.verdict}: {self.name} {self._words()}",
             f"  before {self.before:.15g}{factor}",

@@ -21,11 +21,14 @@ from canon.claims.run import available_cores, memory_limit
 from canon.claims.verify import Method, check_settings, verify
 from canon.claims.worker import Settings, without_verdict
 from canon.errors import InputError
+from canon.expected import whole_number, yes_or_no
 from canon.verdict import Verdict
 
 BATCH: Final = 16
 """Claims that travel together: a message costs about as much as a small claim."""
 
+MOST_TOGETHER: Final = 10**6
+"""The most claims in a batch."""
 LOST: Final = "stopped: its worker was lost twice"
 """How it is said of a claim that nobody was there to answer it: another run may."""
 
@@ -61,10 +64,13 @@ def verify_many(
     **Yields:** (position, verdict); for an ill-posed claim (position, `InputError`). They are the same on every
     executor and in every order, as long as no budget ends a decision.
     """
-    if not isinstance(claims, Iterable):
-        raise InputError(f"claims are expected, in a list for example, not {claims!r}")
-    if not isinstance(batch, int) or batch < 1:
-        raise InputError(f"a batch is a number of claims that travel together, not {batch!r}")
+    try:
+        claims = iter(claims)
+    except TypeError:  # as of an array of numpy's without axes
+        raise InputError(f"claims are expected, in a list for example, not {claims!r}") from None
+    batch = whole_number(batch, "batch", 1, MOST_TOGETHER)
+    yes_or_no(certificates, "certificates")
+    yes_or_no(apart, "apart")
     if executor is not None and not hasattr(executor, "submit"):
         raise InputError(f"an executor of concurrent.futures is expected, not {executor!r}")
     asked = Settings(budget=budget, seed=seed, method=method, accuracy=accuracy, memory=memory)

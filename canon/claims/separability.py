@@ -11,6 +11,7 @@ from canon.claims.verify import verify
 from canon.display import text_in_html
 from canon.domain import Condition, Domain
 from canon.errors import EmptyDomain, InputError
+from canon.expected import instance_of
 from canon.mechanics.formulas import Expression, as_expression, replaced
 from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.separation.coordinates import OrthogonalCoordinates, orthogonal_coordinates
@@ -61,6 +62,7 @@ def separates(
     check_space(space)
     if isinstance(coordinates, str):
         coordinates = orthogonal_coordinates(coordinates, space.n, focus)
+    instance_of(coordinates, OrthogonalCoordinates, "coordinates")
     found = separation(space, H, coordinates)
     verdicts = [_verdict(space, found, coordinates, budget)]
     if coordinates.name == "parabolic" and space.n == 2:  # they cover the half plane y > 0: what is below is turned up

@@ -15,7 +15,7 @@ from canon.expected import listed, real_array, whole_number
 from canon.numeric.change import order_of_change
 from canon.numeric.differentiable import differentiable
 from canon.numeric.mixed_variables import Conditioned, Pattern, best_conditioned, condition_of
-from canon.numeric.points import DEFAULT, Points, points_of
+from canon.numeric.points import DEFAULT, MOST_POINTS, Points, points_of
 from canon.numeric.precision import UNIT
 from canon.numeric.repaired_map import NearbyMap, RepairedMap, nearby, quadrature
 from canon.numeric.symplectic_matrix import nearest, symplectic_defect
@@ -94,7 +94,7 @@ def symplectify(
 
     if _is_matrix(map):
         return _repaired_matrix(_matrix(map), method)
-    if method != "nearest":
+    if not isinstance(method, str) or method != "nearest":
         raise InputError("a method is for a matrix; for a map there is `type`", "method")
     if isinstance(map, Transformation):
         subject = formulas_as_map(map, checked_parameters(parameters), 1.0)
@@ -184,7 +184,7 @@ def _repaired_matrix(M: Array, method: str) -> MatrixRepair:
 
 
 def _samples(subject: AuditSubject, where: Points, samples: int, seed: int) -> Array:
-    whole_number(samples, "samples", 1)
+    samples = whole_number(samples, "samples", 1, MOST_POINTS)
     points = np.concatenate(list(where.blocks(samples, max(samples, 1), seed)))
     inside = points[subject.inside(points)]
     if not len(inside):

@@ -87,7 +87,7 @@ def verify(
 
 def check_settings(settings: Settings) -> None:
     """**Raises** `InputError` for settings by which nothing can be decided."""
-    if settings.method not in METHODS:
+    if not isinstance(settings.method, str) or settings.method not in METHODS:
         raise InputError(f"a method is one of {', '.join(METHODS)}, not {settings.method!r}")
     check_budget(settings.budget)
     check_seed(settings.seed)

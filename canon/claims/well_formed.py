@@ -57,7 +57,7 @@ def check_budget(budget: Any) -> None:
 
 def check_seed(seed: Any) -> None:
     """**Raises** `InputError` for a seed by which points can't be drawn again."""
-    if not isinstance(seed, int):
+    if not isinstance(seed, int) or isinstance(seed, bool):
         raise InputError(f"a seed is a whole number, not {seed!r}")
 
 

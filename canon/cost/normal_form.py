@@ -14,6 +14,7 @@ from canon.cost.clock import timed
 from canon.cost.reference import ordinary
 from canon.cost.study import Point, Study
 from canon.errors import InputError
+from canon.expected import formula_of
 from canon.mechanics.birkhoff import NormalForm, birkhoff_gustavson
 from canon.mechanics.phase_space import PhaseSpace
 from canon.numeric.lower import lower
@@ -38,7 +39,7 @@ def cost_of_normal_form(
     rng = np.random.default_rng(seed)
     sphere = rng.standard_normal((DIRECTIONS, 2 * space.n))
     x = radius * (sphere / np.linalg.norm(sphere, axis=1, keepdims=True))
-    energy = lower((sp.sympify(H, strict=True),), tuple(space.old))
+    energy = lower((formula_of(H, "H"),), tuple(space.old))
     with np.errstate(all="ignore"):
         size = float(np.abs(energy(*x.T, numbers=np)[0]).max())
     if not 1e-290 < size < 1e290:

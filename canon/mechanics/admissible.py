@@ -18,10 +18,13 @@ from sympy.core.function import AppliedUndef
 from canon.calls import Placed, at_places
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.functions import FUNCTIONS
 
 _SIGNS: Final[tuple[dict[str, bool], ...]] = (
     {}, {"positive": True}, {"negative": True}, {"nonnegative": True}, {"nonpositive": True}, {"zero": False},
 )  # fmt: skip
+_BUILT_IN: Final[dict[str, Any]] = {"pi": sp.pi, **{name: made for name, (made, _) in FUNCTIONS.items()}}
+"""What these names stand for where nobody declares them."""
 _WORDS: Final = "a claim may assume that a name is real, complex, positive, negative, nonnegative, nonzero or integer"
 
 
@@ -116,6 +119,14 @@ def check_namesakes(formulas: Iterable[Formula | sp.Expr], where: str = "") -> N
     formulas = tuple(formulas)
     bare: list[Any] = [formula.expr if isinstance(formula, Formula) else formula for formula in formulas]
     called = {symbol.name for expression in bare for symbol in expression.free_symbols if hasattr(symbol, "name")}
+    applied = {call.func.__name__ for expression in bare for call in expression.atoms(AppliedUndef)}
+    unwritten = [each for each, formula in zip(bare, formulas, strict=True) if not getattr(formula, "text", "")]
+    for name in sorted((called | applied) & _BUILT_IN.keys()):
+        if any(
+            expression.has(_BUILT_IN[name]) for expression in unwritten
+        ):  # a text says itself which of them it means
+            said = f"{name} is a declared name here, and a function or a constant of the language as well"
+            raise InputError(f"{said}: give the declared one another name", where)
     for formula in formulas:
         expression = formula.expr if isinstance(formula, Formula) else formula
         for name in sorted({call.func.__name__ for call in expression.atoms(AppliedUndef)} & called):

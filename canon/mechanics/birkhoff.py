@@ -8,22 +8,28 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import product
 from math import gcd
+from typing import Any
 
 import sympy as sp
 
 from canon.errors import InputError
-from canon.expected import whole_number
+from canon.expected import shown, whole_number
 from canon.mechanics.formulas import Expression, as_expression
 from canon.mechanics.graded_algebra import GradedAlgebra, Polynomial
 from canon.mechanics.homological import split
 from canon.mechanics.phase_space import PhaseSpace, check_space
+from canon.mechanics.poisson import check_functions
 from canon.mechanics.taylor_polynomial import homogeneous_parts
 
 Parts = dict[int, Polynomial]
 
 
-class NoNormalForm(ValueError):
+class NoNormalForm(InputError, ValueError):
     """The linear flow of H₂ isn't semisimple, so that some terms are neither resonant nor removed."""
+
+
+HIGHEST = 200
+"""The highest order of a normal form: the number of its terms grows as a power of it."""
 
 
 @dataclass(frozen=True)
@@ -56,11 +62,28 @@ class NormalForm:
         return sp.S.Zero if part is None else self.algebra.expression(part)
 
     def image(self, f: Polynomial, order: int | None = None) -> Parts:
-        """f composed with the transformation: exp{·, χ_k} … exp{·, χ₃} f, up to an order."""
-        parts = self.algebra.parts(f)
+        """f composed with the transformation: exp{·, χ_k} … exp{·, χ₃} f, up to an order.
+
+        **Arguments:** `f`, a polynomial of `algebra`, such as one of its `generators`, or a formula that is one.
+        """
+        if order is not None:
+            order = whole_number(order, "order", 0, HIGHEST)
+        parts = self.algebra.parts(f if isinstance(f, type(self.algebra.one)) else self._polynomial(f))
         for degree in sorted(self.generators):
             parts = lie_transformed(self.algebra, parts, self.generators[degree], degree, order or self.order)
         return parts
+
+    def _polynomial(self, f: Any) -> Polynomial:
+        """A formula as a polynomial of the algebra. **Raises:** `InputError` where it is none."""
+        expression, algebra = as_expression(f, "f"), self.algebra
+        try:
+            found = sp.Poly(expression, *algebra.variables).terms()
+            return algebra.sum(algebra.monomial(e) * algebra.constant(c) for e, c in found)
+        except (sp.PolynomialError, AttributeError, ValueError, TypeError):  # a coefficient outside of the field
+            said = (
+                f"a polynomial in {', '.join(map(str, algebra.variables))} with coefficients as those of H is expected"
+            )
+            raise InputError(f"{said}, not {shown(f)}", "f") from None
 
     def transformation(self) -> tuple[sp.Expr, ...]:
         """The old variables (q, p) as polynomials of degree order − 1 in the new ones, which bear the same names."""
@@ -87,12 +110,19 @@ def birkhoff_gustavson(space: PhaseSpace, H: Expression, order: int) -> NormalFo
 
     **Arguments:** H, analytic at the origin, where it has an equilibrium; any H₂ with a semisimple linear flow.
 
-    **Raises:** `InputError` where the origin is no equilibrium, or H isn't analytic there; `ValueError` for
-    coefficients outside of exact arithmetic; `NoNormalForm` where H₂ isn't semisimple.
+    **Raises:** `InputError` where the origin is no equilibrium, H isn't analytic there, or has coefficients outside of
+    exact arithmetic; `NoNormalForm`, which is one, where H₂ isn't semisimple.
     """
     check_space(space)
-    whole_number(order, "order", 2)
-    algebra, (parts,) = homogeneous_parts(as_expression(H), space.old, order)
+    order = whole_number(order, "order", 2, HIGHEST)
+    energy = as_expression(H, "H")
+    check_functions([energy], space)
+    if energy.has(sp.Piecewise):
+        raise InputError("a function given by cases has no series that is its own", "H")
+    try:
+        algebra, (parts,) = homogeneous_parts(energy, space.old, order)
+    except ValueError as reason:
+        raise InputError(f"this H can't be expanded exactly: {reason}", "H") from None
     return normalised(algebra, equilibrium(algebra, parts), order)
 
 

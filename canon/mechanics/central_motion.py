@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
-from math import isfinite
-from numbers import Rational, Real
 from typing import Any, Literal
 
 import sympy as sp
+from sympy.core.evalf import PrecisionExhausted
 
 from canon.errors import InputError
-from canon.expected import instance_of, shown
+from canon.expected import exact_object, instance_of, shown
 from canon.mechanics.formulas import as_expression
 
 Kind = Literal["bounded", "unbounded", "falls in", "falls in and escapes", "circular", "separatrix"]
@@ -71,7 +71,12 @@ def radial_regions(
             multiplicity[root] = multiplicity.get(root, 0) + 1
     roots = list(multiplicity)
     ends = [sp.Integer(0), *roots, sp.oo]
-    signs = [_sign_between(numerator, denominator, a, b) for a, b in pairwise(ends)]
+    try:
+        signs = [_sign_between(numerator, denominator, a, b) for a, b in pairwise(ends)]
+    except PrecisionExhausted:
+        raise InputError(
+            "the turning points are too far apart, or too large, to be told from each other", "V"
+        ) from None
     found = []
     for k, sign in enumerate(signs):
         low, high = ends[k], ends[k + 1]
@@ -83,10 +88,11 @@ def radial_regions(
 
 
 def _rational(value: Any, where: str) -> Any:
-    infinite = isinstance(value, Real) and not isinstance(value, Rational) and not isfinite(value)
-    try:
-        found = None if infinite or isinstance(value, bool) else sp.Rational(value)  # that of nan would be 0
-    except (TypeError, ValueError):
+    try:  # a decimal one as text is 0.1 for "0.1"
+        given = Fraction(value) if isinstance(value, str) else exact_object(value)
+        finite = given is not None and given not in (sp.nan, sp.oo, -sp.oo, sp.zoo)  # the Rational of nan would be 0
+        found = sp.Rational(given) if finite else None
+    except (TypeError, ValueError, ZeroDivisionError):
         found = None
     if not isinstance(found, sp.Rational):
         raise InputError(f"mass, energy and angular momentum are rational numbers, not {shown(value)}", where)

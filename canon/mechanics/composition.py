@@ -4,11 +4,11 @@ import sympy as sp
 
 from canon.domain import Domain
 from canon.errors import InputError
-from canon.expected import instance_of
+from canon.expected import instance_of, listed
 from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, substituted
 from canon.mechanics.phase_space import PhaseSpace, check_space
-from canon.mechanics.stated_names import Names, as_declared
+from canon.mechanics.stated_names import Names, as_declared, listed_names
 from canon.mechanics.time_dependence import hamiltonian_shift
 from canon.mechanics.transformation import Transformation
 
@@ -112,15 +112,20 @@ def extended_by_time(
             raise InputError("what the transformation adds to H could not be integrated; give it")
         added = found.function
     space, shift = transformation.space, as_formula(added)
-    momentum_name, time_name = time
-
-    def names(given: Names) -> tuple[str | sp.Symbol, ...]:
-        return (given,) if isinstance(given, str | sp.Symbol) else tuple(given)
+    both = listed(time, "two names, of the momentum of time and of the new time,", "time")
+    if len(both) != 2:
+        raise InputError(f"two names are expected, of the momentum of time and of the new time, not {time!r}", "time")
+    names = [*(listed_names(name, "time") for name in both), listed_names(new_momentum, "new_momentum")]
+    if any(len(name) != 1 for name in names):
+        raise InputError(
+            "a single name is expected for each of time's momentum, the new time, and its momentum", "time"
+        )
+    (momentum_name,), (time_name,), (new_name,) = names
 
     extended = PhaseSpace(
         (*space.q, space.t),
-        (*space.p, *names(momentum_name)),
-        new=((*space.Q, *names(time_name)), (*space.P, *names(new_momentum))),
+        (*space.p, momentum_name),
+        new=((*space.Q, time_name), (*space.P, new_name)),
         time="extended_time",
         **as_declared(space.parameters),
         functions=space.functions,

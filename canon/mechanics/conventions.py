@@ -11,9 +11,10 @@ from typing import Literal
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import listed, one_of, shown, text, yes_or_no
 from canon.mechanics.formulas import Expression, as_expression
 from canon.mechanics.generating_function import GeneratingFunction
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.poisson import standard_j
 
 Order = Literal["qp", "pq"]
@@ -40,9 +41,17 @@ class Conventions:
     source: str = ""
 
     def __post_init__(self) -> None:
-        signs = (self.bracket_sign, self.J_sign, *self.function_signs)
-        if any(sign not in (1, -1) for sign in signs):
-            raise InputError("signs are +1 or -1", "conventions")
+        functions = listed(self.function_signs, "signs", "function_signs")
+        for sign in (self.bracket_sign, self.J_sign, *functions):
+            if not isinstance(sign, int) or isinstance(sign, bool) or sign not in (1, -1):
+                raise InputError(f"signs are +1 or -1, not {shown(sign)}", "conventions")
+        names = listed(self.names, "names", "names")
+        if len(functions) != 4 or len(names) != 4:
+            raise InputError("four signs and four names are expected, of the types 1 to 4", "conventions")
+        for said, where in (*((name, "names") for name in names), (self.name, "name"), (self.source, "source")):
+            text(said, where)
+        one_of(self.order, ("qp", "pq"), "order")
+        yes_or_no(self.time_first, "time_first")
         if self.J_sign != (1 if self.order == "qp" else -1):
             raise InputError("with this J, Hamilton's equations would have the wrong sign", "conventions")
 
@@ -52,6 +61,7 @@ class Conventions:
 
     def variables(self, space: PhaseSpace) -> tuple[sp.Symbol, ...]:
         """The phase-space vector, with time in front where the convention puts it there."""
+        check_space(space)
         pair = space.q + space.p if self.order == "qp" else space.p + space.q
         return ((space.t,) if self.time_first else ()) + pair
 
@@ -60,6 +70,7 @@ class Conventions:
 
         dz_f J dz_g with the gradients in the convention's order, times the sign that makes {q, p} = `bracket_sign`.
         """
+        check_space(space)
         pair = space.q + space.p if self.order == "qp" else space.p + space.q
         left, right = ([as_expression(value).diff(x) for x in pair] for value in (f, g))
         J = self.J(space.n)

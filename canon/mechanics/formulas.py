@@ -36,6 +36,9 @@ def as_expression(value: Expression, where: str = "") -> sp.Expr:
         if isinstance(value, sp.Lambda):
             raise InputError(f"{value} is a function: call it with an argument", where)
         check_extent(value, where=where)
+        for part in (sp.zoo, sp.nan, sp.oo, -sp.oo):
+            if value.has(part):
+                raise InputError(f"the expression contains {part}: it is undefined everywhere", where)
         if value.has(sp.Float):
             raise InputError(f"{value} contains a floating-point number; write it as a Rational", where)
         if not value.is_commutative:

@@ -41,13 +41,10 @@ class FourTensor:
         if isinstance(self.components, (str, bytes)) or getattr(self.components, "dtype", None) is not None:
             said = "lists of exact numbers or formulas are expected"
             raise InputError(f"{said}, not {shown(self.components)}", "components")
-        try:
-            array = sp.ImmutableDenseNDimArray(self.components)
-        except (TypeError, ValueError):
-            array = None
-        if array is None or (array.shape != shape):
+        entries = _entries(self.components, self.rank)
+        if len(entries) != 4**self.rank:
             raise InputError(f"components {' × '.join(map(str, shape)) or 'of a scalar'} are expected", "components")
-        flat = [as_expression(entry, "components") for entry in sp.flatten(array)]
+        flat = [as_expression(entry, "components") for entry in entries]
         object.__setattr__(self, "components", sp.ImmutableDenseNDimArray(flat, shape))
 
     @property
@@ -223,3 +220,17 @@ def _lorentz(matrix: Any) -> sp.ImmutableMatrix:
         seen = "is not g" if False in answers else "is not seen to be g: simplify its entries"
         raise InputError(f"no Lorentz matrix: transpose(L) g L {seen}", "matrix")
     return Lambda
+
+
+def _entries(value: Any, deep: int) -> list[Any]:
+    """The entries of lists of four, so deep; an empty list for another shape. **Raises:** `InputError` for no lists.
+
+    They are taken apart here: sympy goes into tables, sets and texts without an end.
+    """
+    if not deep:
+        return [value]
+    whole = isinstance(value, sp.MatrixBase) and 1 not in value.shape
+    parts = value.tolist() if isinstance(value, sp.NDimArray) or whole else listed(value, "components", "components")
+    found = [_entries(part, deep - 1) for part in parts]
+    right = len(found) == 4 and all(len(each) == 4 ** (deep - 1) for each in found)
+    return [entry for each in found for entry in each] if right else []

@@ -14,7 +14,7 @@ from canon.expression import Formula
 from canon.mechanics.formulas import Expression, as_formula, check_symbols, replaced
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.phase_space import PhaseSpace, check_space
-from canon.mechanics.stated_names import as_declared
+from canon.mechanics.stated_names import as_declared, ordered_names
 from canon.mechanics.subject import Subject
 from canon.mechanics.transformation import Transformation
 
@@ -96,7 +96,7 @@ class CompleteIntegral:
     def generating_function(self, names: str | Sequence[str]) -> GeneratingFunction:
         """S as a type-2 generating function to the constants (β, α), which leads to K = 0. `names` are those of β."""
         old = self.space
-        betas = tuple(names.replace(",", " ").split()) if isinstance(names, str) else tuple(names)
+        betas = ordered_names(names)
         space = PhaseSpace(
             old.q,
             old.p,

@@ -23,11 +23,21 @@ class RigidBody:
 
     The entries are sympy expressions; rational numbers stay exact. I_xx = Σ m (y² + z²), I_xy = −Σ m x y (Goldstein,
     Poole and Safko (2002), eq. 5.6).
+
+    **Raises:** `InputError` for a centre that isn't three exact entries, or a tensor that isn't symmetric, 3 by 3.
     """
 
     mass: Any
     centre: sp.ImmutableMatrix
     tensor: sp.ImmutableMatrix
+
+    def __post_init__(self) -> None:
+        tensor = _square(self.tensor, "tensor")
+        if tensor is None or not all(vanishes(entry) for entry in tensor - tensor.T):
+            raise InputError("an inertia tensor is a symmetric 3 by 3 matrix", "tensor")
+        object.__setattr__(self, "mass", as_expression(self.mass, "mass"))
+        object.__setattr__(self, "centre", _vector(self.centre, "centre"))
+        object.__setattr__(self, "tensor", tensor)
 
     def about(self, point: Vector) -> sp.ImmutableMatrix:
         """The tensor about any point, by the parallel axes (Steiner): I + m (d² 1 − d dᵀ), d = centre − point."""

@@ -12,12 +12,16 @@ from canon.errors import InputError
 from canon.expected import instance_of, whole_number
 from canon.expression import Formula
 from canon.mechanics import statements
+from canon.mechanics.extent import check_extent
 from canon.mechanics.formulas import Expression, as_expression, as_formula, replaced
 from canon.mechanics.linear_recurrence import constant_recurrence, periodic_sum, recurrent_sum
 from canon.mechanics.one_form import tidy
 from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.poisson import bracket_in, check_functions
 from canon.mechanics.transformation import Transformation
+
+HIGHEST = 1000
+"""The highest order of a series: each is a bracket, and most grow from one to the next."""
 
 _LONGEST = 200  # operations in a bracket, after which no pattern is looked for
 
@@ -26,8 +30,9 @@ def iterated_brackets(f: Expression, generator: Expression, space: PhaseSpace, c
     """f, {f, G}, {{f, G}, G}, ...: `count` brackets, so count + 1 functions."""
     G, terms = as_expression(generator), [as_expression(f)]
     check_functions([G, *terms], space)
-    for _ in range(count):
-        terms.append(tidy(bracket_in(terms[-1], G, space.q, space.p)))
+    for k in range(count):
+        terms.append(tidy(bracket_in(terms[-1], G, space.q, space.p)) if terms[-1] else sp.S.Zero)
+        check_extent(terms[-1], where=f"order {k + 1} of the series")
     return tuple(terms)
 
 
@@ -45,7 +50,7 @@ def truncated_lie_series(
 ) -> sp.Expr:
     """The series up to the power `order` of the parameter. Deprit (1969)."""
     _check(parameter, space)
-    whole_number(order, "order", 0)
+    order = whole_number(order, "order", 0, HIGHEST)
     terms = iterated_brackets(f, generator, space, order)
     return sp.Add(*(parameter**k / sp.factorial(k) * term for k, term in enumerate(terms)))
 
@@ -61,7 +66,7 @@ def closed_lie_series(
     of variables that are such themselves, since exp(s {., G}) commutes with products.
     """
     _check(parameter, space)
-    whole_number(depth, "depth", 1)
+    depth = whole_number(depth, "depth", 1, HIGHEST)
     value, G = as_expression(f), as_expression(generator)
     check_functions([value, G], space)
     if value.is_Symbol:

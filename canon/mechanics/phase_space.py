@@ -18,7 +18,7 @@ from canon.mechanics.assumptions import check_words, symbol_with
 from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import check_symbols
 from canon.mechanics.relations import region_of
-from canon.mechanics.stated_names import Names, as_declared, listed_names, ordered_names, stated_words
+from canon.mechanics.stated_names import Names, as_declared, check_name, listed_names, ordered_names, stated_words
 from canon.vocabulary import Vocabulary
 
 UNSTATED = ("q__", "p__")
@@ -91,8 +91,7 @@ class PhaseSpace:
                 check_symbol(name, "phase_space")
                 check_words(name, words.get(name.name, ()))
                 return name
-            if not name.isidentifier():
-                raise InputError(f"{name!r} is not a name", "phase_space")
+            check_name(name)
             if "function" in words.get(name, ()):
                 raise InputError(f"{name!r} is a variable, so it cannot be a function", "symbols")
             if name not in given:

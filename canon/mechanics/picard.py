@@ -12,6 +12,7 @@ from canon.expected import instance_of, whole_number
 from canon.mechanics.formulas import as_expression
 
 MOST_TERMS = 2000
+MOST_STEPS = 1000
 
 
 def picard(
@@ -30,7 +31,7 @@ def picard(
     **Raises:** `InputError` for rates that aren't polynomials, other counts, and iterates of more than 2000 terms.
     """
     instance_of(time, sp.Symbol, "time")
-    whole_number(steps, "steps", 0)
+    steps = whole_number(steps, "steps", 0, MOST_STEPS)
     fields, names, values = (_listed(part) for part in (rates, variables, initial))
     if not len(fields) == len(names) == len(values):
         raise InputError(f"{len(fields)} rates and {len(values)} values for {len(names)} variables", "rates")
@@ -60,5 +61,5 @@ def _integral(f: Any, time: sp.Symbol, start: Any) -> Any:
 
 
 def _listed(value: Any) -> list[Any]:
-    items: Any = value if isinstance(value, Sequence) and not isinstance(value, str) else [value]
+    items: Any = value if isinstance(value, Sequence) and not isinstance(value, (str, bytes)) else [value]
     return [as_expression(item) for item in items]

@@ -11,16 +11,19 @@ import sympy as sp
 
 from canon.display import latex
 from canon.errors import InputError
-from canon.expected import instance_of, listed, whole_number
+from canon.expected import instance_of, listed, text, whole_number
 from canon.expression import Formula
 from canon.mechanics.extent import recursion_told
 from canon.mechanics.formulas import Expression, as_expression, check_symbols
 from canon.mechanics.phase_space import PhaseSpace, check_space
 
+MOST_DEGREES: Final = 500
+"""The most degrees of freedom of a matrix that is made of nothing but their number: 10⁶ entries, a few seconds."""
+
 
 def standard_j(n: int) -> sp.ImmutableMatrix:
     """J = [[0, 1], [-1, 0]] with n-by-n blocks: the matrix of the brackets of (q, p)."""
-    whole_number(n, "n", 0)
+    n = whole_number(n, "n", 0, MOST_DEGREES)
     return sp.ImmutableMatrix(2 * n, 2 * n, lambda i, j: int(j == i + n) - int(i == j + n))
 
 
@@ -129,7 +132,12 @@ def bracket_matrix(functions: Sequence[Expression], space: PhaseSpace, names: Se
             return sp.S.Zero
         return upper[int(i), int(j)] if i < j else -upper[int(j), int(i)]
 
-    labels = tuple(names) or tuple(latex(value) for value in values)
+    labels = listed(names, "names", "names")
+    if labels and len(labels) != size:
+        raise InputError(f"{len(labels)} names of {size} functions", "names")
+    for label in labels:
+        text(label, "names")
+    labels = labels or tuple(latex(value) for value in values)
     return BracketMatrix(sp.ImmutableMatrix(size, size, entry), labels)
 
 

@@ -2,12 +2,16 @@
 
 from collections.abc import Iterable, Mapping
 from collections.abc import Set as AbstractSet
-from typing import Any, TypeAlias, TypedDict
+from typing import Any, Final, TypeAlias, TypedDict
 
 import sympy as sp
 
 from canon.errors import InputError
 from canon.mechanics.admissible import check_symbol
+from canon.tokens import look_alike
+
+LONGEST_NAME: Final = 80
+"""Letters of a name, in a claim file as well."""
 
 Names: TypeAlias = str | sp.Symbol | Iterable[str | sp.Symbol]
 
@@ -45,6 +49,14 @@ def stated_words(symbols: Any, keywords: Mapping[str, Names]) -> tuple[dict[str,
                 name = name.name
             words.setdefault(name, []).append(word)
     return words, given
+
+
+def check_name(name: str) -> None:
+    """**Raises** `InputError` for a text that no claim file could declare."""
+    if not name.isidentifier() or len(name) > LONGEST_NAME:
+        raise InputError(f"{name[:LONGEST_NAME]!r} is not a name", "phase_space")
+    if look_alike(name) != name:
+        raise InputError(f"the name {name!r} has a look-alike letter: write {look_alike(name)!r}", "phase_space")
 
 
 def listed_names(names: Names, where: str = "phase_space") -> tuple[str | sp.Symbol, ...]:

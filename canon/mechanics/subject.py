@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Final
 from canon.claim import Claim
 from canon.domain import Domain
 from canon.errors import InputError
-from canon.expected import table
+from canon.expected import listed, table, text
 from canon.expression import Formula
 from canon.mechanics.admissible import check_calls, check_namesakes
 from canon.mechanics.extent import check_extent, recursion_told
@@ -59,7 +59,10 @@ class Subject:
             object.__setattr__(self, "domain", self._stated_domain())
         if self.hamiltonian is not None:
             object.__setattr__(self, "hamiltonian", as_formula(self.hamiltonian, "hamiltonian"))
-        object.__setattr__(self, "functions", tuple(self.functions))
+        functions = listed(self.functions, "names of functions", "functions")
+        for name in functions:
+            text(name, "functions")
+        object.__setattr__(self, "functions", functions)
 
     @property
     def map(self) -> "Transformation | None":

@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import formula_of
 from canon.interruption import underway
 from canon.numeric.gradient import gradient
 from canon.numeric.pair_sum import PairSum
@@ -75,7 +76,7 @@ def external_grid(
         raise InputError("this needs the package heyoka: pip install 'canon-mechanics[peers]'") from None
     coordinates, momenta, t = symbols
     n = len(coordinates)
-    written = sp.sympify(H, strict=True).replace(lambda x: isinstance(x, PairSum), lambda x: x.written_out())
+    written = formula_of(H, "H").replace(lambda x: isinstance(x, PairSum), lambda x: x.written_out())
     added = tuple(force) or (sp.S.Zero,) * n
     rates = [*gradient(written, tuple(momenta))]
     rates += [F - slope for slope, F in zip(gradient(written, tuple(coordinates)), added, strict=True)]
@@ -108,7 +109,7 @@ def external_grid(
 
 def _in_doubles(formula: Any) -> Any:
     """The formula with its numbers as doubles: heyoka takes whole numbers and binary ones."""
-    formula = sp.sympify(formula, strict=True)
+    formula = formula_of(formula, "")
     numbers = {x for x in formula.atoms(sp.Number, sp.NumberSymbol) if not x.is_Integer}
     return formula.xreplace({x: sp.Float(float(x), precision=53) for x in numbers})
 

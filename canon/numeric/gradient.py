@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from canon.expected import formula_of
 from canon.numeric.pair_sum import PairSum
 
 
@@ -15,7 +16,7 @@ from canon.numeric.pair_sum import PairSum
 def gradient(expression: Any, symbols: tuple[sp.Symbol, ...]) -> tuple[Any, ...]:
     """∂/∂x of the expression for every symbol x. Of a sum with N terms of few symbols each that takes O(N)."""
     terms: dict[Any, list[Any]] = {symbol: [] for symbol in symbols}
-    for term in sp.Add.make_args(sp.sympify(expression, strict=True)):
+    for term in sp.Add.make_args(formula_of(expression, "")):
         for symbol, value in _slopes(term, terms):
             terms[symbol].append(value)
     return tuple(sp.Add(*values) for values in terms.values())

@@ -25,6 +25,9 @@ HALVINGS: Final = 24
 GENTLE: Final = 8
 """After so many halvings the step is shortened faster: next to a pole a start may be decades away."""
 
+CRAWLING: Final = 12
+"""After so many steps that were shortened faster there is no solution this way: beyond a fold all of them are."""
+
 CLOSE: Final = 8.0
 """So many roundings of the equations, or of y, are as good as solved."""
 
@@ -78,7 +81,7 @@ def solve_mixed(derivatives: Derivatives, pattern: Pattern, z: Array, start: Arr
     x, v = z[:, pattern.old_arguments], z[:, pattern.old_conjugates]
     sign = pattern.old_signs
     y = np.array(start, dtype=float)
-    solved, iterations = np.zeros(count, dtype=bool), np.zeros(count, dtype=int)
+    solved, iterations, crawled = np.zeros(count, dtype=bool), np.zeros(count, dtype=int), np.zeros(count, dtype=int)
 
     def at(rows: Array, new: Array) -> tuple[Array, Array, Array, Array]:
         found = derivatives(np.concatenate([x[rows], new], axis=1), rows)
@@ -100,10 +103,10 @@ def solve_mixed(derivatives: Derivatives, pattern: Pattern, z: Array, start: Arr
             close = np.all(np.abs(move) <= CLOSE * UNIT * size_of, axis=1)
             close |= np.all(np.abs(off) <= CLOSE * noise, axis=1)
             solved[rows[close]] = True
-            go_on = ~close & np.isfinite(move).all(axis=1)
+            go_on = ~close & np.isfinite(move).all(axis=1) & (crawled[rows] < CRAWLING)
             rows, off, block, noise, move = rows[go_on], off[go_on], block[go_on], noise[go_on], move[go_on]
             iterations[rows] += 1
-            rows, off, block, noise = _damped(at, y, rows, off, block, noise, move)
+            rows, off, block, noise = _damped(at, y, rows, off, block, noise, move, crawled)
         u = np.concatenate([x, y], axis=1)
         return _solution(derivatives(u, np.arange(count)), pattern, u, v, solved, iterations)
 
@@ -116,10 +119,11 @@ def _damped(
     block: Array,
     noise: Array,
     move: Array,
+    crawled: Array,
 ) -> tuple[Array, Array, Array, Array]:
     """One step for each of the rows, halved until the next correction is shorter; rows without such a step are dropped.
 
-    It changes `y` in place.
+    It changes `y` in place, and counts in `crawled` where the step was a very small part.
     """
     before = _length(move, y[rows])
     waiting = np.arange(len(rows))
@@ -138,6 +142,7 @@ def _damped(
         y[rows[chosen]] = trial[good]
         new_off[chosen], new_block[chosen], new_noise[chosen] = t_off[good], t_block[good], t_noise[good]
         kept[chosen] = True
+        crawled[rows[chosen]] += attempt > GENTLE
         waiting = waiting[~good]
         part /= 2 if attempt < GENTLE else 16
     return rows[kept], new_off[kept], new_block[kept], new_noise[kept]

@@ -25,10 +25,12 @@ from flint import arb, arb_series
 from canon.errors import InputError
 from canon.expected import finite_number, formula_of, instance_of, listed, shown, table, whole_number
 from canon.numeric.actions.balls import Ball, ball_function, ball_of, precision
-from canon.numeric.actions.bounded import Bounded, bounded
-from canon.numeric.values import in_enough_bits
+from canon.numeric.actions.bounded import Bounded
+from canon.numeric.values import in_doubles, in_enough_bits
 
 ORDER: Final = 40
+DEEPEST: Final = 500
+"""The most brackets in each other: the time grows as the fourth power of their number, some seconds here."""
 PART: Final = 0.25
 """The part of the radius within which a series is summed."""
 
@@ -73,8 +75,7 @@ def nested_bracket(
 
     **Raises:** `InputError` where f or a derivative of G has no value there.
     """
-    whole_number(k, "k", 0)
-    k = int(k)  # a number of numpy's is none for balls
+    k = whole_number(k, "k", 0, DEEPEST)
     flow = _Flow(f, G, q, p)
     start = flow.point(at)
 
@@ -94,13 +95,16 @@ def lie_sum(f: Any, G: Any, q: Sequence[sp.Symbol], p: Sequence[sp.Symbol], at: 
     start, s = flow.point(at), formula_of(s, "s")
     if not s.is_real or not s.is_finite:
         raise InputError(f"a finite number is needed, not {shown(s)}", "s")
+    found: LieSum | None = None
     for bits in BITS:
         with precision(bits):
             ball, radius, pieces = flow.summed([ball_of(x) for x in start], ball_of(s))
-            value = bounded(ball) if ball.is_finite() else Bounded(float(ball.mid()), inf)
+            value = in_doubles(ball, "the sum") if ball.is_finite() else Bounded(float(ball.mid()), inf)
+            found = LieSum(value, radius, pieces)
             if not ball.is_finite() or ball.rel_accuracy_bits() >= ENOUGH:
                 break
-    return LieSum(value, radius, pieces)
+    assert found is not None
+    return found
 
 
 class _Flow:
@@ -121,6 +125,8 @@ class _Flow:
         for x in self.variables:
             if x not in at:
                 raise InputError(f"a number for {x} is missing", "at")
+        for x in self.variables:
+            ball_of(at[x], f"at, {x}")
         return [at[x] for x in self.variables]
 
     def coefficients(self, start: Sequence[Ball], order: int) -> list[list[Ball]]:

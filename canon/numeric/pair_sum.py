@@ -12,6 +12,8 @@ from typing import Any, Final
 
 import sympy as sp
 
+from canon.expected import formula_of
+
 RADIUS: Final[Any] = sp.Symbol("r", positive=True)
 """The distance of a pair, in its law."""
 SQUARE: Final[Any] = sp.Symbol("s", positive=True)
@@ -31,7 +33,7 @@ class PairSum(sp.Expr):
 
     def __new__(cls, law: Any, places: Any, weights: Any = None) -> PairSum:
         made = super().__new__(cls)
-        made.law = sp.sympify(law, strict=True)
+        made.law = formula_of(law, "law")
         made.places = sp.Tuple(*(sp.Tuple(*place) for place in places))
         made.weights = sp.Tuple(*([1] * len(made.places) if weights is None else weights))
         made._free = {x for place in made.places for x in place} | (made.law.free_symbols - {RADIUS})

@@ -13,6 +13,8 @@ from canon.expected import listed, real_array
 from canon.numeric.counter import key_of, rows_of
 
 Array = np.ndarray
+MOST_POINTS: Final = 10**6
+"""The most random points that are kept at once."""
 DEFAULT: Final = (-1.0, 1.0)
 DEFAULT_POSITIVE: Final = (0.1, 2.0)
 

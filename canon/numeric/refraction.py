@@ -90,7 +90,8 @@ def _slope(n: Sequence[float], d: Sequence[float], across: float) -> float:
 
 def reflected(direction: Sequence[float], normal: Sequence[float]) -> tuple[float, ...]:
     """The unit vector of a ray that comes in with a direction, behind a mirror with this normal (of either sign)."""
-    way, across = _unit(direction, "direction"), _unit(normal, "normal")
+    way = _unit(direction, "direction")
+    across = _unit(normal, "normal", len(way))
     twice = 2 * _dot(way, across)
     return tuple(a - twice * b for a, b in zip(way, across, strict=True))
 
@@ -106,7 +107,8 @@ def refracted(
         finite_number(value, where)
         if not value > 0:
             raise InputError(f"a positive index is expected, not {value}", where)
-    way, across = _unit(direction, "direction"), _unit(normal, "normal")
+    way = _unit(direction, "direction")
+    across = _unit(normal, "normal", len(way))
     along = _dot(way, across)
     aside = [a - along * b for a, b in zip(way, across, strict=True)]
     ratio = before / behind
@@ -121,8 +123,10 @@ def _dot(a: Sequence[float], b: Sequence[float]) -> float:
     return fsum(x * y for x, y in zip(a, b, strict=True))
 
 
-def _unit(vector: Sequence[float], where: str) -> list[float]:
+def _unit(vector: Sequence[float], where: str, dimension: int | None = None) -> list[float]:
     found = numbers(vector, where)
+    if dimension is not None and len(found) != dimension:
+        raise InputError(f"a vector of {dimension} numbers is expected, as many as the direction has", where)
     size = sqrt(_dot(found, found))
     if len(found) not in (2, 3) or not (isfinite(size) and size > 0):
         raise InputError("a vector of two or three numbers, not all 0, is expected", where)

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
-from canon.expected import finite_number
+from canon.expected import finite_number, instance_of, table
 from canon.mechanics.formulas import as_expression
 from canon.numeric.deflection import cross_section, deflection, rutherford, rutherford_cross_section
 from canon.numeric.lower import lower
@@ -62,6 +62,13 @@ def scattering(
         finite_number(value, where)
         if not (value > 0 or (least and value == 0)):
             raise InputError(f"a {'number from 0 on' if least else 'positive number'} is expected, not {value}", where)
+    instance_of(r, sp.Symbol, "r")
+    if parameters is not None:
+        table(parameters, "numbers", "parameters")
+        for name, value in parameters.items():
+            finite_number(value, f"parameters, {name}")
+    if begin is not None:
+        finite_number(begin, "begin")
     potential = _with_numbers(as_expression(V, "V"), r, parameters or {})
     b, E = float(impact_parameter), float(energy)
     k: Any = sp.simplify(potential * r) if potential.is_rational_function(r) else potential
@@ -70,8 +77,6 @@ def scattering(
             return None
         found = rutherford(float(k), E, b)
         return Scattering(found.angle, found.backward, found.nearest, rutherford_cross_section(float(k), E, b))
-    if begin is not None:
-        finite_number(begin, "begin")
     far = float(begin) if begin is not None else 1e3 * (b or 1.0)
     if not far > 0:
         raise InputError(f"a positive distance is expected, not {far}", "begin")

@@ -12,6 +12,7 @@ from typing import Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import one_of
 from canon.numeric.precision import UNIT
 
 Array = np.ndarray
@@ -98,8 +99,7 @@ def nearest(M: Array, method: str = "nearest") -> tuple[Candidate, tuple[Candida
     **Raises:** `InputError` where there is none.
     """
     makers = {"cayley": by_cayley, "polar": by_polar_factor}
-    if method not in ("nearest", *makers):
-        raise InputError(f"a method is 'nearest', 'cayley' or 'polar', not {method!r}", "method")
+    one_of(method, ("nearest", *makers), "method")
     if not np.linalg.slogdet(M)[0] > 0:
         raise InputError("no symplectic matrix is near this one: its determinant is not positive, theirs is 1", "map")
     found = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from typing import Any, Final
 
@@ -30,7 +31,7 @@ def value_at(expression: Any, point: Mapping[sp.Symbol, Any]) -> Bounded:
     table(point, "numbers", "point")
     symbols = tuple(point)
     function = ball_function(expression, symbols)
-    numbers = [ball_of(number) for number in point.values()]
+    numbers = [ball_of(number, "point") for number in point.values()]
     return in_enough_bits(lambda: function(*numbers), "the formula")
 
 
@@ -44,8 +45,16 @@ def in_enough_bits(compute: Callable[[], Ball], text: str) -> Bounded:
         with precision(bits):
             ball = compute()
             if ball.is_finite() and (ball.rel_accuracy_bits() >= ENOUGH or ball.is_zero()):
-                return bounded(ball)
+                return in_doubles(ball, text)
     if not ball.is_finite():
         raise InputError(f"{text} has no finite value at this point", "point")
     with precision(PRECISIONS[-1]):
-        return bounded(ball)
+        return in_doubles(ball, text)
+
+
+def in_doubles(ball: Ball, text: str) -> Bounded:
+    """A finite ball as a double with its bound. **Raises:** `InputError` where it is beyond the range of doubles."""
+    found = bounded(ball)
+    if not math.isfinite(found.value):
+        raise InputError(f"{text} is about {ball.str(3, radius=False)}, beyond the range of doubles", "point")
+    return found

@@ -49,7 +49,7 @@ def assert_canonical(
     with _failing(map):
         report = audit(map, dimension=dimension, scale=scale, **options)
     if report.verdict != "supported":
-        valence = "" if scale == 1 else f" with valence {scale:g}"
+        valence = "" if scale == 1 else f" with valence {float(scale):g}"
         reasons = "; ".join(report.failures + report.doubts)
         raise AssertionError(f"{name_of(map)} is not {what}{valence}: {reasons}\n{report}")
     return report
@@ -87,12 +87,12 @@ def assert_reversible(
     """R f R f = 1 at every sample, with R (q, p) = (q, −p), or another `involution` of points (N, 2n)."""
     from canon.claims.audit import variables
     from canon.numeric.differentiable import differentiable
-    from canon.numeric.points import DEFAULT, points_of
+    from canon.numeric.points import DEFAULT, MOST_POINTS, points_of
     from canon.numeric.reversal import momentum_reversal, reversal_residuals
     from canon.numeric.worst import Tally
 
     names = variables(dimension)
-    whole_number(samples, "samples", 1)
+    samples = whole_number(samples, "samples", 1, MOST_POINTS)
     if involution is not None:
         function(involution, "an involution of points (N, 2n)", "involution")
     where = points_of(domain, names, [DEFAULT] * dimension)

@@ -8,8 +8,9 @@ from typing import Any
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 
+from canon.claims.well_formed import check_budget
 from canon.errors import InputError
-from canon.expected import instance_of, listed, whole_number
+from canon.expected import instance_of, listed, table, whole_number, yes_or_no
 from canon.mechanics.phase_space import PhaseSpace
 from canon.mechanics.transformation import Transformation
 from canon.testing.laws import Law, assert_law
@@ -49,6 +50,9 @@ MAKERS: Mapping[str, Maker] = {
 """For each kind of object that a law may take, a strategy of such objects on a phase space."""
 
 
+MOST_EXAMPLES = 10**6
+
+
 def check_laws(
     laws: Iterable[Law],
     *,
@@ -67,7 +71,14 @@ def check_laws(
 
     **Returns:** how many laws were checked. **Raises:** `AssertionError` for the first that fails, at a simple example.
     """
-    whole_number(max_examples, "max_examples", 1)
+    max_examples = whole_number(max_examples, "max_examples", 1, MOST_EXAMPLES)
+    check_budget(budget)
+    yes_or_no(derandomize, "derandomize")
+    derandomize = bool(derandomize)
+    if makers is not None:
+        table(makers, "functions from a phase space to a strategy", "makers")
+    if spaces is not None:
+        instance_of(spaces, st.SearchStrategy, "spaces")
     chosen = {**MAKERS, **(makers or {})}
     homes = phase_spaces(max_degrees=2) if spaces is None else spaces
     count = 0

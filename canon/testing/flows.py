@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.expected import finite_number, function, listed, real_array, whole_number
+from canon.expected import finite_number, function, listed, real_array, table, whole_number
 from canon.testing.assertions import name_of, place_of
 
 if TYPE_CHECKING:
@@ -44,16 +44,17 @@ def assert_hamiltonian_flow(
     """
     from canon.claims.audit import variables
     from canon.numeric.differences import central_differences
-    from canon.numeric.points import DEFAULT, points_of
+    from canon.numeric.points import DEFAULT, MOST_POINTS, points_of
     from canon.numeric.precision import UNIT, double
 
     names = variables(dimension)
     function(flow, "a flow", "flow")
-    whole_number(samples, "samples", 1)
+    samples = whole_number(samples, "samples", 1, MOST_POINTS)
     finite_number(tolerance, "tolerance", least=0.0)
     moments_at = listed(times, "times at which to look", "times")
     for t in moments_at:
         finite_number(t, "times")
+    moments_at = tuple(float(t) for t in moments_at)
     if not moments_at:
         raise InputError("at least one time at which to look is needed", "times")
     where = points_of(domain, names, [DEFAULT] * dimension)
@@ -140,6 +141,8 @@ def _field(
 
     n = dimension // 2
     if isinstance(hamiltonian, Hamiltonian):
+        if parameters is not None:
+            table(parameters, "numbers", "parameters")
         return _lowered(hamiltonian, dimension, parameters or {})
     if not callable(hamiltonian):
         raise InputError(f"a Hamiltonian, or a function of z, is expected, not {type(hamiltonian).__name__}")

@@ -14,14 +14,17 @@ from typing import Any, Final, Literal
 import sympy as sp
 from hypothesis import strategies as st
 
+from canon.errors import InputError
+from canon.expected import function, listed, whole_number
 from canon.mechanics.formulas import replaced
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.transformation import Transformation
 from canon.testing.strategies import functions, rational, rationals
 
 Images = list[sp.Expr]
 Factor = Callable[[st.DrawFn, PhaseSpace], Images]
 Kind = Literal["near", "momenta", "coordinates", "sign", "factor", "pair"]
+MOST_PARTS: Final = 100
 LONGEST: Final = 250
 KINDS: Final[tuple[Kind, ...]] = ("near", "momenta", "coordinates", "sign", "factor", "pair")
 SIZES: Final[tuple[sp.Rational, ...]] = tuple(rational(1, 10**k) for k in (3, 6, 9))
@@ -52,7 +55,14 @@ def canonical_maps(
 
     A composition that grows too long to be written is cut.
     """
-    return _canonical_maps(space, max_factors, tuple(factors or FACTORS))
+    check_space(space)
+    max_factors = whole_number(max_factors, "max_factors", 1, MOST_PARTS)
+    chosen = FACTORS if factors is None else listed(factors, "factors", "factors")
+    for factor in chosen:
+        function(factor, "a factor", "factors")
+    if not chosen:
+        raise InputError("no factors to compose maps of", "factors")
+    return _canonical_maps(space, max_factors, tuple(chosen))
 
 
 @st.composite

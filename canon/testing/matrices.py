@@ -10,9 +10,12 @@ from typing import Final, Literal
 import numpy as np
 from hypothesis import strategies as st
 
+from canon.expected import finite_number, one_of, whole_number
+
 Array = np.ndarray
 Made = Literal["generators", "factors"]
 Rows = list[list[Fraction]]
+MOST_DEGREES: Final = 100
 SIZES: Final = (1e-3, 1e-6, 1e-9)
 
 
@@ -35,8 +38,13 @@ def symplectic_matrices(
     also named after Bloch and Messiah. With a `condition` κ they are made of factors, and κ is their condition number.
     They shrink to the identity, and to one generator.
     """
+    degrees = whole_number(degrees, "degrees", 1, MOST_DEGREES)
+    max_factors = whole_number(max_factors, "max_factors", 0)
     if condition is not None:
-        return _of_factors(degrees, condition)
+        finite_number(condition, "condition", least=1.0)
+        return _of_factors(degrees, float(condition))
+    if made is not None:
+        one_of(made, ("generators", "factors"), "made")
     makers = {"generators": _of_generators(degrees, max_factors), "factors": _of_factors(degrees, None)}
     return makers[made] if made else st.one_of(*makers.values())
 

@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
-from canon.expected import finite_number, function, real_array, whole_number
+from canon.expected import finite_number, function, real_array, whole_number, yes_or_no
 from canon.numeric.map_shape import required
 from canon.testing.assertions import name_of
 
@@ -22,6 +22,9 @@ Array = np.ndarray
 PLATEAU: Final = 1e4
 """Differences of fewer roundings than this tell nothing about an order."""
 
+HIGHEST_ORDER: Final = 1000
+MOST_STEPS: Final = 2**28
+"""The most steps at the finest level."""
 AFFINE: Final = 1e-12
 """A step whose second differences are a smaller part of its values is taken to be linear."""
 
@@ -55,14 +58,19 @@ def assert_order(
     from canon.numeric.precision import double
 
     function(step, "a step", "step")
-    for count, name in ((order, "order"), (steps, "steps"), (refinements, "refinements")):
-        whole_number(count, name, 1)
+    order = whole_number(order, "order", 1, HIGHEST_ORDER)
+    steps, refinements = whole_number(steps, "steps", 1), whole_number(refinements, "refinements", 1)
+    if steps * 2 ** min(refinements, 64) > MOST_STEPS:
+        said = f"{steps} steps, doubled {refinements} times, are more than {MOST_STEPS}: take fewer"
+        raise InputError(said, "steps, refinements")
+    yes_or_no(linear, "linear")
     finite_number(duration, "duration", nonzero=True)
     finite_number(tolerance, "tolerance", least=0.0)
+    duration, tolerance = float(duration), float(tolerance)
     if not tolerance < 1:
         raise InputError(f"an order less by 1 is another order: a tolerance is below 1, not {tolerance!r}", "tolerance")
     point = _numbers(start, "start")
-    if not point.ndim:
+    if point.ndim != 1 or not point.size:
         raise InputError(f"a phase point is a list of numbers, not {start!r}", "start")
     if not np.all(np.isfinite(point)):
         raise InputError(f"a phase point is a list of finite numbers, not {start!r}", "start")

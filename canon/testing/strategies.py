@@ -11,12 +11,15 @@ from typing import Any
 import sympy as sp
 from hypothesis import strategies as st
 
+from canon.expected import whole_number, yes_or_no
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.phase_space import PhaseSpace
 
 
 def rationals(*, largest: int = 5, nonzero: bool = True) -> st.SearchStrategy[sp.Rational]:
     """Simple rational numbers up to `largest` in size; they shrink to small whole ones."""
+    largest = whole_number(largest, "largest", 1)
+    yes_or_no(nonzero, "nonzero")
     numerators = st.integers(-largest, largest)
     if nonzero:
         numerators = numerators.filter(bool)

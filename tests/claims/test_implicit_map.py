@@ -1,6 +1,7 @@
 """Maps of generating functions, solved for: exact values, branches, caustics, evidence, and a flaw made on purpose."""
 
 from collections.abc import Callable
+from time import process_time
 
 import mpmath as mp
 import numpy as np
@@ -273,3 +274,15 @@ def test_few_steps_are_taken() -> None:
     assert found.solved.all()
     assert found.iterations.max() <= 12
     assert implicit.ITERATIONS > 12
+
+
+def test_beyond_a_fold_it_is_soon_given_up() -> None:
+    """p = P + q P² has no solution where 1 + 4 p q < 0: Newton's steps crawl there, and the last of them for ever."""
+    space = PhaseSpace("q", "p", new=("Q", "P"))
+    q, P = space.symbols("q P")
+    fold = ImplicitMap(GeneratingFunction(space, type=2, F=q * P + q**2 * P**2 / 2))
+    points = np.array([[1.0, -1.0 + 0.01 * k] for k in range(150)])
+    start = process_time()
+    found = fold.solve(points)
+    assert process_time() - start < 8  # it was 20 s; a second or two alone
+    assert (found.solved == (1 + 4 * points[:, 0] * points[:, 1] >= 0)).all()

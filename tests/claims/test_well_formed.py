@@ -100,7 +100,7 @@ def test_a_key_that_is_misspelt_is_not_left_out_in_silence():
         (lambda: Formula("q"), "an expression of sympy's"),
         (lambda: Formula(q, (q > 0,)), "a Condition is expected"),
         (lambda: Condition("negative", (q,)), "a condition is one of"),
-        (lambda: Condition("positive", "q"), "the terms of a condition|a tuple is expected"),
+        (lambda: Condition("positive", "q"), "the terms of a condition|a list of expressions is expected"),
         (lambda: Condition("uncut", (q,)), "the terms of a condition"),
         (lambda: Domain((q > 0,)), "a Condition is expected"),
         (lambda: Domain(surface=("q",)), "a surface is where"),
@@ -198,7 +198,7 @@ def test_many_claims_are_some_and_each_is_one():
     """With batches of none nothing would be decided, and nobody would be told."""
     true = bracket(SPACE, q, p, 1)
     asked = [
-        (lambda: verify_many([true], batch=0), "a batch is a number of claims"),
+        (lambda: verify_many([true], batch=0), "batch: a whole number is needed"),
         (lambda: verify_many(true), "claims are expected"),
         (lambda: verify_many([true], executor=5), "an executor of concurrent.futures is expected"),
     ]

@@ -163,7 +163,7 @@ def test_a_map_that_collapses_volume_is_caught(collapsing: Any) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"order": 0}, "order: a whole number is needed, at least 1, not 0"),
+        ({"order": 0}, "order: a whole number is needed, at least 1, at most 1000, not 0"),
         ({"order": "2"}, "order: a whole number"),
         ({"steps": 0}, "steps: a whole number"),
         ({"duration": np.nan}, "duration: a finite number other than 0"),
@@ -186,7 +186,7 @@ def test_involutions_are_given_copies_and_are_functions() -> None:
     assert_reversible(leapfrog, dimension=2, involution=in_place, samples=20)
     with pytest.raises(InputError, match=r"involution: an involution of points .* is a function, not 3"):
         assert_reversible(leapfrog, dimension=2, involution=3)  # type: ignore[arg-type]
-    with pytest.raises(InputError, match="samples: a whole number is needed, at least 1, not 0"):
+    with pytest.raises(InputError, match="samples: a whole number is needed, at least 1, at most 1000000, not 0"):
         assert_reversible(leapfrog, dimension=2, samples=0)
 
 

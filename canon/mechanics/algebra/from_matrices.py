@@ -127,6 +127,8 @@ def _complex_parts(entry: Any) -> tuple[Any, Any]:
         if not (isinstance(real, sp.Rational) and isinstance(imaginary, sp.Rational)):
             raise InputError(f"{entry} is no rational number, nor one times i: a claim 'matrix_algebra' takes others")
         return Fraction(real.p, real.q), Fraction(imaginary.p, imaginary.q)
+    if isinstance(entry, tuple) and len(entry) != 2:
+        raise InputError(f"a pair (real part, imaginary part) is expected, not {entry!r}")
     return entry if isinstance(entry, tuple) else (entry, 0)
 
 

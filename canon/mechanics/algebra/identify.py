@@ -73,7 +73,7 @@ def identify(algebra: LieAlgebra, seed: int = 0) -> Identification:
     **Raises:** `InputError` for other structure constants, `ArithmeticError` where a type can't be told.
     """
     instance_of(algebra, LieAlgebra, "algebra")
-    whole_number(seed, "seed")
+    seed = whole_number(seed, "seed")
     scaled = rescaled(algebra)
     if scaled is None:
         raise InputError(

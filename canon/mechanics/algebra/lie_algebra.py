@@ -156,7 +156,7 @@ class LieAlgebra:
         table_of(element, "coefficients, by their positions,", "element")
         for place in element:
             self._check_position(place)
-        return str(as_sympy(element, self.names))
+        return str(as_sympy({place: exact(value) for place, value in element.items()}, self.names))
 
     def rows(self) -> Iterator[tuple[str, str, str]]:
         """The brackets that are not 0, each as (first name, second name, value)."""
@@ -229,13 +229,14 @@ class LieAlgebra:
 
     def images(self, x: Sequence[fmpq], space: fmpq_mat) -> fmpq_mat:
         """[x, y] for the rows y of a matrix, as rows."""
+        space = self._rows(space, "space")
         if self._full is not None:
             return space * self.adjoint_of(x).transpose()
         return linear.matrix((self.product(x, y) for y in linear.rows(space)), self.dimension)
 
     def products(self, space: fmpq_mat) -> Iterator[list[fmpq]]:
         """[x, y] for all pairs of rows x before y of a matrix."""
-        given = linear.rows(space)
+        given = linear.rows(self._rows(space, "space"))
         for a, x in enumerate(given):
             yield from linear.rows(self.images(x, linear.matrix(given[a + 1 :], self.dimension)))
 
@@ -246,12 +247,8 @@ class LieAlgebra:
 
         **Raises:** `InputError` where they are dependent or don't close under the bracket.
         """
-        if not isinstance(basis, fmpq_mat):
-            rows = [listed(row, "components", "basis") for row in listed(basis, "rows", "basis")]
-            if any(len(row) != self.dimension for row in rows):
-                raise InputError(f"rows of {self.dimension} components are expected, one for each of the basis")
-            values = [self._components(row, "basis") for row in rows]
-            basis = linear.matrix(values, self.dimension)
+        basis = self._rows(basis, "basis")
+        names = letters(names) if isinstance(names, str) else listed(names, "names", "names")
         size = basis.nrows()
         pairs = list(combinations(range(size), 2))
         brackets = linear.matrix(self.products(basis), self.dimension)
@@ -263,7 +260,14 @@ class LieAlgebra:
             pair: {c: fraction(value) for c, value in enumerate(row) if value != 0}
             for pair, row in zip(pairs, found, strict=True)
         }
-        return LieAlgebra(tuple(names) or tuple(f"e{k + 1}" for k in range(size)), constants)
+        return LieAlgebra(names or tuple(f"e{k + 1}" for k in range(size)), constants)
+
+    def _rows(self, space: Any, where: str) -> fmpq_mat:
+        """Rational rows as a matrix. **Raises:** `InputError` for rows of another length."""
+        if isinstance(space, fmpq_mat) and space.ncols() in (self.dimension, 0):
+            return space
+        rows = space.tolist() if isinstance(space, fmpq_mat) else listed(space, "rows", where)
+        return linear.matrix([self._components(row, where) for row in rows], self.dimension)
 
 
 def _tex(name: str) -> str:

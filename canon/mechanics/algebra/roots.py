@@ -17,7 +17,7 @@ import sympy as sp
 from flint import acb, fmpq, fmpq_mat, fmpq_poly, fmpz_mat
 
 from canon.errors import InputError
-from canon.expected import instance_of
+from canon.expected import instance_of, whole_number
 from canon.mechanics.algebra import linear
 from canon.mechanics.algebra.coefficients import as_sympy
 from canon.mechanics.algebra.ideals import centraliser
@@ -71,6 +71,7 @@ def roots_of(algebra: LieAlgebra, seed: int = 0) -> RootSystem:
     **Raises:** `InputError` where the algebra isn't semisimple or has irrational structure constants.
     """
     instance_of(algebra, LieAlgebra, "algebra")
+    seed = whole_number(seed, "seed")
     if not algebra.is_rational:
         raise InputError("roots are computed for rational structure constants: rescale the basis first")
     n = algebra.dimension

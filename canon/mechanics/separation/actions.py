@@ -4,6 +4,7 @@ from typing import Any
 
 import sympy as sp
 
+from canon.expected import instance_of
 from canon.mechanics.action_angle import ClosedAction, OneDegree
 from canon.mechanics.residues import by_residues
 from canon.mechanics.separation.staeckel import Separation
@@ -21,6 +22,7 @@ def separated_actions(separated: Separation) -> dict[sp.Symbol, ClosedAction | N
     Of an azimuth it is the rotation's over 2π, of other coordinates the libration's. Whether the equations separate,
     and what each closed form rests on, is to be verified: see `canon.separates` and claims of kind `action`.
     """
+    instance_of(separated, Separation, "separated")
     found: dict[sp.Symbol, ClosedAction | None] = {}
     for u, square in zip(separated.coordinates.u, separated.momentum_squares(), strict=True):
         low: Any = sp.S.Zero if u.is_positive else sp.S.NegativeInfinity

@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from canon.expected import instance_of
 from canon.mechanics.formulas import as_formula
 from canon.mechanics.hamilton_jacobi import CompleteIntegral
 from canon.mechanics.phase_space import PhaseSpace
@@ -20,6 +21,7 @@ from canon.sign import known_sign
 
 def characteristic_function(separated: Separation) -> CompleteIntegral | None:
     """W(u, E, α₂, …) with its phase space in the separating coordinates; None where an integral isn't elementary."""
+    instance_of(separated, Separation, "separated")
     coordinates, constants = separated.coordinates, separated.constants()
     u = coordinates.u
     parts = [root_integral(square, x) for x, square in zip(u, separated.momentum_squares(), strict=True)]

@@ -13,8 +13,9 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
+from canon.expected import instance_of
 from canon.mechanics.formulas import Expression, as_expression, replaced
-from canon.mechanics.phase_space import PhaseSpace
+from canon.mechanics.phase_space import PhaseSpace, check_space
 from canon.mechanics.separation.coordinates import OrthogonalCoordinates
 
 _SHORT = 60
@@ -64,7 +65,9 @@ def separation(space: PhaseSpace, H: Expression, coordinates: OrthogonalCoordina
     **Raises:** `InputError` for another kinetic energy, a number of degrees of freedom that isn't that of the
     coordinates, or a potential that isn't defined on the lines through the base points.
     """
-    expression: Any = as_expression(H)
+    check_space(space)
+    instance_of(coordinates, OrthogonalCoordinates, "coordinates")
+    expression: Any = as_expression(H, "H")
     n = space.n
     if len(coordinates.u) != n:
         raise InputError(f"{coordinates.name} coordinates here are {len(coordinates.u)}, the degrees of freedom {n}")

@@ -14,6 +14,7 @@ from flint import arb, arb_series, fmpq
 
 from canon.ball_precision import precision as precision
 from canon.errors import InputError
+from canon.expected import exact_object, formula_of, shown
 
 Ball = Any  # flint.arb; the package has no type stubs
 BallFunction = Callable[..., Ball]
@@ -49,7 +50,7 @@ def ball_function(expression: Any, symbols: Sequence[sp.Symbol]) -> BallFunction
 
     **Raises:** `InputError` for a name that is none of the symbols, or a function that has no such form.
     """
-    program = program_of([sp.sympify(expression, strict=True)], symbols, _step)
+    program = program_of([formula_of(expression, "")], symbols, _step)
 
     def function(*values: Ball) -> Ball:
         return program([value if isinstance(value, (arb, arb_series)) else arb(value) for value in values])[0]
@@ -147,13 +148,16 @@ def _fraction(value: sp.Float) -> Fraction:
     return Fraction(int(rational.p), int(rational.q))
 
 
-def ball_of(value: Any) -> Ball:
-    """A number as a ball: an int, a float (exactly), a ball, or a constant formula."""
+def ball_of(value: Any, where: str = "") -> Ball:
+    """A number as a ball: an int, a float (exactly), a ball, or a constant formula. **Raises:** `InputError`."""
     if isinstance(value, arb):
         return value
-    if isinstance(value, (int, float)):
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
         return arb(value)
-    return ball_function(value, ())()
+    found = exact_object(value)
+    if not isinstance(found, sp.Expr):
+        raise InputError(f"a real number is expected, not {shown(value)}", where)
+    return ball_function(found, ())()
 
 
 def middle(ball: Ball) -> Ball:

@@ -32,8 +32,8 @@ class Bounded:
 def bounded(ball: Ball) -> Bounded:
     """The double next to the middle of a ball, with a bound of its distance from anything in it."""
     value = float(ball.mid())
-    if not math.isfinite(value):
-        return Bounded(value, 0.0)
+    if not math.isfinite(value):  # that of a ball beyond the range of doubles is infinite, and infinitely far from it
+        return Bounded(value, math.inf if ball.is_finite() else 0.0)
     far = (ball - arb(value)).abs_upper()
     bound = float(far)
     return Bounded(value, math.nextafter(bound, math.inf) if bound or not far.is_zero() else 0.0)

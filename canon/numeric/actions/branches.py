@@ -14,9 +14,12 @@ from flint import arb
 
 from canon.errors import InputError
 from canon.numeric.actions.balls import Ball
-from canon.numeric.actions.landscape import Critical, Interval
+from canon.numeric.actions.landscape import REACH, Critical, Interval, further
 from canon.numeric.actions.profile import Profile
 from canon.numeric.actions.roots import zero_between
+
+FARTHEST = 2**16
+"""Turning points are looked for up to 2^±`FARTHEST` of the unit of q."""
 
 LIBRATION = "libration"
 ROTATION = "rotation"
@@ -132,11 +135,28 @@ def end_place(end: End, profile: Profile, domain: Interval, E: Ball) -> Ball:
     if end.kind == "unstable":
         return outer
     if not end.outer.kind and not profile.potential(outer) > E:
-        outer = end.outer.high
+        outer = _beyond_the_turn(end.outer, profile, domain, E)
     low, high, sign = (inner, outer, 1) if inner < outer else (outer, inner, -1)
     return zero_between(
         lambda q: E - profile.potential(q), lambda q: -profile.slope(q), low, high, at_low=sign, outside=-1
     )
+
+
+def _beyond_the_turn(end: Critical, profile: Profile, domain: Interval, E: Ball) -> Ball:
+    """A place towards an end of the domain at which V isn't below E any more, as it is known to become.
+
+    **Raises:** `InputError` where V is still below E at 2^±`FARTHEST` of the unit of q.
+    """
+    goal = domain.high if end.high > end.low else domain.low
+    place = end.high
+    reach = REACH
+    while profile.potential(place) < E:
+        reach *= 2
+        if reach > FARTHEST:
+            said = f"V still is below the energy at {profile.q} = {place.str(3, radius=False)}, and goes on to rise"
+            raise InputError(f"the turning point is too far out to be found: {said}", "energy")
+        place = further(goal, place, reach)
+    return place
 
 
 def place_of(node: Critical, periods: int, domain: Interval) -> Ball:

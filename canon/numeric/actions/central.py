@@ -53,7 +53,7 @@ def central_actions(
 
     **Raises:** `InputError` where V is no such formula, or an orbit is not bound, with its index.
     """
-    formula, symbol = formula_of(V, variable, parameters or {}, "V")
+    formula, symbol = formula_of(V, variable, {} if parameters is None else parameters, "V")
     state, shape = orbits_of((r, p_r, L), ("r", "p_r", "L"))
     finite_number(m, "m")
     _check(state)

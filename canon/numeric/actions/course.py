@@ -15,6 +15,7 @@ from flint import arb
 
 from canon.numeric.actions.balls import Ball
 from canon.numeric.actions.branches import ROTATION, Branch, end_place, place_of
+from canon.numeric.actions.details import has_details
 from canon.numeric.actions.elliptic import by_mean
 from canon.numeric.actions.landscape import Interval
 from canon.numeric.actions.profile import Profile
@@ -113,6 +114,8 @@ def along(course: Course, integrand: Integrand, bits: int) -> Quadrature:
         if found.resolved:
             return found
     elif not course.rotates and course.branch.is_simple and not near_barrier(course):
+        if has_details(course.profile, (course.low, *course.cuts, course.high)):
+            return _in_panels(integrand, (course.low, *course.cuts, course.high), bits)
         found = chebyshev(integrand, course.low, course.high, bits)
         if found.resolved:
             return found

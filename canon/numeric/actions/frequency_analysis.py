@@ -22,6 +22,7 @@ from canon.expected import finite_number, shown, whole_number
 Array = Any  # numpy arrays
 
 POWER: Final = 4
+HIGHEST_POWER: Final = 64
 _PASSES: Final = 12
 _STEPS: Final = 30
 _SETTLED: Final = 1e-16
@@ -41,7 +42,7 @@ class Lines:
     left: float
 
 
-def frequency_lines(signal: Array, step: float, count: int = 1, *, power: int = POWER) -> Lines:
+def frequency_lines(signal: Array, step: float, count: int = 1, *, power: float = POWER) -> Lines:
     """The `count` largest lines of a signal of N samples at intervals `step`.
 
     **Arguments:** `signal`, real or complex, as q + ip of a degree of freedom; of a real one, each line comes with its
@@ -52,6 +53,9 @@ def frequency_lines(signal: Array, step: float, count: int = 1, *, power: int = 
     whole_number(count, "count", 1)
     finite_number(step, "step")
     finite_number(power, "power", least=0.0)
+    step, power = float(step), float(power)
+    if power > HIGHEST_POWER:
+        raise InputError(f"a power of at most {HIGHEST_POWER} is needed, not {shown(power)}", "power")
     try:
         values = np.asarray(signal, dtype=complex)
     except (TypeError, ValueError, OverflowError):
@@ -93,7 +97,7 @@ def frequency_lines(signal: Array, step: float, count: int = 1, *, power: int = 
 class _Grid:
     """N times, in units of the step and from the middle, and the window on them, whose sum is 1."""
 
-    def __init__(self, size: int, power: int) -> None:
+    def __init__(self, size: int, power: float) -> None:
         self.times = np.arange(size) - (size - 1) / 2
         self.window = (1 + np.cos(2 * np.pi * self.times / size)) ** power
         self.window = self.window / self.window.sum()

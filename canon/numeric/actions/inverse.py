@@ -5,6 +5,7 @@ Both are increasing functions with known derivatives, solved by Newton's method 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
@@ -26,15 +27,16 @@ if TYPE_CHECKING:
 
 DIGITS: Final = 768
 BITS: Final = 58
+FINE: Final = 72
+"""Bits to which an action is met: so many more than those of the answer that it is off by nothing that counts there."""
 _ROUNDS: Final = 200
 _AGREED: Final = 40
 
 
 def point_of(motion: Motion, J: Ball, w: Ball, well: float | None, kind: str | None) -> tuple[Bounded, Bounded]:
     """(q, p) at J and w. **Raises:** `InputError` where the branch has no such action."""
-    if J < 0:
-        raise InputError(f"an action is 0 or more, unlike {float(J):.6g}", "action")
-    with precision(DIGITS):
+    _check_action(J)
+    with precision(_bits_for(J)):
         kind = kind or _kind(motion)
         w = w - w.mid().floor()
         if kind == LIBRATION:
@@ -47,10 +49,26 @@ def point_of(motion: Motion, J: Ball, w: Ball, well: float | None, kind: str | N
 
 def energy_of(motion: Motion, J: Ball, well: float | None, kind: str | None) -> Bounded:
     """H(J). **Raises:** `InputError` where the branch has no such action."""
-    with precision(DIGITS):
-        course = _course(motion, J, kind or _kind(motion), well)
-        period = whole(course, bits=BITS, times=True).values[1]
-        return bounded(course.E + arb(0, (abs(J) / 2 ** (BITS - 2) / period).abs_upper()))
+    _check_action(J)
+    with precision(_bits_for(J)):
+        kind = kind or _kind(motion)
+        if J.is_zero() and kind == LIBRATION:
+            return bounded(well_of(motion.nodes, well).value())
+        course = _course(motion, J, kind, well)
+        action, period = whole(course, bits=FINE, times=True).values
+        return bounded(course.E + arb(0, (2 * abs(action - J) / period).abs_upper()))
+
+
+def _check_action(J: Ball) -> None:
+    if J < 0:
+        raise InputError(f"an action is 0 or more, unlike {float(J):.6g}", "action")
+
+
+def _bits_for(J: Ball) -> int:
+    """Digits in which the energy of a small action is told from that of the minimum."""
+    if J.is_zero() or not J < 1:
+        return DIGITS
+    return DIGITS + 2 * math.ceil(-float(J.log()) / math.log(2))
 
 
 def _kind(motion: Motion) -> str:
@@ -66,7 +84,7 @@ def _course(motion: Motion, J: Ball, kind: str, well: float | None) -> Course:
     def at(E: Ball) -> tuple[Course, Ball, Ball]:
         branch = _branch(motion, E, kind, lowest)
         course = course_of(motion.profile, branch, motion.domain, E)
-        found = whole(course, bits=BITS, times=True)
+        found = whole(course, bits=FINE, times=True)
         if not found.resolved:
             raise InputError(f"the action near E = {float(E):.17g} does not settle", "action")
         return course, found.values[0], found.values[1]
@@ -83,7 +101,7 @@ def _course(motion: Motion, J: Ball, kind: str, well: float | None) -> Course:
         last[:] = [(course, action)]
         return action - J, period
 
-    _increasing(defect, low, high, J)
+    _increasing(defect, low, high, J, FINE)
     course, action = last[0]
     if abs(action - J) > abs(J) / 2**_AGREED:
         raise InputError(
@@ -101,10 +119,12 @@ def _branch(motion: Motion, E: Ball, kind: str, lowest: Critical | None) -> Bran
     raise InputError(f"there is no {kind} at E = {float(E):.17g}: {motion.ranges()}", "action")
 
 
-def _increasing(function: Callable[[Ball], tuple[Ball, Ball]], low: Ball, high: Ball, scale: Ball) -> Ball:
-    """The zero of an increasing function given with its derivative."""
+def _increasing(
+    function: Callable[[Ball], tuple[Ball, Ball]], low: Ball, high: Ball, scale: Ball, bits: int = BITS
+) -> Ball:
+    """The zero of an increasing function given with its derivative, to so many bits of the `scale`."""
     x = ((low + high) / 2).mid()
-    close = abs(scale) / 2**BITS
+    close = abs(scale) / 2**bits
     for _ in range(_ROUNDS):
         value, slope = function(x)
         if abs(value.mid()) <= close:

@@ -26,7 +26,9 @@ REACH: Final = 90
 
 _CELLS: Final = 96
 _HALVINGS: Final = 7
+_NARROW_HALVINGS: Final = 4
 _BITS: Final = 128
+_SETTLED: Final = 2**10
 _SHIFT: Final = 0.98765
 """No cell begins at a round number, where critical points like to lie."""
 
@@ -60,7 +62,8 @@ class Critical:
     def value(self) -> Ball:
         """V there, to the working precision; the limit at an end, which may be infinite."""
         if self.kind:
-            return self.profile.potential(self.place())
+            there = self.profile.potential(self.place())
+            return there if there.is_finite() else _at_a_cusp(self.profile, self.place(), self.low)
         return _limit(self.profile, self.low, self.high)
 
     def rough_value(self) -> Ball:
@@ -87,16 +90,16 @@ def landscape(profile: Profile, domain: Interval) -> tuple[Critical, ...]:
         if domain.period is not None:
             return inner
         first, last = signed[0][0], signed[-1][1]
-        low = Critical(profile, 0, first, _beyond(domain.low, first))
-        high = Critical(profile, 0, last, _beyond(domain.high, last))
+        low = Critical(profile, 0, first, further(domain.low, first))
+        high = Critical(profile, 0, last, further(domain.high, last))
         return (low, *inner, high)
 
 
-def _beyond(end: float, reached: Ball) -> Ball:
-    """A place further towards the end, to see where V tends."""
+def further(end: float, reached: Ball, doublings: int = REACH) -> Ball:
+    """A place further towards the end, to see where V tends: so many doublings of the distance, or halvings."""
     if end in (float("inf"), float("-inf")):
-        return reached * arb(2) ** REACH
-    return end + (reached - end) * arb(2) ** -REACH
+        return reached * arb(2) ** doublings
+    return end + (reached - end) * arb(2) ** -doublings
 
 
 def _cells(domain: Interval) -> Iterator[tuple[Ball, Ball]]:
@@ -134,11 +137,12 @@ def _signed(profile: Profile, low: Ball, high: Ball, halvings: int) -> Iterator[
     if certain:
         yield low, high, certain
         return
-    moderate = high - low < arb(2) ** 24 and high - low > arb(2) ** -24
-    if halvings and moderate:
+    narrow = not high - low > arb(2) ** -24  # near an end: halved as far as balls of powers need it
+    left = min(halvings, _NARROW_HALVINGS) if narrow and not over.is_finite() else halvings
+    if left and high - low < arb(2) ** 24 and not (narrow and over.is_finite()):
         half = ((low + high) / 2).mid()
-        yield from _signed(profile, low, half, halvings - 1)
-        yield from _signed(profile, half, high, halvings - 1)
+        yield from _signed(profile, low, half, left - 1)
+        yield from _signed(profile, half, high, left - 1)
         return
     ends = [sign_of(profile.slope(x)) for x in (low, high)]
     if None in ends or (high - low < 1 and not over.is_finite()):
@@ -173,6 +177,24 @@ def _place(profile: Profile, low: Ball, high: Ball, prec: int) -> Ball:
     """The critical point between two places, to `prec` bits, the working precision."""
     del prec
     return zero_between(profile.slope, profile.curvature, low, high)
+
+
+def _at_a_cusp(profile: Profile, place: Ball, near: Ball) -> Ball:
+    """V where a ball of it isn't finite though V is, as of |q|^(2/3) about 0: by its values next to the place.
+
+    It is finite if from four times as far V changes by much less than it does `near`; the rest of the way it changes by
+    no more than 8 times as much, as any power from 1/8 on. Not finite where V has a pole, or a logarithm's.
+    """
+    middle, r = place.mid(), 4 * place.rad()
+    inner = [profile.potential(middle + side * r) for side in (-1, 1)]
+    outer = [profile.potential(middle + 4 * side * r) for side in (-1, 1)]
+    wide = abs(profile.potential(near) - profile.potential(middle + (near - middle) / 4))
+    steps = [abs(b - a) for a, b in zip(inner, outer, strict=True)]
+    if not (wide.is_finite() and all(step.is_finite() and step * _SETTLED < wide for step in steps)):
+        return arb("nan")
+    centre = profile.potential(middle)
+    found = centre if centre.is_finite() else inner[0].union(inner[1])
+    return found + arb(0, 16 * max(steps, key=float).abs_upper())
 
 
 def _limit(profile: Profile, near: Ball, far: Ball) -> Ball:

@@ -211,8 +211,8 @@ def _exact(value: Any, where: str) -> Any:
     if isinstance(value, sp.Basic) and not value.is_real:
         raise InputError(f"a real number is expected, not {value}", where)
     try:
-        found = ball_of(value)
-    except (TypeError, ValueError):  # sympy's SympifyError among them
+        found = ball_of(value, where)
+    except (TypeError, ValueError):
         raise InputError(f"a real number is expected, not {shown(value)}", where) from None
     if not found.is_finite():
         raise InputError(f"a finite number is expected, not {value}", where)
@@ -271,11 +271,11 @@ def motion(
 
 def _number(value: Any, name: str) -> Any:
     exact = _exact(value, name)
-    return sp.Rational(exact) if isinstance(exact, float) else sp.sympify(exact, strict=True)
+    return sp.Rational(exact) if isinstance(exact, float) else formula_of(exact, name)
 
 
 def _period(value: Any) -> Callable[[], Ball]:
     exact = _exact(value, "period")
     if not ball_of(exact) > 0:
         raise InputError(f"a period is positive, unlike {value}", "period")
-    return ball_function(sp.Rational(exact) if isinstance(exact, float) else sp.sympify(exact, strict=True), ())
+    return ball_function(sp.Rational(exact) if isinstance(exact, float) else formula_of(exact, "period"), ())

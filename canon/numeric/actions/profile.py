@@ -14,6 +14,7 @@ import sympy as sp
 from flint import arb
 
 from canon.errors import InputError
+from canon.expected import formula_of
 from canon.numeric.actions.balls import NOTHING, Ball, BallFunction, ball_function, middle
 from canon.numeric.actions.harmonic import harmonic_rate
 
@@ -114,7 +115,7 @@ def _polished(profile: Profile, q: Ball, E: Ball, p: Ball) -> tuple[Ball, Ball]:
 
 def profile_of(H: Any, q: sp.Symbol, p: sp.Symbol) -> Profile:
     """The profile of a formula. **Raises:** `InputError` where H has no single minimum in p that a formula gives."""
-    H = sp.sympify(H, strict=True)
+    H = formula_of(H, "H")
     strange = H.free_symbols - {q, p}
     if strange:
         names = ", ".join(sorted(map(str, strange)))

@@ -76,7 +76,7 @@ def sums_of(
 
     **Raises:** `InputError` where G is no such formula, or an orbit is not bound or on the axis, with its index.
     """
-    formula, symbol = formula_of(G, variable, parameters or {}, "G")
+    formula, symbol = formula_of(G, variable, {} if parameters is None else parameters, "G")
     finite_number(delta, "delta")
     finite_number(m, "m")
     if not delta > 0:

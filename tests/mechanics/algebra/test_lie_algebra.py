@@ -143,7 +143,7 @@ def test_a_change_of_basis_by_nested_lists():
     g = structure("xyz", SO3)
     turned = g.in_basis([[1, 1, 0], [1, -1, 0], [0, 0, Fraction(1, 2)]], "uvw")
     assert list(turned.rows()) == [("u", "v", "-4*w"), ("u", "w", "v/2"), ("v", "w", "-u/2")]
-    with pytest.raises(InputError, match="rows of 3 components"):
+    with pytest.raises(InputError, match="basis: 3 components are expected"):
         g.in_basis([[1, 1]])
     with pytest.raises(InputError, match="subalgebra"):
         g.in_basis([[1, 0, 0], [0, 1, 0]])

@@ -51,8 +51,10 @@ async function look(page, width) {
   }
   const slides = e => /auto|scroll/.test(inner.getComputedStyle(e).overflowX);
   const kept = e => e.tagName !== "ARTICLE" && (slides(e) || kept(e.parentElement));
-  const beyond = e => e.getBoundingClientRect().right > width + 1 && !kept(e);
+  const heard = e => e.closest("mjx-assistive-mml");  // clipped: for who listens, not for who looks
+  const beyond = e => e.getBoundingClientRect().right > width + 1 && !kept(e) && !heard(e);
   const wide = [...body.querySelectorAll("article *")].find(beyond);
+  if (body.scrollWidth > width + 1) say(`the page slides: ${body.scrollWidth} px`);
   if (wide) say(`too wide: ${wide.tagName}.${wide.className} ${wide.textContent.trim().slice(0, 60)}`);
   if (width === widths[0]) {
     for (const math of body.querySelectorAll("div.math"))

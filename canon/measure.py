@@ -42,7 +42,7 @@ FORMULA: Final = 30
 LETTER: Final = 2
 """The work of a claim, of a formula, and of each letter of it, whatever is in them."""
 
-CALL: Final = 1_000
+CALL: Final = 600
 AGAIN: Final = 20
 """The work of a function or a root, and of one that has been built in this file before."""
 POWER: Final = 200
@@ -129,7 +129,7 @@ class Measure:
                 raise InputError(f"too large: more than {WIDEST} operations in an argument")
             if any(_height(number) > LONG for number in argument.atoms(sp.Rational)):
                 raise InputError(f"a number of more than {LONG} bits in an argument")
-            numeric = 0 if argument.free_symbols else 1_000 if size == 1 else 8_000
+            numeric = 0 if argument.free_symbols else 500 if size == 1 else 1_500
             self.spend(CALL + size + numeric)
 
     def spend_on_power(self, base: Any, exponent: Any) -> None:

@@ -49,10 +49,10 @@ def with_edges(question: Question, outcome: Outcome) -> Outcome:
         outcome.status == "refuted" and question.claim.kind in EVERYWHERE
     ):
         return outcome
-    moving, mapped = _moving(question), _mapped(question)
-    stated = [c for c in question.subject.domain.conditions if c.closed]
-    if not stated and not mapped:
+    space, stated = question.space, any(c.closed for c in question.subject.domain.conditions)
+    if not stated and not any(_may_be_zero(x) for x in (*space.old, *space.new)):
         return outcome
+    moving, mapped = _moving(question), _mapped(question)
     domain = question.domain(*_formulas(list(question.claim.keys.values())))
     closed = [c.substitute(mapped) for c in domain.conditions if c.closed]
     closed += [c for x, e in mapped.items() if (c := _assumed(x, e)) is not None and c not in domain.conditions]
@@ -71,16 +71,26 @@ def with_edges(question: Question, outcome: Outcome) -> Outcome:
 
 
 def _mapped(question: Question) -> dict[Any, Any]:
-    """What an explicit map puts in the place of its variables."""
-    made = question.subject.transformation
-    return {} if made is None else {x: formula.expr for x, formula in made.mapping.items()}
+    """What the map puts in the place of variables: of those that are not the ones in which it is given."""
+    made = question.subject.map
+    if made is None:
+        return {}
+    F = made.generating_function if made.direction == "implicit" else None
+    if F is None:
+        return {x: formula.expr for x, formula in made.mapping.items()}
+    names, signs = (*F.old_conjugates, *F.new_conjugates), [sign for side in F.signs() for sign in side]
+    return {x: sign * F.F.expr.diff(y) for x, y, sign in zip(names, F.mixed, signs, strict=True)}
 
 
 def _assumed(x: Any, e: Any) -> Condition | None:
     """What is assumed of a variable that may be 0, of its value by the map."""
-    if x.is_zero is False or not (x.is_nonnegative or x.is_nonpositive) or not e.free_symbols:
+    if not _may_be_zero(x) or not e.free_symbols:
         return None
     return Condition("positive", (e if x.is_nonnegative else -e,), closed=f"{x} {'>=' if x.is_nonnegative else '<='} 0")
+
+
+def _may_be_zero(x: Any) -> bool:
+    return x.is_zero is not False and bool(x.is_nonnegative or x.is_nonpositive)
 
 
 def _matters(question: Question, edge: Condition, conditions: Iterable[Condition]) -> bool:
@@ -141,9 +151,15 @@ def edge_of(e: Any, moving: Iterable[Any], surface: Iterable[Any] = ()) -> Edge:
         if (signed := _signed(f)) and all(_is_nowhere_flat(g, names) for g in signed):
             return "thin"
     functions = [a for a in sp.preorder_traversal(e) if isinstance(a, AppliedUndef | sp.Derivative | sp.Subs)]
-    if any(_is_not_zero(e.diff(x)) for x in e.free_symbols - {*names} if not x.is_integer):
+    if any(_may_grow(x, e.diff(x)) for x in e.free_symbols - {*names} if not x.is_integer):
         return "given"
     return "given" if any(_is_free(e, f) for f in functions) else "thick"
+
+
+def _may_grow(x: Any, slope: Any) -> bool:
+    """Whether what has this slope, a number, grows with x, or as x decreases, which what is 0 at least can't always."""
+    bound = x.is_nonpositive if slope.is_positive else x.is_nonnegative
+    return _is_not_zero(slope) and not (_may_be_zero(x) and bound)
 
 
 def _is_free(e: Any, f: Any) -> bool:

@@ -44,12 +44,13 @@ def independent(one: str, other: str) -> str:
         ('where = ["a >= 1"]', more("a**2", ">", "1")),
         ('where = ["a**2*(a - 1) >= 0"]', same("sqrt((2*a - 1)**2)", "2*a - 1")),  # false at a = 0
         ('where = ["a >= 0"]\non = ["a*x"]', same("x", "0")),
+        ('where = ["b**3 - b**2 >= c"]', same("sqrt((2*b - 1)**2)", "2*b - 1")),  # c can't be less than 0
         ('where = ["V(x) >= 0"]', more("V(x)", ">")),  # false of V = 0
         ('where = ["D(V(x), x) >= 0"]', independent("V(x)", "p")),
     ],
 )
 def test_an_edge_with_an_inner_point_is_not_shown(domain: str, claim: str) -> None:
-    text = f'{LINE}[symbols]\na = "real"\nV = "function"\n[domain]\n{domain}'
+    text = f'{LINE}[symbols]\na = "real"\nb = "real"\nc = "nonnegative"\nV = "function"\n[domain]\n{domain}'
     assert asked(text, claim) == "supported"
     assert asked(text.replace(">=", ">").replace("<=", "<"), claim) == "proved"
 
@@ -86,6 +87,12 @@ def test_nor_is_that_of_a_variable_that_may_be_zero(map_: str, symbols: str, cla
 )
 def test_what_an_edge_does_not_matter_to_is_proved(domain: str, claim: str) -> None:
     assert asked(f'{LINE}[symbols]\na = "real"\nV = "function"\n[domain]\n{domain}', claim) == "proved"
+
+
+def test_so_is_that_of_a_map_by_a_generating_function() -> None:
+    for symbols, where in (('X = "nonnegative"', ""), ('X = "real"', 'where = ["X >= 0"]\n')):
+        text = f'{FILE}[symbols]\n{symbols}\n[generating_function]\ntype = 2\nF = "x*Y"\n[domain]\n{where}on = ["x*p"]'
+        assert asked(text, same("p", "0")) == "supported"
 
 
 def test_what_is_canonical_wherever_it_was_looked_at_is_not_refuted() -> None:

@@ -30,6 +30,7 @@ CONTINUOUS: Final = frozenset(
         "identity", "bracket", "jacobi", "conserved", "involution", "casimir", "infinitesimal", "equations_of_motion",
         "bracket_invariance", "fundamental_brackets", "canonical", "volume", "integral_invariant", "generates",
         "invariant_interval", "matrix_group", "field_equations", "solves", "noether", "dimension",
+        "hamiltonian_field",
     }
 )  # fmt: skip
 """Kinds of which all that is claimed is that something vanishes: it does so in a limit, too."""

@@ -55,7 +55,8 @@ def with_edges(question: Question, outcome: Outcome) -> Outcome:
         return outcome
     moving, mapped = _moving(question), _mapped(question)
     domain = question.domain(*_formulas(list(question.claim.keys.values())))
-    closed = [c.substitute(mapped) for c in domain.conditions if c.closed]
+    apart = {e for c in domain.conditions if c.kind == "nonzero" for e in (c.terms[0], -c.terms[0])}
+    closed = [c.substitute(mapped) for c in domain.conditions if c.closed and c.terms[0] not in apart]
     closed += [c for x, e in mapped.items() if (c := _assumed(x, e)) is not None and c not in domain.conditions]
     surface = tuple(e.xreplace(mapped) for e in domain.surface)
     edges = [(c, edge_of(c.terms[0], moving, surface)) for c in closed]

@@ -38,13 +38,14 @@ class Condition:
     | `slit` | e | the complex number e is not in (−∞, 0] |
     | `regular` | f | the special function f is finite and analytic at its arguments |
 
-    `text` is how a reader of the formula would write it; it takes no part in equality. Where it is empty the words
-    are made of the terms when somebody asks for them: printing large expressions is slower than deciding about them.
+    `text` is how a reader of the formula would write it, `closed` how it was written where that was e ≥ 0; they take no
+    part in equality. Where `text` is empty the words are made of the terms when somebody asks for them.
     """
 
     kind: ConditionKind
     terms: tuple[sp.Expr, ...]
     text: str = field(default="", compare=False)
+    closed: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.kind, str) or self.kind not in _KINDS:
@@ -62,7 +63,7 @@ class Condition:
         """The condition pulled back: every key of `mapping` replaced by its value, all at once."""
         table(mapping, "formulas to put in", "mapping")
         terms: tuple[Any, ...] = tuple(replaced(term, mapping) for term in self.terms)
-        return self if terms == self.terms else Condition(self.kind, terms)
+        return self if terms == self.terms else Condition(self.kind, terms, closed=self.closed)
 
 
 @dataclass(frozen=True)
@@ -100,8 +101,11 @@ def checked_conditions(conditions: Iterable[Condition]) -> tuple[Condition, ...]
 
 
 def unique(*groups: Iterable[Condition]) -> tuple[Condition, ...]:
-    """All conditions of `groups` in order, each once."""
-    return tuple(dict.fromkeys(condition for group in groups for condition in group))
+    """All conditions of `groups` in order, each once: as a strict one where it is one of these."""
+    found = dict[Condition, Condition]()
+    for c in (c for group in groups for c in group):
+        found[c] = c if c not in found or (found[c].closed and not c.closed) else found[c]
+    return tuple(found.values())
 
 
 def describe(kind: ConditionKind, *terms: str) -> str:

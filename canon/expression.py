@@ -75,13 +75,14 @@ def _read_relation(text: str, vocabulary: Vocabulary, measure: Measure | None) -
         if builder.measure.is_complex(difference) and sign != "!=":
             raise InputError(f"{left} {sign} {right} compares complex values")
         make, written = (nonzero, "!=") if sign == "!=" else (positive, sign.rstrip("="))
-        difference = -difference if written == "<" else difference
+        difference, closed = -difference if written == "<" else difference, ""
         if sign in ("<=", ">="):
             bound = at_least_zero(difference, f"{left} {sign} {right}")
-            difference, written = (difference, written) if bound is difference else (bound, sign)
+            closed = f"{left} {sign} {right}" if bound is difference else ""
+            difference, written = (difference, written) if closed else (bound, sign)
         try:
             conditions = make(difference)
         except InputError:
             raise InputError(f"the inequality {left} {sign} {right} can't hold anywhere") from None
-        found += [Condition(c.kind, c.terms, f"{left} {written} {right}") for c in conditions]
+        found += [Condition(c.kind, c.terms, f"{left} {written} {right}", closed) for c in conditions]
     return unique(found)

@@ -28,6 +28,9 @@ FUNCTIONS = {
 STEEPEST, FLAT = 10**6, ("log", "abs", "sign", "atan", "atan2", "asinh")
 """The largest argument of a function that isn't one of the flat ones: beyond it the value's digits have no end."""
 
+EDGED = ("log", "abs", "sign", "power")
+"""Functions that end, or have a kink, where their argument is 0."""
+
 
 class Outside(ValueError):
     """A point at which a formula isn't defined, isn't smooth, or isn't real."""
@@ -206,13 +209,25 @@ def inside(s: Statement, case: Case, numbers: Numbers, of: dict[str, Any]) -> bo
         found = numbers.values(f, [*written, *(a for a, _ in s.conditions), *case.somewhere], of)
     except Outside:
         return False
-    if not all(numbers.mp.re(found[a]) > 0 for a in case.somewhere):
+    if not all(numbers.mp.re(found[a]) > 0 for a in case.somewhere) or (s.surface and not _is_clear(s, found, of)):
         return False
     signs = ((numbers.mp.re(found[a]), kind) for a, kind in s.conditions)
     everything = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}
     return all(sign > 0 or (kind == "nonzero" and sign != 0) for sign, kind in signs) and all(
         allowed(s.words.get(name, ()), value, numbers) for name, value in everything.items() if name not in f.functions
     )
+
+
+def _is_clear(s: Statement, found: Mapping[int, Any], of: Mapping[str, Any]) -> bool:
+    """Whether a point is off the edges of the domain by more than rounding: x = 10⁻⁵⁰ isn't above 0 where x p = 0."""
+    f, asked = s.f, [found[a] for a, _ in s.conditions]
+    for a in found:
+        op, parts = f.ops[a], f.parts(a)
+        if (op[0] == "f" and op[1] in EDGED) or (op[0] == "^" and op[2] < 0):
+            asked.append(found[parts[0]])
+    signed = {"positive", "negative", "nonnegative", "nonpositive", "nonzero"}
+    words = (of[name] for name in of if name not in f.functions and signed & {*s.words.get(name, ())})
+    return all(abs(value) > 10.0**-CLOSE for value in asked) and all(not x or abs(x) > 10.0**-CLOSE for x in words)
 
 
 def names_in(s: Statement, targets: Sequence[int]) -> set[str]:

@@ -10,7 +10,7 @@ from typing import Any
 from canon.checker import places, stated
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
-from canon.checker.whole import at_least_zero
+from canon.checker.whole import at_least_zero, is_thin
 
 TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("p", -1, "P", 1)}
 """Of each type of generating function: its old variable, the sign of ∂F by it, its new one, the sign of ∂F by that."""
@@ -172,7 +172,12 @@ class Statement:
             a, b = (right, left) if "<" in sign else (left, right)
             difference = self.f.sub(a, b)
             if sign in ("<=", ">="):
-                difference = at_least_zero(self.f, difference, self.fixed)
+                bound = at_least_zero(self.f, difference, self.fixed)
+                moving = {*self.q, *self.p, *self.Q, *self.P, self.time, *stated.own_names(self.claim)} - self.fixed
+                thin = not self.surface and is_thin(self.f, difference, moving, str(self.claim["kind"]))
+                if bound == difference and self.verdict == "proved" and not thin:
+                    self.trusted.append(f"what holds where both sides of {text[:60]} are equal")
+                difference = bound
             yield difference, "nonzero" if sign == "!=" else "positive"
 
     # -- the map ------------------------------------------------------------------------------------

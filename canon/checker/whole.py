@@ -1,4 +1,7 @@
-"""Inequalities with >= between whole numbers: their edge belongs to the domain, as no other value is near."""
+"""Inequalities with >=: between whole numbers their edge belongs to the domain, as no other value is near.
+
+Elsewhere they say as much as >, if their sides are equal on no part of the domain; that is seen or taken on trust.
+"""
 
 from __future__ import annotations
 
@@ -26,6 +29,31 @@ def at_least_zero(f: Formulas, a: int, whole: AbstractSet[str]) -> int:
     if any(f.value(f.slope(a, name)) for name in sorted(names - whole - {"pi", "1j"})):
         return a
     raise Unreadable("an inequality of whole numbers whose sides may be equal all over a part of the domain")
+
+
+CONTINUOUS = {
+    "identity", "bracket", "jacobi", "conserved", "involution", "casimir", "infinitesimal", "equations_of_motion",
+    "invariant_interval", "matrix_group", "field_equations", "solves", "noether",
+}  # fmt: skip
+"""Kinds of claims that say no more than that something vanishes: in a limit, too, whatever a map does there."""
+MOST_SLOPES = 4
+
+
+def is_thin(f: Formulas, a: int, moving: AbstractSet[str], kind: str) -> bool:
+    """Whether a is 0 on no part of what these names say, whatever all others are: by a slope of slopes, a number.
+
+    Of the kinds in CONTINUOUS it is enough if one fixed name has a number for its slope: a is positive near by.
+    """
+    names = {f.ops[b][1] for b in f.reach(a) if f.ops[b][0] == "s"} - {"pi", "1j"}
+    if kind in CONTINUOUS and any(f.value(f.slope(a, name)) for name in names - moving):
+        return True
+    for name in names & moving:
+        slope = a
+        for _ in range(MOST_SLOPES):
+            slope = f.slope(slope, name)
+            if f.value(slope):
+                return True
+    return False
 
 
 def _denominator(f: Formulas, a: int) -> int:

@@ -14,6 +14,7 @@ from canon.claim import Claim
 from canon.claims.agreement import alarm_within, compared
 from canon.claims.beside_forward import on_its_domain
 from canon.claims.confined import unconfined
+from canon.claims.edges import with_edges
 from canon.claims.kinds import Kind, kind_named
 from canon.claims.matters import mattering
 from canon.claims.no_numbers import sampled_only
@@ -140,7 +141,7 @@ def _apart(claim: Claim, settings: Settings) -> Verdict:
 def _answer(decide: Kind, question: Question) -> Outcome:
     """What the kind says; a budget spent, or what the deciders don't know, is `undecided` and says so."""
     try:
-        outcome = _decided(decide, question)
+        outcome = with_edges(question, _decided(decide, question))
     except BudgetExceeded as reason:
         return Outcome("undecided", note=str(reason))
     except Unsupported as reason:

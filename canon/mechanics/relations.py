@@ -33,14 +33,16 @@ def region_of(relation: Any) -> Domain:
         if not isinstance(side, sp.Expr):
             raise InputError(f"{relation} compares {side!r}, which is no formula", "domain")
         check_extent(side, where="domain")
+    closed = ""
     if isinstance(relation, GreaterThan | LessThan | StrictGreaterThan | StrictLessThan):
         difference = ordered.gts - ordered.lts
         if isinstance(relation, GreaterThan | LessThan):
-            difference = at_least_zero(difference, str(relation))
+            bound = at_least_zero(difference, str(relation))
+            difference, closed = bound, str(relation) if bound is difference else ""
     else:
         difference = ordered.lhs - ordered.rhs
     defined = tuple(conditions_of(ordered.lhs)) + tuple(conditions_of(ordered.rhs))
     if isinstance(relation, sp.Eq):
         return Domain(conditions=defined, surface=(difference,))
     kind = "nonzero" if isinstance(relation, sp.Ne) else "positive"
-    return Domain(conditions=(*defined, Condition(kind, (difference,), str(relation))))
+    return Domain(conditions=(*defined, Condition(kind, (difference,), str(relation), closed)))

@@ -8,21 +8,24 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from hypothesis import find
 
 import canon
 from canon.errors import InputError
 from canon.expected import listed
 from canon.mechanics.algebra.sums import semidirect_sum
 from canon.mechanics.integral_invariant import cartan_form
+from canon.testing import phase_points
 
 SPACE = canon.PhaseSpace("q", "p", new=("Q", "P"))
-q, p, Q = SPACE.symbols("q p Q")
+q, p, Q = (SPACE.symbol(name) for name in ("q", "p", "Q"))
 PLANE = canon.PhaseSpace("x y", "px py")
-x, y, px, py = PLANE.symbols("x y px py")
+x, y, px, py = (PLANE.symbol(name) for name in ("x", "y", "px", "py"))
 FREE = (px**2 + py**2) / 2
 NOT_Q, NOT_X = sp.Symbol("q"), sp.Symbol("x")
 FUNCTION: Any = sp.Lambda(NOT_X, NOT_X)  # float() and numpy make an IndexError of it
 NAMES: Any = sp.IndexedBase("a")  # it has an item at every place, and so no end
+HALF = sp.Rational(1, 2)
 AFFINE = canon.LieAlgebra.of(["A", "B"], {"A,B": "B"})
 SWAP = canon.Transformation(SPACE, Q=p, P=-q)
 
@@ -51,6 +54,9 @@ WRONG: dict[str, Callable[[], Any]] = {
     "a coefficient that is a function": lambda: AFFINE.bracket({"A": 1}, {"B": FUNCTION}),
     "a coefficient that is a relation": lambda: AFFINE.show({0: sp.Eq(q, 1)}),  # type: ignore[dict-item]
     "a matrix that is none": lambda: semidirect_sum(AFFINE, AFFINE, {"A": 1}),  # type: ignore[dict-item]
+    "compose_boosts, 30 digits": lambda: canon.compose_boosts((0, 0, HALF), (0, 0, HALF / 3), c=10**100),
+    "phase_points, a text": lambda: find(phase_points("a"), bool),  # type: ignore[arg-type]
+    "phase_points, no scales": lambda: find(phase_points(1, scales=0.5), bool),  # type: ignore[arg-type]
     "compose_boosts, an integral": lambda: canon.compose_boosts(
         (0, 0, sp.Rational(1, 2)), (0, 0, 0), c=sp.Integral(q**2 + 1, (q, 0, 1))
     ),
@@ -96,8 +102,7 @@ def test_the_inverse_of_an_explicit_map_is_right_on_both_sides_of_a_kink(kink: s
     sheared = canon.Transformation(SPACE, Q=q, P=p - kink)
     back = sheared.backward().expressions
     for place in (-2, 3):
-        values = {SPACE.Q[0]: place, SPACE.P[0]: 5}
-        found = [value.subs(values) for value in back]
+        found = [value.subs([(SPACE.Q[0], place), (SPACE.P[0], 5)]) for value in back]
         assert found == [place, 5 + kink.subs(q, place)]
     assert canon.compose(sheared, sheared.inverse()).expressions == (q, p)
 
@@ -111,3 +116,13 @@ def test_solving_has_an_end(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InputError, match="no generating function of type 1 was found"):
         turned.generating_function_of(1)
     assert monotonic() - began < 60
+
+
+def test_a_cross_section_beyond_all_doubles() -> None:
+    r = sp.Symbol("r", positive=True)
+    found = canon.scattering(1 / r, r, energy=1e-300, impact_parameter=0.5)
+    assert found is not None
+    assert found.cross_section == float("inf")
+    far = canon.scattering(r**-1 * 10**200, r, energy=1e100, impact_parameter=1.0)
+    assert far is not None
+    assert far.cross_section == pytest.approx(6.25e198, rel=1e-14)

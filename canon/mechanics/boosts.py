@@ -119,4 +119,7 @@ def _neat(value: Any) -> Any:
 
 def compose_boosts(second: Vector, first: Vector, c: Any = 1) -> BoostAndRotation:
     """boost(second) · boost(first): the composed velocity, and Wigner's rotation, 1 only where they are parallel."""
-    return _split(sp.ImmutableMatrix((boost(second, c) * boost(first, c)).applyfunc(_neat)), c)
+    try:
+        return _split(sp.ImmutableMatrix((boost(second, c) * boost(first, c)).applyfunc(_neat)), c)
+    except (ValueError, OverflowError) as reason:
+        raise InputError("numbers of so many digits are too long for sympy's roots", "velocities, c") from reason

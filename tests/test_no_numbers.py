@@ -54,7 +54,8 @@ WRONG: dict[str, Callable[[], Any]] = {
     "a coefficient that is a function": lambda: AFFINE.bracket({"A": 1}, {"B": FUNCTION}),
     "a coefficient that is a relation": lambda: AFFINE.show({0: sp.Eq(q, 1)}),  # type: ignore[dict-item]
     "a matrix that is none": lambda: semidirect_sum(AFFINE, AFFINE, {"A": 1}),  # type: ignore[dict-item]
-    "compose_boosts, 30 digits": lambda: canon.compose_boosts((0, 0, HALF), (0, 0, HALF / 3), c=10**100),
+    "boost, 30 digits": lambda: canon.boost((0, 0, HALF / 3 * 2), c=10**30),
+    "compose_boosts, 100 digits": lambda: canon.compose_boosts((0, 0, HALF), (0, 0, HALF / 3), c=10**100),
     "phase_points, a text": lambda: find(phase_points("a"), bool),  # type: ignore[arg-type]
     "phase_points, no scales": lambda: find(phase_points(1, scales=0.5), bool),  # type: ignore[arg-type]
     "compose_boosts, an integral": lambda: canon.compose_boosts(

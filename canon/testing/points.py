@@ -38,9 +38,9 @@ def phase_points(
     differences cancel. They shrink to 0 and to 1 in the first scale.
     """
     degrees = whole_number(degrees, "degrees", 1)
-    scales, units = numbers(scales, "scales"), numbers(units, "units")
+    scales, sizes = numbers(scales, "scales"), numbers(units, "units")
     values = [draw(st.integers(-9, 9)) * draw(st.sampled_from(scales)) for _ in range(2 * degrees)]
     if twins and draw(st.booleans()):
         k = draw(st.integers(0, 2 * degrees - 1))
         values[k] = values[k - 1] * (1 + draw(st.sampled_from((0.0, 1e-12, -1e-12))))
-    return np.array(values) * np.repeat(units, degrees)
+    return np.array(values) * np.repeat(sizes, degrees)

@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable
 
-from canon.errors import BudgetExceeded
+from canon.errors import NO_NUMBER, BudgetExceeded
 
 
 class Budget:
@@ -65,6 +65,6 @@ def is_budget(seconds: object) -> bool:
     """Whether a `Budget` of so many seconds can be made."""
     try:
         Budget(seconds)  # pyright: ignore[reportArgumentType] - that is asked here
-    except (TypeError, ValueError, OverflowError):
+    except NO_NUMBER:
         return False
     return True

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 if TYPE_CHECKING:
     from canon.verdict import Verdict
+
+NO_NUMBER: Final = (TypeError, ValueError, OverflowError, IndexError)
+"""What Python, numpy and sympy raise where a float is made of what is no number: an IndexError of a function of
+sympy's (`Lambda`)."""
 
 
 class CanonError(Exception):

@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import islice
 from numbers import Integral, Number, Real
 from typing import Any, Final
 
-from canon.errors import InputError
+from canon.errors import NO_NUMBER, InputError
 
 _MADE_BY: Final[Mapping[str, str]] = {
     "PhaseSpace": 'one is made by PhaseSpace("q", "p")',
@@ -23,6 +24,8 @@ _MADE_BY: Final[Mapping[str, str]] = {
     "Symbol": 'one of a phase space is space.symbol("q")',
 }
 """Where the values of these types come from."""
+MOST_LISTED: Final = 1_000_000
+"""A list has no more items: one that comes one by one may have no end."""
 _NUMPYS_OWN: Final = (("numpy", "bool"), ("numpy", "bool_"))
 """The type of numpy's True and False, which not everybody who asks here has loaded."""
 
@@ -43,12 +46,19 @@ def instance_of(value: Any, kind: type, where: str) -> None:
 
 
 def listed(value: Any, what: str, where: str) -> tuple[Any, ...]:
-    """A list of `what`, as a tuple; a text, a table and a set, which has no order, are none."""
+    """A list of `what`, as a tuple; a text, a table and a set, which has no order, are none, nor is what has no end."""
+    found: tuple[Any, ...] | None = None
     try:
-        if not isinstance(value, (str, bytes, Mapping, set, frozenset)):
-            return tuple(value)  # matrices of sympy's, too, which have no __iter__
+        if isinstance(value, (str, bytes, Mapping, set, frozenset)):
+            pass
+        elif hasattr(value, "__len__"):  # matrices of sympy's, too, which have no __iter__
+            found = tuple(value)
+        elif hasattr(value, "__iter__"):  # not its indexed names, which have an item at every place
+            found = tuple(islice(value, MOST_LISTED + 1))
     except TypeError:
         pass
+    if found is not None and len(found) <= MOST_LISTED:
+        return found
     raise InputError(f"a list of {what} is expected, not {shown(value)}", where)
 
 
@@ -138,7 +148,7 @@ def numbers(value: Any, where: str) -> list[float]:
     found = listed(value, "numbers", where)
     try:
         return [float(x) for x in found]
-    except (TypeError, ValueError, OverflowError) as reason:
+    except NO_NUMBER as reason:
         raise InputError(f"a list of numbers is expected, not {shown(value)}", where) from reason
 
 
@@ -151,6 +161,6 @@ def real_array(value: Any, where: str) -> Any:
         known = found.dtype.kind in "biuf" or (found.dtype.kind == "O" and all(x is not None for x in found.flat))
         if known and not isinstance(value, (str, bytes)):
             return np.asarray(found, dtype=float)
-    except (TypeError, ValueError, OverflowError):
+    except NO_NUMBER:
         pass
     raise InputError(f"real numbers are expected, not {shown(value)}", where)

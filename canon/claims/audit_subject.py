@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from canon.errors import InputError
+from canon.errors import NO_NUMBER, InputError
 from canon.expected import shown, table
 from canon.numeric.lower import lower_map
 from canon.numeric.membership import Membership, membership
@@ -70,7 +70,7 @@ def checked_parameters(parameters: Any) -> Mapping[Any, float]:
     for name, value in parameters.items():
         try:
             found[name] = float(value)
-        except (TypeError, ValueError, OverflowError):
+        except NO_NUMBER:
             found[name] = math.nan
         if isinstance(value, str) or not math.isfinite(found[name]):
             raise InputError(f"a finite number is needed, not {shown(value)}", f"parameters, {name}")

@@ -37,7 +37,10 @@ def boost(velocity: Vector, c: Any = 1) -> sp.ImmutableMatrix:
     slower: Any = 1 - square
     if vanishes(slower) or (slower.is_number and sign_at_a_point(slower) != 1) or slower.is_nonpositive:
         raise InputError("the speed isn't below that of light", "velocity")
-    return _boost(1 / sp.sqrt(slower), beta)
+    try:
+        return _boost(1 / sp.sqrt(slower), beta)
+    except ValueError as reason:
+        raise InputError("numbers of so many digits are too long for sympy's roots", "velocity, c") from reason
 
 
 def _boost(gamma: Any, beta: Any) -> sp.ImmutableMatrix:
@@ -119,4 +122,7 @@ def _neat(value: Any) -> Any:
 
 def compose_boosts(second: Vector, first: Vector, c: Any = 1) -> BoostAndRotation:
     """boost(second) · boost(first): the composed velocity, and Wigner's rotation, 1 only where they are parallel."""
-    return _split(sp.ImmutableMatrix((boost(second, c) * boost(first, c)).applyfunc(_neat)), c)
+    try:
+        return _split(sp.ImmutableMatrix((boost(second, c) * boost(first, c)).applyfunc(_neat)), c)
+    except (ValueError, OverflowError) as reason:
+        raise InputError("numbers of so many digits are too long for sympy's roots", "velocities, c") from reason

@@ -15,7 +15,7 @@ from canon.expected import listed, one_of, shown, text, yes_or_no
 from canon.mechanics.formulas import Expression, as_expression
 from canon.mechanics.generating_function import GeneratingFunction
 from canon.mechanics.phase_space import PhaseSpace, check_space
-from canon.mechanics.poisson import standard_j
+from canon.mechanics.poisson import check_functions, standard_j
 
 Order = Literal["qp", "pq"]
 
@@ -72,7 +72,9 @@ class Conventions:
         """
         check_space(space)
         pair = space.q + space.p if self.order == "qp" else space.p + space.q
-        left, right = ([as_expression(value).diff(x) for x in pair] for value in (f, g))
+        values = [as_expression(value) for value in (f, g)]
+        check_functions(values, space)
+        left, right = ([value.diff(x) for x in pair] for value in values)
         J = self.J(space.n)
         return sp.Add(
             *(self.bracket_sign * left[i] * J[i, j] * right[j] for i in range(len(pair)) for j in range(len(pair)))

@@ -34,7 +34,8 @@ def explicit_branches(transformation: Transformation, direction: Direction) -> t
         if len(space.Q) != space.n:
             raise InputError("a map to fewer variables has no inverse")
         given = {target: formula.expr for target, formula in transformation.mapping.items()}
-        solutions = branches(given, targets, within=space.domain.conditions)
+        # an explicit map is what its formulas say on both sides of a kink; one of a generating function is continued
+        solutions = branches(given, targets, within=space.domain.conditions, throughout=True)
     return tuple(_transformation(transformation, direction, solution) for solution in solutions)
 
 

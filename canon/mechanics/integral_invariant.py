@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from canon.errors import InputError
-from canon.mechanics.formulas import Expression, as_expression, replaced
+from canon.mechanics.formulas import Expression, as_expression, check_symbols, replaced
 from canon.mechanics.one_form import exterior_derivative
 from canon.mechanics.poisson import standard_j
 from canon.mechanics.transformation import Transformation
@@ -78,7 +78,9 @@ def cartan_form(transformation: Transformation, H: Expression, K: Expression) ->
     space = transformation.space
     arguments = (*transformation.arguments, space.t)
     given = {target: formula.expr for target, formula in transformation.mapping.items()}
-    energy, new_energy = (replaced(as_expression(value), given) for value in (H, K))
+    energies = [as_expression(value) for value in (H, K)]
+    check_symbols(energies, transformation.space.vocabulary)
+    energy, new_energy = (replaced(value, given) for value in energies)
 
     def differential(coordinate: sp.Expr, momentum: sp.Expr) -> list[sp.Expr]:
         return [momentum * coordinate.diff(x) for x in arguments]

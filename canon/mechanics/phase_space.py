@@ -134,12 +134,12 @@ class PhaseSpace:
         put(self, "t", moment)
         put(self, "parameters", tuple(symbol(name) for name in rest if name not in called))
         put(self, "functions", called)
-        if not isinstance(domain, Domain | None):
-            raise InputError(f"a Domain is expected, not {domain!r}: write space.where(...) for relations", "domain")
-        put(self, "domain", domain or Domain())
+        put(self, "domain", Domain())
         spoken = {name for name, given in words.items() if given}
         listed = [name for names in (q, p, *(new or ())) for name in listed_names(names) if isinstance(name, str)]
         put(self, "plain", frozenset(listed) - spoken)
+        if domain is not None:
+            put(self, "domain", self.with_domain(domain).domain)
 
     @property
     def n(self) -> int:

@@ -33,6 +33,8 @@ def ball(expression: Any, values: Mapping[Any, Any], bits: int) -> acb:
     if expression.is_Rational:
         return acb(fmpq(int(expression.p), int(expression.q)))
     if expression.is_Symbol:
+        if expression not in values:  # bound, as in an integral that wasn't done
+            raise Unknown
         return ball(values[expression], values, bits)
     if expression is sp.pi:
         return acb.pi()

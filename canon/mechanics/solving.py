@@ -10,8 +10,10 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from canon.budget import Budget
+from canon.deadline import within as in_time
 from canon.domain import Condition, unique
-from canon.errors import InputError
+from canon.errors import BudgetExceeded, InputError
 from canon.mechanics.formulas import as_formulas, replaced
 from canon.mechanics.one_form import tidy
 from canon.mechanics.solution_points import agrees, holds, sample_points
@@ -20,6 +22,7 @@ Solution: TypeAlias = dict[Any, Any]
 
 _LARGEST = 8  # branches that are followed at once
 _MOST_KINKS = 2  # absolute values whose signs are chosen one by one
+_SECONDS = 10.0  # that sympy may take to solve and to shorten all branches together: neither always ends
 
 
 def branches(
@@ -29,25 +32,28 @@ def branches(
     *,
     within: Sequence[Condition] = (),
     besides: Mapping[sp.Symbol, sp.Expr] | None = None,
+    throughout: bool = False,
 ) -> tuple[Solution, ...]:
     """The solutions of y = equations[y] for `unknowns`, as functions of the y and whatever else occurs.
 
     **Arguments:** besides the equations, what else is wanted at the solutions, `also`: functions of the same variables,
     each under a name of its own; `within`, the conditions of a domain to which the solutions are restricted; `besides`,
-    further variables of which these may speak, as functions of the others.
+    further variables of which these may speak, as functions of the others; `throughout`, whether what is right at all
+    points goes before what continues smoothly where no domain is stated, too.
 
-    **Returns:** the branches that are right at some sample point: within a stated domain those first that are right at
-    all of them, smooth ones before those with absolute values, and rare ones last; empty when sympy finds none. With
-    arbitrary functions in the equations no branch can be sampled and all are kept.
+    **Returns:** the branches that are right at some sample point: within a stated domain, or `throughout`, those first
+    that are right at all of them, smooth ones before those with absolute values, and rare ones last; empty when sympy
+    finds none. With arbitrary functions in the equations no branch can be sampled and all are kept.
     """
     wanted = dict(also or {})
     everything = (*unknowns, *wanted)
     system = [_prepared(known, value) for known, value in equations.items()]
     system += [value - name for name, value in wanted.items()]
     found: list[Solution] = []
-    for solution in _solve(system, everything):
-        readable = {x: tidy(_readable(solution[x])) for x in everything}
-        plus, *others = _smooth(readable)
+    budget = Budget(_SECONDS)
+    for solution in _solve(system, everything, budget):
+        readable = {x: _shorter(_readable(solution[x]), budget) for x in everything}
+        plus, *others = _smooth(readable, budget)
         for form in (plus, readable, *others, _with_other_roots(readable)):
             if form not in found:
                 found.append(form)
@@ -62,7 +68,7 @@ def branches(
     kinks = [any(value.has(sp.Abs, sp.sign) for value in solution.values()) for solution in found]
     rare = [2 * count < max(right) for count in right]
     minus = [sum(map(_minus_signs, solution.values())) for solution in found]
-    partial = [bool(within) and count < len(points) for count in right]
+    partial = [(bool(within) or throughout) and count < len(points) for count in right]
     order = sorted((k for k in range(len(found)) if right[k]), key=lambda k: (partial[k], kinks[k], rare[k], minus[k]))
     return tuple(found[k] for k in order)
 
@@ -109,15 +115,18 @@ def _prepared(known: sp.Symbol, value: sp.Expr) -> sp.Expr:
     return value - known
 
 
-def _solve(system: Sequence[sp.Expr], unknowns: tuple[sp.Symbol, ...]) -> Iterator[Solution]:
-    """Solve by elimination: an equation in one unknown first, then one linear in an unknown, else the whole system."""
+def _solve(system: Sequence[sp.Expr], unknowns: tuple[sp.Symbol, ...], budget: Budget) -> Iterator[Solution]:
+    """Solve by elimination: an equation in one unknown first, then one linear in an unknown, else the whole system.
+
+    What sympy hasn't solved within the budget counts as not solved.
+    """
     if not unknowns:
         yield {}
         return
     rooted = _without_roots(system, unknowns)
     if rooted is not None:
         easier, roots = rooted
-        for solution in _solve(easier, tuple(roots.get(x, x) for x in unknowns)):
+        for solution in _solve(easier, tuple(roots.get(x, x) for x in unknowns), budget):
             yield {x: solution[roots[x]] ** 2 if x in roots else solution[x] for x in unknowns}
         return
     turned = _polar_pair(system, unknowns)
@@ -125,22 +134,22 @@ def _solve(system: Sequence[sp.Expr], unknowns: tuple[sp.Symbol, ...]) -> Iterat
         angle, candidates = turned
         others = tuple(x for x in unknowns if x != angle)
         for value, reduced in candidates:
-            for solution in _solve(reduced, others):
+            for solution in _solve(reduced, others, budget):
                 yield {angle: replaced(value, solution), **solution}
         return
     system = [_numerator(equation) for equation in system]
     pick = _easiest(system, unknowns)
     if pick is None:
-        yield from _solve_whole(system, unknowns)
+        yield from _solve_whole(system, unknowns, budget)
         return
     index, unknown = pick
     rest = [equation for k, equation in enumerate(system) if k != index]
     others = tuple(x for x in unknowns if x != unknown)
-    for root in _roots(system[index], unknown):
-        reduced = [tidy(replaced(equation, {unknown: root})) for equation in rest]
+    for root in _roots(system[index], unknown, budget):
+        reduced = [_shorter(replaced(equation, {unknown: root}), budget) for equation in rest]
         if any(equation.has(sp.zoo, sp.nan) or equation == 0 for equation in reduced):
             continue
-        for solution in _solve(reduced, others):
+        for solution in _solve(reduced, others, budget):
             yield {unknown: replaced(root, solution), **solution}
 
 
@@ -220,21 +229,29 @@ def _easiest(system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> tuple[
     return None if best is None else (best[1], best[2])
 
 
-def _roots(equation: sp.Expr, unknown: sp.Symbol) -> list[sp.Expr]:
+def _roots(equation: sp.Expr, unknown: sp.Symbol, budget: Budget) -> list[sp.Expr]:
     slope = tidy(equation.diff(unknown))
     if not slope.has(unknown):
         return [] if slope == 0 else [tidy(-replaced(equation, {unknown: sp.S.Zero}) / slope)]
     try:
-        roots = sp.solve(equation, unknown, check=False, simplify=False)
-    except (RuntimeError, ValueError, TypeError):
+        roots = in_time(budget, lambda: sp.solve(equation, unknown, check=False, simplify=False))
+    except (RuntimeError, ValueError, TypeError, BudgetExceeded):
         return []
     return [root for root in roots if isinstance(root, sp.Expr) and not root.has(sp.Piecewise, sp.zoo, sp.nan)]
 
 
-def _solve_whole(system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> Iterator[Solution]:
+def _shorter(expression: sp.Expr, budget: Budget) -> sp.Expr:
+    """The same in a shorter form, where that is found in time."""
     try:
-        solutions = sp.solve(system, unknowns, dict=True, check=False, simplify=False)
-    except (RuntimeError, ValueError, TypeError):
+        return in_time(budget, lambda: tidy(expression))
+    except BudgetExceeded:
+        return expression
+
+
+def _solve_whole(system: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], budget: Budget) -> Iterator[Solution]:
+    try:
+        solutions = in_time(budget, lambda: sp.solve(system, unknowns, dict=True, check=False, simplify=False))
+    except (RuntimeError, ValueError, TypeError, BudgetExceeded):
         return
     for solution in solutions:
         free = {x for value in solution.values() for x in value.free_symbols}
@@ -259,7 +276,7 @@ def _is_root_of_a_wave(expression: sp.Expr) -> bool:
     return expression.base.is_Add and expression.base.has(sp.sin, sp.cos) and sp.count_ops(expression.base) < 60
 
 
-def _smooth(solution: Solution) -> Iterator[Solution]:
+def _smooth(solution: Solution, budget: Budget) -> Iterator[Solution]:
     """The branches that continue analytically where absolute values have their kinks: |x| as x first, then as -x."""
     kinks = sorted({kink for value in solution.values() for kink in value.atoms(sp.Abs)}, key=str)
     for signs in product((1, -1), repeat=min(len(kinks), _MOST_KINKS)):
@@ -268,4 +285,4 @@ def _smooth(solution: Solution) -> Iterator[Solution]:
         def side(inner: sp.Expr, chosen: Mapping[Any, int] = chosen) -> sp.Expr:
             return chosen.get(sp.Abs(inner), 1) * inner
 
-        yield {x: tidy(value.replace(sp.Abs, side)) for x, value in solution.items()}
+        yield {x: _shorter(value.replace(sp.Abs, side), budget) for x, value in solution.items()}

@@ -8,7 +8,7 @@ from sympy.core.function import AppliedUndef
 
 from canon.errors import InputError
 from canon.mechanics.explicit import explicit_branches
-from canon.mechanics.formulas import Expression, as_expression, as_formula, replaced
+from canon.mechanics.formulas import Expression, as_expression, as_formula, check_symbols, replaced
 from canon.mechanics.map_points import agree, points_of
 from canon.mechanics.one_form import Potential, potential, tidy
 from canon.mechanics.poisson import standard_j
@@ -43,6 +43,8 @@ def transformed_hamiltonian(transformation: Transformation, H: Expression, scale
 
     **Raises:** `InputError` when the formulas or R cannot be found, or no solution will do throughout the domain.
     """
+    H, scale = as_formula(H, "H"), as_formula(scale, "scale")
+    check_symbols([H, scale], transformation.space.vocabulary, "H")
     if transformation.direction == "backward":
         return _with_old_eliminated(transformation, transformation, H, scale)
     found = explicit_branches(transformation, "backward")

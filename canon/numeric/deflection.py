@@ -57,8 +57,9 @@ def rutherford(k: float, E: float, b: float) -> Deflection:
 
 
 def rutherford_cross_section(k: float, E: float, b: float) -> float:
-    """dσ/dΩ at the angle that belongs to b: (k² + 4E²b²)²/(4Ek)²."""
-    return ((k * k + (2 * E * b) ** 2) / (4 * E * k)) ** 2
+    """dσ/dΩ at the angle that belongs to b: (k² + 4E²b²)²/(4Ek)², ∞ beyond all doubles."""
+    root = k / (4 * E) + b * (E * b / k)
+    return root * root
 
 
 def deflection(V: Potential, slope: Potential, E: float, b: float, begin: float) -> Deflection | None:

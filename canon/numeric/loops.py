@@ -14,7 +14,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from canon.errors import InputError
+from canon.errors import NO_NUMBER, InputError
 from canon.numeric.precision import UNIT
 
 Array = Any  # numpy arrays
@@ -133,7 +133,7 @@ def real(points: Any) -> Array:
         if np.iscomplexobj(found):
             raise InputError("a loop or surface has real points, not complex ones")
         return found.astype(float)
-    except (TypeError, ValueError, OverflowError) as reason:
+    except NO_NUMBER as reason:
         raise InputError(f"a loop or surface has numbers for points, not {type(points).__name__}") from reason
 
 

@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from canon.errors import InputError
+from canon.errors import NO_NUMBER, InputError
 from canon.expected import listed, real_array
 from canon.numeric.counter import key_of, rows_of
 
@@ -87,7 +87,7 @@ def points_of(domain: Any, names: Sequence[str], defaults: Sequence[tuple[float,
         if np.iscomplexobj(np.asarray(sides)):  # numpy would drop the imaginary parts
             raise TypeError("complex numbers")
         low, high = np.array(sides, dtype=float).reshape(size, 2).T
-    except (TypeError, ValueError) as reason:
+    except NO_NUMBER as reason:
         raise InputError(
             f"a pair (low, high), or one for each of the {size} variables, is expected", "domain"
         ) from reason

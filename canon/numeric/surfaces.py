@@ -18,6 +18,7 @@ from typing import Any, Final
 import numpy as np
 
 from canon.errors import InputError
+from canon.expected import listed, yes_or_no
 from canon.numeric.loops import real
 from canon.numeric.pfaffians import pfaffians
 from canon.numeric.precision import UNIT
@@ -87,13 +88,17 @@ def surface_integral(
 
     **Raises:** `InputError` where the surface has another shape, isn't finite, or doesn't close where it should.
     """
-    directions = [bool(closed) for closed in periodic]
+    directions = list(listed(periodic, "True or False", "periodic"))
+    for closed in directions:
+        yes_or_no(closed, "periodic")
     size = len(directions)
     if size < 2 or size % 2:
         raise InputError(f"a surface has 2, 4, 6, … directions, not {size}", "periodic")
     off = noise or (lambda _, points: unit * np.abs(points))
     most = most_points or MOST_POINTS.get(size // 2, 2**20)
     counts = [FIRST_NODES.get(size // 2, 2)] * size
+    if math.prod(counts) > most:
+        raise InputError(f"a grid of {size} directions has more than {most} points", "periodic")
     now = _on_grid(surface, counts, directions, off, unit)
     if now.points.shape[-1] < size:
         raise InputError(f"a phase space of {now.points.shape[-1]} dimensions has no surface of {size}", "surface")

@@ -8,6 +8,8 @@ from typing import Final
 import numpy as np
 from hypothesis import strategies as st
 
+from canon.expected import numbers, whole_number
+
 Array = np.ndarray
 
 SCALES: Final = (1.0, 1e-3, 1e3, 1e-8, 1e8)
@@ -35,8 +37,10 @@ def phase_points(
     Entries may be 0, of very different scales, and (`twins`) equal to another entry up to a part in 10¹², so that
     differences cancel. They shrink to 0 and to 1 in the first scale.
     """
-    values = [draw(st.integers(-9, 9)) * draw(st.sampled_from(list(scales))) for _ in range(2 * degrees)]
+    degrees = whole_number(degrees, "degrees", 1)
+    scales, sizes = numbers(scales, "scales"), numbers(units, "units")
+    values = [draw(st.integers(-9, 9)) * draw(st.sampled_from(scales)) for _ in range(2 * degrees)]
     if twins and draw(st.booleans()):
         k = draw(st.integers(0, 2 * degrees - 1))
         values[k] = values[k - 1] * (1 + draw(st.sampled_from((0.0, 1e-12, -1e-12))))
-    return np.array(values) * np.repeat(units, degrees)
+    return np.array(values) * np.repeat(sizes, degrees)

@@ -30,7 +30,7 @@ def exact(value: Any) -> Number:
     if isinstance(value, fmpq):
         return fraction(value)
     expression: Any = sp.Integer(value) if isinstance(value, int) else value
-    if not hasattr(expression, "is_commutative") or not hasattr(expression, "expand") or expression.has(sp.Float):
+    if not isinstance(value, int | sp.Expr) or isinstance(value, sp.Lambda) or expression.has(sp.Float):
         raise InputError(f"{value!r} is no exact number: give a whole number, a fraction or an expression")
     if expression.has(sp.nan, sp.oo, sp.zoo, -sp.oo):
         raise InputError(f"{value!r} is no number")

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from canon.errors import InputError
-from canon.expected import instance_of, table
+from canon.expected import instance_of, listed, table
 from canon.mechanics.algebra.coefficients import Number, exact
 from canon.mechanics.algebra.lie_algebra import LieAlgebra
 
@@ -48,8 +48,10 @@ def semidirect_sum(algebra: LieAlgebra, ideal: LieAlgebra, action: Mapping[str, 
         constants[n + a, n + b] = {n + c: value for c, value in row.items()}
     for name, rows in action.items():
         a = algebra.position(name)
+        place = f"the action of {name!r}"
+        rows = [listed(row, "numbers", place) for row in listed(rows, "rows", place)]
         if len(rows) != size or any(len(row) != size for row in rows):
-            raise InputError(f"a matrix of {size} rows and columns is expected", f"the action of {name!r}")
+            raise InputError(f"a matrix of {size} rows and columns is expected", place)
         for k in range(size):
             constants[a, n + k] = {n + i: exact(rows[i][k]) for i in range(size) if rows[i][k] != 0}
     return LieAlgebra(names, constants)

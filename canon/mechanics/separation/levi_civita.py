@@ -11,12 +11,14 @@ import sympy as sp
 
 from canon.mechanics.formulas import Expression, as_expression
 from canon.mechanics.phase_space import PhaseSpace, check_space
+from canon.mechanics.poisson import check_functions
 
 
 def levi_civita(space: PhaseSpace, H: Expression) -> dict[tuple[sp.Symbol, sp.Symbol], sp.Expr]:
     """The left-hand sides, for each pair of coordinates."""
     check_space(space)
     value = as_expression(H)
+    check_functions([value], space, "H")
     found: dict[tuple[sp.Symbol, sp.Symbol], sp.Expr] = {}
     for (x, a), (y, b) in combinations(list(zip(space.q, space.p, strict=True)), 2):
         terms = (

@@ -16,6 +16,7 @@ from canon.errors import InputError
 from canon.expected import instance_of
 from canon.mechanics.formulas import Expression, as_expression, replaced
 from canon.mechanics.phase_space import PhaseSpace, check_space
+from canon.mechanics.poisson import check_functions
 from canon.mechanics.separation.coordinates import OrthogonalCoordinates
 
 _SHORT = 60
@@ -68,6 +69,7 @@ def separation(space: PhaseSpace, H: Expression, coordinates: OrthogonalCoordina
     check_space(space)
     instance_of(coordinates, OrthogonalCoordinates, "coordinates")
     expression: Any = as_expression(H, "H")
+    check_functions([expression], space, "H")
     n = space.n
     if len(coordinates.u) != n:
         raise InputError(f"{coordinates.name} coordinates here are {len(coordinates.u)}, the degrees of freedom {n}")

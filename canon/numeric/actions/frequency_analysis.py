@@ -16,7 +16,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from canon.errors import InputError
+from canon.errors import NO_NUMBER, InputError
 from canon.expected import finite_number, shown, whole_number
 
 Array = Any  # numpy arrays
@@ -58,7 +58,7 @@ def frequency_lines(signal: Array, step: float, count: int = 1, *, power: float 
         raise InputError(f"a power of at most {HIGHEST_POWER} is needed, not {shown(power)}", "power")
     try:
         values = np.asarray(signal, dtype=complex)
-    except (TypeError, ValueError, OverflowError):
+    except NO_NUMBER:
         raise InputError(f"an array of numbers is expected, not {shown(signal)}", "signal") from None
     if values.ndim != 1 or values.size < 16 * count or values.size < 32:
         raise InputError(f"{count} lines need {max(32, 16 * count)} samples in a row at least", "signal")

@@ -11,7 +11,7 @@ from typing import Any, Final
 
 import sympy as sp
 
-from canon.errors import InputError
+from canon.errors import NO_NUMBER, InputError
 from canon.expected import formula_of, instance_of, numbers, shown, table
 from canon.expression import read
 from canon.numeric.actions.angle import angle_of
@@ -212,7 +212,7 @@ def _exact(value: Any, where: str) -> Any:
         raise InputError(f"a real number is expected, not {value}", where)
     try:
         found = ball_of(value, where)
-    except (TypeError, ValueError):
+    except NO_NUMBER:
         raise InputError(f"a real number is expected, not {shown(value)}", where) from None
     if not found.is_finite():
         raise InputError(f"a finite number is expected, not {value}", where)

@@ -1,4 +1,4 @@
-"""Inequalities with >= between whole numbers: their edge belongs to the domain, as no other value is near."""
+"""Whole numbers: which formulas are such, and >= between them, whose edge is in the domain as no value is near it."""
 
 from __future__ import annotations
 
@@ -26,6 +26,12 @@ def at_least_zero(f: Formulas, a: int, whole: AbstractSet[str]) -> int:
     if any(f.value(f.slope(a, name)) for name in sorted(names - whole - {"pi", "1j"})):
         return a
     raise Unreadable("an inequality of whole numbers whose sides may be equal all over a part of the domain")
+
+
+def is_whole(f: Formulas, a: int) -> bool:
+    """Whether a formula is seen to be a whole number: a polynomial of whole numbers, with whole coefficients."""
+    whole = {name for name, words in f.words.items() if "integer" in words}
+    return {f.ops[b][1] for b in f.reach(a) if f.ops[b][0] == "s"} <= whole and _denominator(f, a) == 1
 
 
 def _denominator(f: Formulas, a: int) -> int:

@@ -15,6 +15,7 @@ import mpmath
 from mpmath.ctx_iv import MPIntervalContext
 
 from canon.checker.formulas import Formulas
+from canon.checker.whole import is_whole
 
 SPARE = 10
 """So many of the last digits of a function's value are left open."""
@@ -30,6 +31,8 @@ EDGES = {
 """Where functions are smooth: between these, and not at them."""
 STEEPEST, FLAT = 10**6, ("power", "log", "abs", "sign", "atan", "atan2", "asinh")
 """The largest argument of a function that isn't one of the flat ones."""
+MOST = 10_000
+"""The largest exponent, of those that are known at the point alone."""
 BOUNDED = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn", "jacobi_epsilon": "epsilon"}
 """Jacobi's functions, for a parameter between 0 and 1."""
 
@@ -92,6 +95,10 @@ class Intervals:
                         sign = bool(self.real(out[a]).a > 0)
                         if above.setdefault(op[1], sign) != sign:
                             raise Open
+                elif op[:2] == ("f", "power") and (n := self._exponent(f, op[3][1], parts[1])) is not None:
+                    if not self.is_nonzero(parts[0]):
+                        raise Open
+                    out[a] = self._raised(parts[0], n)
                 else:
                     out[a] = self._value(op, parts, of)
             except (ValueError, ZeroDivisionError, OverflowError, TypeError, KeyError, NotImplementedError):
@@ -113,17 +120,27 @@ class Intervals:
         if op[0] == "^":
             if op[2] < 0 and not self.is_nonzero(x[0]):
                 raise Open
-            if self.is_real:
-                return x[0] ** op[2]
-            power = iv.mpc(1, 0)
-            for _ in range(abs(op[2])):
-                power = power * x[0]
-            return power if op[2] > 0 else 1 / power
+            return self._raised(x[0], op[2])
         if self.is_real:
             return self._function(str(op[1]), x)
         if op[1] in ("exp", "sin", "cos") and x[0].imag != 0:
             return self._entire(str(op[1]), x[0].real, x[0].imag)
         return iv.mpc(self._function(str(op[1]), [self.real(part) for part in x]), 0)
+
+    def _exponent(self, f: Formulas, a: int, x: Any) -> int | None:
+        """The whole number that a formula of whole numbers is; None for any other exponent, or where it isn't known."""
+        if not is_whole(f, a):
+            return None
+        n = int(self.mp.mpf(self.real(x).a))
+        return n if abs(n) <= MOST and self.real(x) == n else None
+
+    def _raised(self, x: Any, n: int) -> Any:
+        if self.is_real:
+            return x**n
+        power = self.iv.mpc(1, 0)
+        for _ in range(abs(n)):
+            power = power * x
+        return power if n >= 0 else 1 / power
 
     def _check_size(self, *x: Any) -> None:
         """Refuse arguments of functions whose values would have digits without an end. Raises Open."""

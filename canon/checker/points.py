@@ -13,6 +13,7 @@ from canon.checker.case import Case
 from canon.checker.core import Polynomial, number
 from canon.checker.formulas import Formulas, Unknown, Unreadable
 from canon.checker.statement import Statement
+from canon.checker.whole import is_whole
 
 DIGITS = 50
 CLOSE = 30
@@ -73,6 +74,8 @@ class Numbers:
                     sign = bool(self.mp.re(out[a]) > 0)
                     if not any(op[2]) and "nonzero" in words and above.setdefault(op[1], sign) != sign:
                         raise Outside
+                elif op[:2] == ("f", "power") and is_whole(f, op[3][1]):
+                    out[a] = self._raised(*parts)
                 else:
                     out[a] = self._value(op, parts, of)
             except (ValueError, ZeroDivisionError, OverflowError, TypeError) as error:
@@ -81,6 +84,13 @@ class Numbers:
                 raise Outside
             out[a] = self.mp.re(out[a]) if self.real else out[a]
         return out
+
+    def _raised(self, base: Any, exponent: Any) -> Any:
+        """A power with a whole exponent, which has a value at every base but 0."""
+        n = self.mp.nint(self.mp.re(exponent))
+        if base == 0 or exponent != n or abs(n) > STEEPEST:
+            raise Outside
+        return base ** int(n)
 
     def _value(self, op: tuple[Any, ...], x: list[Any], of: Mapping[str, Any]) -> Any:
         mp = self.mp
@@ -211,9 +221,10 @@ def inside(s: Statement, case: Case, numbers: Numbers, of: dict[str, Any]) -> bo
         return False
     if not all(numbers.mp.re(found[a]) > 0 for a in case.somewhere) or (s.surface and not _is_clear(s, found, of)):
         return False
+    least = numbers.mp.mpf(10) ** (10 - numbers.mp.dps) if s.surface else 0  # nearer, Newton's steps end on the edge
     signs = ((numbers.mp.re(found[a]), kind) for a, kind in s.conditions)
     everything = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}
-    return all(sign > 0 or (kind == "nonzero" and sign != 0) for sign, kind in signs) and all(
+    return all(sign > least or (kind == "nonzero" and abs(sign) > least) for sign, kind in signs) and all(
         allowed(s.words.get(name, ()), value, numbers) for name, value in everything.items() if name not in f.functions
     )
 
@@ -235,33 +246,6 @@ def names_in(s: Statement, targets: Sequence[int]) -> set[str]:
     f = s.f
     leaves = {f.ops[a][1] for a in f.reach(*targets, *(a for a, _ in s.conditions)) if f.ops[a][0] == "s"}
     return {name for name in leaves if name in s.declared or name not in ("pi", "1j")}
-
-
-def independence(s: Statement, case: Case, functions: Sequence[int], numbers: Numbers, of: Mapping[str, Any]) -> Any:
-    """0 where functions of the coordinates seem to be linearly dependent over the reals, at fixed parameters.
-
-    It is the determinant of their values at as many points near one, each row and column divided by its largest entry.
-    """
-    rng, rows, mp = random.Random(2), list[list[Any]](), numbers.mp
-    moving = {*s.coordinates, *s.bracketed} & of.keys()
-    for _ in range(6 * len(functions)):
-        near = {**of, **{n: of[n] * (1 + (rng.random() - 0.5) / 3) + rng.random() / 9 for n in sorted(moving)}}
-        if not on_surface(s, numbers, near, of.keys() - moving) or not inside(s, case, numbers, near):
-            continue
-        try:
-            found = numbers.values(s.f, functions, near)
-        except Outside:
-            continue
-        rows.append([found[a] for a in functions])
-        if len(rows) == len(functions):
-            break
-    if len(rows) < len(functions):
-        raise Outside
-    largest = [max(abs(row[k]) for row in rows) for k in range(len(functions))]
-    if min(largest) < mp.mpf(10) ** -CLOSE:  # nothing but rounding
-        return mp.mpf(0)
-    size = mp.det(mp.matrix([[x / m for x, m in zip(row, largest, strict=True)] for row in rows]))
-    return size if abs(size) > mp.mpf(10) ** -CLOSE else mp.mpf(0)
 
 
 def value_of(a: Polynomial, of: Mapping[str, Any], number_of: Callable[[Fraction], Any]) -> tuple[Any, Any]:

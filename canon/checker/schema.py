@@ -251,8 +251,8 @@ def _are_dimensions(value: Any) -> bool:
 
 
 def _are_degrees(value: Any) -> bool:
-    """A table degree = formula, the degrees in plain digits."""
-    return _is_table_of(value, _is_text) and all(key.isascii() and key.isdecimal() for key in value)
+    """A table degree = formula, the degrees in plain digits; of a normal form that is H₂ alone, an empty one."""
+    return value == {} or (_is_table_of(value, _is_text) and all(key.isascii() and key.isdecimal() for key in value))
 
 
 FORMS: dict[str, Callable[[Any], bool]] = {

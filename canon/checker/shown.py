@@ -22,11 +22,12 @@ from canon.checker.functions import NotZero, Rejected, Unknown
 from canon.checker.independent import are_independent
 from canon.checker.inhabited import is_inhabited
 from canon.checker.intervals import Intervals, Open
-from canon.checker.points import CLOSE, DIGITS, Numbers, Outside, domain_of, independence, names_in, points, value_of
+from canon.checker.points import CLOSE, DIGITS, Numbers, Outside, domain_of, names_in, points, value_of
 from canon.checker.positive import is_positive
 from canon.checker.reality import unreal
 from canon.checker.shapes import is_algebraic
 from canon.checker.statement import Statement
+from canon.checker.told_apart import independence
 from canon.checker.values import Values
 
 SIGNS = {

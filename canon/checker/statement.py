@@ -38,6 +38,8 @@ class Keys(dict[str, Any]):
 
     def __getitem__(self, key: str) -> Any:
         self.unread.discard(key)
+        if not super().__contains__(key):
+            raise Unreadable(f"the claim has no key {key[:40]!r}, which its rule needs")
         return super().__getitem__(key)
 
     def __contains__(self, key: object) -> bool:

@@ -1,4 +1,4 @@
-"""Inequalities with >=: between whole numbers their edge belongs to the domain, as no other value is near.
+"""Whole numbers, and inequalities with >=: between whole numbers their edge is in the domain, as no value is near it.
 
 Elsewhere they say as much as >, if their sides are equal on no part of the domain; that is seen or taken on trust.
 """
@@ -54,6 +54,12 @@ def is_thin(f: Formulas, a: int, moving: AbstractSet[str], kind: str) -> bool:
             if f.value(slope):
                 return True
     return False
+
+
+def is_whole(f: Formulas, a: int) -> bool:
+    """Whether a formula is seen to be a whole number: a polynomial of whole numbers, with whole coefficients."""
+    whole = {name for name, words in f.words.items() if "integer" in words}
+    return {f.ops[b][1] for b in f.reach(a) if f.ops[b][0] == "s"} <= whole and _denominator(f, a) == 1
 
 
 def _denominator(f: Formulas, a: int) -> int:

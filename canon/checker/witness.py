@@ -25,12 +25,12 @@ from canon.checker.points import (
     completed,
     domain_of,
     functions_at_random,
-    independence,
     inside,
     names_in,
     on_surface,
 )
 from canon.checker.statement import Statement
+from canon.checker.told_apart import independence
 
 TRIES, FEW = 20, (0, 10, 20)
 PRECISIONS, NEARLY = (40, 120, 400), 1e-60

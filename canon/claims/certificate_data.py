@@ -19,6 +19,7 @@ from canon.checker.functions import Unknown, Unreadable
 from canon.checker.kinds import obligations
 from canon.checker.statement import KNOWN, Statement
 from canon.claim import Claim
+from canon.claims.names import orders
 from canon.claims.obligation_tape import OnTape
 from canon.claims.question import Question
 from canon.claims.worker import CERTIFICATE_SECONDS
@@ -227,9 +228,17 @@ def _fraction(f: Formulas, target: int, atoms: Mapping[int, Element], free: Frac
 
 
 def statement_tables(tables: Mapping[str, Any], index: int) -> Data:
-    """A claim file's tables with the claim of this index alone, as JSON can hold them; without a space an empty one."""
+    """A claim file's tables with the claim of this index alone, as JSON can hold them; without a space an empty one.
+
+    The small parameters that any claim's `order` names are the file's, in its map too: here they are declared.
+    """
     kept = {name: _plain(value) for name, value in tables.items() if name != "claim"}
-    return {"phase_space": {"q": [], "p": []}, **kept, "claim": _plain(tables["claim"][index])}
+    said = {"phase_space": {"q": [], "p": []}, **kept, "claim": _plain(tables["claim"][index])}
+    space = said["phase_space"]
+    taken = {space.get("time", "t"), *kept.get("symbols", {}), *kept.get("definitions", {})}
+    taken |= {name for side in "qpQP" for name in space.get(side, [])}
+    small = {name: "real" for name in orders(tables["claim"]) if name not in taken}
+    return {**said, "symbols": {**kept.get("symbols", {}), **small}} if small else said
 
 
 def _plain(value: Any) -> Any:

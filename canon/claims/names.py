@@ -142,7 +142,7 @@ def read_names(tables: Table, letters: int = 0) -> Names:
         document.name(name, where)
         if name in taken or name == time:
             raise InputError(f"{name!r} is declared already, in {taken.get(name, '[phase_space]')}", where)
-    for name in _orders(tables.get("claim")):
+    for name in orders(tables.get("claim")):
         if name not in taken and name not in definitions and name != time:
             words[name] = ["real"]
     signs = {name: sign for name, given in words.items() if "function" in given for sign in given if sign in SIGNS}
@@ -241,7 +241,7 @@ def _symbols(value: Any, declared: Mapping[str, str]) -> dict[str, list[str]]:
     return words
 
 
-def _orders(claims: Any) -> list[str]:
+def orders(claims: Any) -> list[str]:
     """The small parameters that claims of truncated maps name: `order = ["eps", 2]`."""
     found = list[str]()
     for claim in claims if isinstance(claims, list) else []:

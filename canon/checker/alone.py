@@ -76,6 +76,12 @@ class Formula:
     orders: tuple[Any, ...] = ()
 
 
+def formulas(tables: Any) -> str:
+    """All that is written in a file about one claim, but for what is there for people: it has no meaning."""
+    parts = [{key: x for key, x in part.items() if key not in ("title", "source")} for part in (tables, tables["claim"])]
+    return json.dumps([{**parts[0], "claim": parts[1]}], ensure_ascii=False)
+
+
 def number(r: Any) -> Formula:
     if not isinstance(r, str) or (len(r) < LONGEST and not re.search(r"[eE][-+]?[\d_]{4}", r)):
         if max(map(int.bit_length, (r := Fraction(r)).as_integer_ratio())) < LONGEST:
@@ -93,7 +99,7 @@ class Claim:
         claim = {key: value for key, value in tables["claim"].items() if key not in UNASKED}
         sides = {side: space.get(side, []) for side in "qpQP"}
         self.words = {n: [w] if isinstance(w, str) else w for n, w in tables.get("symbols", {}).items()}
-        self.names, whole = [*chain(*sides.values()), space.get("time", "t")], json.dumps(tables, ensure_ascii=False)
+        self.names, whole = [*chain(*sides.values()), space.get("time", "t")], formulas(tables)
         self.texts, explicit = dict(tables.get("definitions", {})), tables.get("transformation", {})
         named = [*self.texts, *self.names, *({*self.words} - {*self.names})]
         every = [*named, "pi", "D", "bracket", *SLOPES, *MEANINGS]

@@ -67,7 +67,7 @@ class Wider(alone.Claim):
         """The names of the claim's own; each name has one meaning."""
         listed = {key: self.form.get(key, "").split() for key in ("names", "among")}
         own = flat([claim[key] for key in listed["names"] if key in claim])
-        among, whole = flat([held[word] for word in listed["among"]]), json.dumps(tables, ensure_ascii=False)
+        among, whole = flat([held[word] for word in listed["among"]]), alone.formulas(tables)
         named = [*self.texts, *self.names, *({*self.words} - {*self.names}), *({*own} - {*self.names, *self.words})]
         every, sections = [*named, "pi", *alone_table.LANGUAGE, *alone.SLOPES, *alone.MEANINGS], alone.SECTIONS
         odd = re.search(r"(?<!\w)_", whole) or unicodedata.normalize("NFKC", whole) != whole or {*tables} - {*sections}

@@ -78,7 +78,9 @@ class Formula:
 
 def formulas(tables: Any) -> str:
     """All that is written in a file about one claim, but for what is there for people: it has no meaning."""
-    parts = [{key: x for key, x in part.items() if key not in ("title", "source")} for part in (tables, tables["claim"])]
+    parts = [
+        {key: x for key, x in part.items() if key not in ("title", "source")} for part in (tables, tables["claim"])
+    ]
     return json.dumps([{**parts[0], "claim": parts[1]}], ensure_ascii=False)
 
 
@@ -351,27 +353,36 @@ def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = 
     return len(point.roots)
 
 
-def checked(data: Any, asked: Any = Claim, put: Any = sample) -> tuple[str, str]:
-    """(answer, reason) for a certificate that was read as JSON."""
+def tried(put: Any, *of: Any) -> tuple[str, str]:
+    """The answer that as many random points give as are needed."""
+    done, tried, needed = 0, 0, TRIALS
+    while done < needed:
+        if (tried := tried + 1) > MOST_TRIED + 20 * done or needed > TRIALS << MOST_ROOTS:
+            raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
+        with suppress(Elsewhere):
+            needed = max(needed, TRIALS << put(*of, random_prime()))
+            done += 1
+    return "shown", ""
+
+
+def answered(data: Any, by: Any) -> tuple[str, str]:
+    """(answer, reason) about a certificate that was read as JSON, by what a function says of it."""
     try:
         rest = json.dumps({key: data[key] for key in data if key != "checksum"}, sort_keys=True, separators=(",", ":"))
         if hashlib.sha256(rest.encode()).hexdigest() != data["checksum"]:
             raise Stop("wrong", "the checksum")
-        claim, cases = asked(data["tables"]), data["cases"]
-        if data["verdict"] != "proved" or data["witness"] is not None or len(cases) != 1:
+        if data["verdict"] != "proved" or data["witness"] is not None or len(data["cases"]) != 1:
             raise Stop("not shown", "no proof, or one of several cases")
-        done, tried, needed = 0, 0, TRIALS
-        while done < needed:
-            if (tried := tried + 1) > MOST_TRIED + 20 * done or needed > TRIALS << MOST_ROOTS:
-                raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
-            with suppress(Elsewhere):
-                needed = max(needed, TRIALS << put(claim, cases[0], random_prime()))
-                done += 1
-        return "shown", ""
+        return by(data)
     except Stop as stop:
         return stop.args[0], stop.args[1]
     except Exception as error:  # whatever a certificate has in the wrong place
         return "not shown", f"a certificate of another form ({type(error).__name__}: {error})"
+
+
+def checked(data: Any, asked: Any = Claim, put: Any = sample) -> tuple[str, str]:
+    """(answer, reason) for a certificate: a random point is put into what the claim asks for and what it states."""
+    return answered(data, lambda data: tried(put, asked(data["tables"]), data["cases"][0]))
 
 
 def main(by: Any = checked) -> None:

@@ -1,0 +1,31 @@
+"""All small checkers of proofs, one after the other: `python alone_together.py CERTIFICATE.json …`"""
+
+from __future__ import annotations
+
+from typing import Any
+
+if __package__:
+    from canon.checker import alone, alone_signs, alone_wider
+else:  # as a program, beside the other files
+    import alone  # type: ignore
+    import alone_signs  # type: ignore
+    import alone_wider  # type: ignore
+
+BESIDES: dict[str, tuple[Any, ...]] = {"inequality": (alone_signs,)}
+"""Those that know a kind of claims, besides the table."""
+
+
+def checked(data: Any) -> tuple[str, str]:
+    """(answer, reason) for a certificate as JSON: of the first that has a means, else of the last."""
+    answer = alone_wider.checked(data)
+    try:
+        besides = BESIDES.get(data["tables"]["claim"]["kind"], ())
+    except (KeyError, TypeError):  # what is no certificate
+        return answer
+    for one in besides:
+        answer = answer if answer[0] != "not shown" else one.checked(data)
+    return answer
+
+
+if __name__ == "__main__":
+    alone.main(checked)

@@ -231,6 +231,15 @@ class Point:
         """x^r."""
         return pow(*(x, int(r)) if r.denominator == 1 else (self.square(x), self.fraction(r, self.half)), self.p)
 
+    def text(self, text: str) -> int:
+        return self.at(self.claim.known(text))
+
+    def check_domain(self) -> None:
+        """See that what has to be positive in the domain is."""
+        for words in (re.split(r"(<=|>=|<|>)", text) for text in self.claim.domain.get("where", [])):
+            for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
+                self.square(self.text(f"({b}) - ({a})" if "<" in sign else f"({a}) - ({b})"))
+
     def square(self, x: int) -> int:
         """What has to be positive."""
         if pow(x, self.half, self.p) != 1:
@@ -321,10 +330,8 @@ def random_prime() -> int:
 def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = None) -> int:
     """Put one random point into everything; returns the number of roots that were met."""
     point, own = of(claim, prime), {}
-    value = lambda text: point.at(claim.known(text))
-    for words in (re.split(r"(<=|>=|<|>)", text) for text in claim.domain.get("where", [])):
-        for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
-            point.square(value(f"({b}) - ({a})" if "<" in sign else f"({a}) - ({b})"))
+    value = point.text
+    point.check_domain()
 
     def put(polynomial: Any, kernel: Any) -> int:
         """A polynomial's value, of {"g1^2 x": "3/2"}."""
@@ -357,7 +364,7 @@ def tried(put: Any, *of: Any) -> tuple[str, str]:
     """The answer that as many random points give as are needed."""
     done, tried, needed = 0, 0, TRIALS
     while done < needed:
-        if (tried := tried + 1) > MOST_TRIED + 20 * done or needed > TRIALS << MOST_ROOTS:
+        if (tried := tried + 1) > MOST_TRIED + 40 * done or needed > TRIALS << MOST_ROOTS:
             raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
         with suppress(Elsewhere):
             needed = max(needed, TRIALS << put(*of, random_prime()))

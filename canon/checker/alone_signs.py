@@ -29,15 +29,15 @@ else:  # as a program, beside the other files
 
 Stop, ONE, plus, times, power, minus = alone.Stop, of.ONE, of.plus, of.times, of.power, of.minus
 named, number, by_powers, names_in = of.named, of.number, of.by_powers, of.names_in
-MOST_STEPS, DEEPEST = 4000, 6
+MOST_WORK, DEEPEST = 20_000, 6
 
 
 class Signs:
     """What is seen to be positive in the domain of a claim; `flat` are angles that are π."""
 
     def __init__(self, claim: alone.Claim, flat: Any = ()) -> None:
-        self.claim, self.flat, self.count, self.steps = claim, flat, count(), count()
-        self.sure = set[str]()  # names that are positive
+        self.claim, self.flat, self.count, self.work = claim, flat, count(), 0
+        self.sure = {"pi"}  # names that are positive
         self.roots = dict[str, tuple[int, of.Quotient]]()  # w: (n, wⁿ), each after those in its radicand
         self.put = dict[str, of.Quotient]()  # what stands in a name's place
         self.seen = dict[Any, str]()  # the names of roots and functions
@@ -67,7 +67,7 @@ class Signs:
         if f.kind == "." and f.of[0] in self.claim.texts:
             return self.quotient(self.claim.known(self.claim.texts[f.of[0]]))
         if f.kind == ".":
-            self.sure |= {*f.of} if f.of == ("pi",) or "positive" in self.claim.words.get(f.of[0], ()) else set()
+            self.sure |= {*f.of} if "positive" in self.claim.words.get(f.of[0], ()) else set()
             return self.at(named(f.of[0]))
         if f.kind in "+*":
             a, b = map(self.quotient, f.of)
@@ -88,7 +88,8 @@ class Signs:
         self.angles += [key] if key not in self.angles else []
         if key in self.flat:
             return number(sine - 1), ONE
-        u = named(self.new(("angle", key), False))
+        half = self.shown(a[0], True) and self.shown(plus(times(named("pi"), a[1]), minus(a[0])), True)  # below π
+        u = named(self.new(("angle", key), half))
         return (times(number(2), u) if sine else plus(ONE, minus(power(u, 2)))), plus(ONE, power(u, 2))
 
     def raised(self, base: of.Quotient, r: Fraction) -> of.Quotient:
@@ -172,9 +173,10 @@ class Signs:
 
     def shown(self, p: of.Polynomial, strict: bool, depth: int = DEEPEST) -> bool:
         """Whether a polynomial is seen to be positive, or at least not negative."""
-        if next(self.steps) > MOST_STEPS:
-            raise Stop("not shown", "a sign that takes so long")
         p = self.plain(p)
+        self.work += 1 + len(p)
+        if self.work > MOST_WORK:
+            raise Stop("not shown", "a sign that takes so long")
         odd = [v for v in names_in(p) if v not in self.sure]
         if all(c > 0 and all(k % 2 == 0 for x, k in m if x in odd) for m, c in p.items()):
             return not strict or any(all(x not in odd for x, _ in m) for m in p)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_signs, alone_wider
+    from canon.checker import alone, alone_integrals, alone_signs, alone_wider
 else:  # as a program, beside the other files
     import alone  # type: ignore
+    import alone_integrals  # type: ignore
     import alone_signs  # type: ignore
     import alone_wider  # type: ignore
 
-BESIDES: dict[str, tuple[Any, ...]] = {"inequality": (alone_signs,)}
+BESIDES: dict[str, tuple[Any, ...]] = {"inequality": (alone_signs,), "integral": (alone_integrals,)}
 """Those that know a kind of claims, besides the table."""
 
 

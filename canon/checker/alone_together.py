@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import json
+import re
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_integrals, alone_signs, alone_wider
+    from canon.checker import alone, alone_complex, alone_integrals, alone_signs, alone_wider
 else:  # as a program, beside the other files
     import alone  # type: ignore
+    import alone_complex  # type: ignore
     import alone_integrals  # type: ignore
     import alone_signs  # type: ignore
     import alone_wider  # type: ignore
 
 BESIDES: dict[str, tuple[Any, ...]] = {"inequality": (alone_signs,), "integral": (alone_integrals,)}
+COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 """Those that know a kind of claims, besides the table."""
 
 
@@ -23,6 +27,8 @@ def checked(data: Any) -> tuple[str, str]:
         besides = BESIDES.get(data["tables"]["claim"]["kind"], ())
     except (KeyError, TypeError):  # what is no certificate
         return answer
+    if answer[0] == "not shown" and COMPLEX.search(json.dumps(data["tables"])):
+        besides = (*besides, alone_complex)
     for one in besides:
         answer = answer if answer[0] != "not shown" else one.checked(data)
     return answer

@@ -265,7 +265,7 @@ class Placed(alone.Point):
         names = [n for n in {*claim.words, *claim.variables} if not claim.is_function(n) and n not in claim.texts]
         values = {n: self.named(n) for n in names}
         plain = {x * y % p for x, y in product([1, *values.values()], repeat=2)}
-        other, value = Placed(claim, p), self.at(f)
+        other, value = type(self)(claim, p), self.at(f)
         kept = (k for k in self.free if len(k) == 1 or (k[0] in ("circle", "exp") and k[1] in plain))
         other.free = {k: self.free[k] for k in kept}
         if not value or other.at(f) != value:

@@ -251,11 +251,11 @@ class Placed(alone.Point):
                 self.square(self.at(f) * (-1 if "negative" in words else 1) % self.p)
         if any(self.at(self.asked.known(text)) for text in self.asked.besides):
             raise Stop("not shown", "that all is 0 that has to be")
-        for text in self.asked.nonzero:
-            self.check_apart(self.asked.known(text))
+        for f in map(self.asked.known, self.asked.nonzero):
+            self.check_apart(lambda point, *by, f=f: point.at(f, *by))
 
     def check_apart(self, f: Any) -> None:
-        """See that a formula is 0 nearly nowhere, whatever the parameters are.
+        """See that f(point), whose derivatives are f(point, name), is 0 nearly nowhere, whatever the parameters are.
 
         It isn't 0 here, nor where functions have other values but sines and exponentials of names and their products,
         which are algebraically independent. And for each parameter x there are weights w of the variables v with
@@ -265,13 +265,13 @@ class Placed(alone.Point):
         names = [n for n in {*claim.words, *claim.variables} if not claim.is_function(n) and n not in claim.texts]
         values = {n: self.named(n) for n in names}
         plain = {x * y % p for x, y in product([1, *values.values()], repeat=2)}
-        other, value = type(self)(claim, p), self.at(f)
+        other, value = type(self)(claim, p), f(self)
         kept = (k for k in self.free if len(k) == 1 or (k[0] in ("circle", "exp") and k[1] in plain))
         other.free = {k: self.free[k] for k in kept}
-        if not value or other.at(f) != value:
+        if not value or f(other) != value:
             raise Stop("not shown", "that something isn't 0")
-        steep = {n: values[n] * self.at(f, n) % p for n in names}
-        moving = [s for n, s in steep.items() if s and n in claim.variables][:4]
+        steep = {n: values[n] * f(self, n) % p for n in names}
+        moving = [s for n, s in steep.items() if s and n in claim.variables][:6]
         ratios = {k * value * pow(2, -1, p) % p for k in range(-24, 25)}
         weights = product((0, -1, 1, -2, 2), repeat=len(moving))
         ways = {sum(w * s for w, s in zip(way, moving, strict=True)) % p for way in weights}

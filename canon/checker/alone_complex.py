@@ -11,6 +11,7 @@ from __future__ import annotations
 import ast
 import json
 from fractions import Fraction
+from functools import cache
 from math import isqrt, prod
 from typing import Any
 
@@ -29,7 +30,7 @@ class Complex:
     """What is read otherwise: a claim with complex names."""
 
     def __init__(self, tables: Any) -> None:
-        tables = json.loads(json.dumps(tables))
+        tables, self.is_complex = json.loads(json.dumps(tables)), cache(self.is_complex)
         words = {n: [w] if isinstance(w, str) else w for n, w in tables.get("symbols", {}).items()}
         self.spread = {n for n, w in words.items() if "complex" in w} | {"1j"}
         if any({*words[n]} - {"complex", "nonzero"} for n in self.spread - {"1j"}):
@@ -68,7 +69,7 @@ class Numbers(alone_wider.Placed):
 
     def __init__(self, claim: Any, prime: int) -> None:
         super().__init__(claim, prime)
-        self.halves = dict[int, int]()
+        self.halves, self.is_positive, self.halved = dict[int, int](), cache(self.is_positive), cache(self.halved)
 
     def named(self, name: str) -> int:
         if name == "1j":

@@ -2,9 +2,8 @@
 
 That its derivative is the integrand is seen at random points modulo random primes (`alone.py`), with x = (a + b s)/(1
 + s), s > 0, in the place of the variable, or a + s, b − s. Between the ends each radicand, denominator and argument of
-a logarithm in either formula is seen to be positive, or not 0 (`alone_signs.py`); so the antiderivative is smooth
-there.
-At the ends it is continuous: a root of 0 is 0, an arcsine of 1 is π/2. At infinity it is a limit, by what tends to 0.
+a logarithm in either formula is seen to be positive, or not 0 (`alone_signs.py`); so they are smooth there. At the ends
+the antiderivative is continuous: a root of 0 is 0, an arcsine of 1 is π/2. At infinity it has a limit.
 """
 
 from __future__ import annotations
@@ -12,19 +11,21 @@ from __future__ import annotations
 import re
 import unicodedata
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_signs
+    from canon.checker import alone, alone_endless, alone_signs
     from canon.checker import alone_polynomials as of
 else:  # as a program, beside the other files
     import alone  # type: ignore
+    import alone_endless  # type: ignore
     import alone_polynomials as of  # type: ignore
     import alone_signs  # type: ignore
 
 Formula, Stop, RANDOM = alone.Formula, alone.Stop, alone.RANDOM
+MOST_WORK = 100_000
 ENDLESS = {"infinity": 1, "-infinity": -1}
-SMOOTH = ("+", "*", "sin", "cos", "exp", "atan", "asinh")
 KEYS = {"f", "variable", "from", "to", "equals", "antiderivative"}
 ARCS = {"asin": (("0", "0"), ("1", "pi/2")), "atan": (("0", "0"), ("1", "pi/4")), "asinh": (("0", "0"),),
     "atanh": (("0", "0"),), "log": (("1", "0"),), "acosh": (("1", "0"),)}  # fmt: skip
@@ -36,6 +37,7 @@ class Integral(alone.Claim):
 
     def __init__(self, tables: Any, antiderivative: Any) -> None:
         said = {key: x for key, x in tables["claim"].items() if key not in alone.UNASKED}
+        self.work, self.has = 0, cache(self.has)
         x, ends = said["variable"], {f"_{key}": str(said[key]) for key in ("from", "to", "equals")}
         whole = alone.formulas({**tables, "claim": {**said, "antiderivative": antiderivative}})
         odd = re.search(r"(?<!\w)_", whole) or unicodedata.normalize("NFKC", whole) != whole or {*said} - KEYS
@@ -61,16 +63,28 @@ class Integral(alone.Claim):
             self.structure(self.bare(g)) for f in (self.f, *apart) for g in self.parts(f) if self.is_called(g)
         }
 
+    def outer(self, f: Any, k: int) -> Any:
+        """∂f/∂(its k-th argument); that of a is 1 where a is 0, too."""
+        n = f.of[1].of[0] if f.kind == "^" and f.of[1].kind == "#" else 2
+        return alone.number(n) if n in (0, 1) else super().outer(f, k)
+
     def is_called(self, f: Any) -> bool:
         """Whether it is a value of a function that is declared."""
         return "function" in self.words.get(f.kind, ())
 
+    def spend(self) -> None:
+        """Stop where it takes too long."""
+        self.work += 1
+        if self.work > MOST_WORK:
+            raise Stop("not shown", "formulas that are so long")
+
     def bare(self, f: Any) -> Any:
-        """A value of a function, of one of its derivatives."""
+        """The value of a function itself."""
         return Formula(f.kind, f.of, (0,) * len(f.of))
 
     def inner(self, f: Any) -> Any:
         """What a formula is made of; a definition's is what it says."""
+        self.spend()
         if f.kind == "." and f.of[0] in self.texts:
             return [self.known(self.texts[f.of[0]])]
         return [g for g in f.of if isinstance(g, Formula)]
@@ -83,9 +97,9 @@ class Integral(alone.Claim):
 
     def structure(self, f: Any, end: Any = None) -> Any:
         """What a formula is, to compare it with others; with what stands for the variable at an end."""
+        self.spend()
         if f.kind == "." and (f.of[0] in self.texts or (end is not None and f.of[0] == self.x)):
-            inner = f.of[0] in self.texts
-            return self.structure(self.known(self.texts[f.of[0]]), end) if inner else self.structure(end)
+            return self.structure(*((self.known(self.texts[f.of[0]]), end) if f.of[0] in self.texts else (end,)))
         return (f.kind, f.orders, *(self.structure(x, end) if isinstance(x, Formula) else x for x in f.of))
 
     def has(self, f: Any) -> bool:
@@ -126,7 +140,7 @@ class Between(alone_signs.Signs):
             return  # the claim speaks of where it has a value
         for g in claim.inner(f):
             self.check(g, strict or f.kind == "D")
-        if f.kind in ("#", ".", "D", *SMOOTH):
+        if f.kind in ("#", ".", "D", *alone_endless.SMOOTH):
             return
         a = [self.quotient(g) for g in f.of if isinstance(g, Formula)]
         r = f.of[1].of[0] if f.kind == "^" and f.of[1].kind == "#" else None
@@ -151,53 +165,6 @@ class Between(alone_signs.Signs):
             right = f.kind == "atan2" and any(map(self.is_positive, (a[1], a[0], negative[0])))
         if not right:
             raise Stop("not shown", f"that {f.kind[:40]} is smooth along the range")
-
-
-class Endless(alone_signs.Signs):
-    """Limits as the variable grows, or falls, beyond all bounds."""
-
-    def __init__(self, claim: Integral, sign: int) -> None:
-        super().__init__(claim)
-        self.of, self.sign = claim, sign
-
-    def tends(self, f: Any) -> int:
-        """1 or −1 where a polynomial of the variable grows or falls beyond all bounds; else 0."""
-        whole = lambda g: g.kind == "^" and g.of[1].kind == "#" and g.of[1].of[0].denominator == 1 and g.of[1].of[0] > 0
-        parts = [g for g in self.of.parts(f) if self.of.has(g)]
-        if not parts or not all(g.kind in "+*." or whole(g) for g in parts):
-            return 0
-        powers = of.by_powers(self.quotient(f)[0], self.of.x)
-        top = max(powers)
-        signs = [sign for sign in (1, -1) if self.shown(of.times(of.number(sign), powers[top]), True)]
-        return signs[0] * self.sign**top if top and signs else 0
-
-    def is_bounded(self, f: Any) -> bool:
-        """Whether a formula doesn't grow faster than a power of the variable."""
-        if not self.of.has(f) or f.kind in ("sin", "cos"):
-            return True
-        if f.kind == "exp":
-            return self.tends(f.of[0]) < 0
-        natural = f.kind != "^" or (f.of[1].kind == "#" and f.of[1].of[0] >= 0 and f.of[1].of[0].denominator == 1)
-        return f.kind in "+*.^" and natural and all(map(self.is_bounded, self.of.inner(f)))
-
-    def factors(self, f: Any) -> list[Any]:
-        return [*self.factors(f.of[0]), *self.factors(f.of[1])] if f.kind == "*" else [f]
-
-    def limit(self, f: Any) -> Any:
-        """What a formula tends to, as a formula without the variable."""
-        claim, r = self.of, f.of[1].of[0] if f.kind == "^" and f.of[1].kind == "#" else None
-        if not claim.has(f):
-            return f
-        each = self.factors(f)
-        if any(g.kind == "exp" and self.tends(g.of[0]) < 0 for g in each) and all(map(self.is_bounded, each)):
-            return alone.number(0)
-        if f.kind == "." and f.of[0] in claim.texts:
-            return self.limit(claim.known(claim.texts[f.of[0]]))
-        if r is not None and r < 0 and self.tends(f.of[0]):
-            return alone.number(0)
-        if f.kind in (*SMOOTH, "asin", "acos") or (r is not None and r.denominator == 1 and r > 0):
-            return Formula(f.kind, tuple(self.limit(g) if isinstance(g, Formula) else g for g in f.of))
-        raise Stop("not shown", "what an antiderivative tends to")
 
 
 class Along(alone.Point):
@@ -284,7 +251,7 @@ def shown(data: Any) -> tuple[str, str]:
     between.check(claim.antiderivative)
     for n, end in enumerate(claim.ends):
         if isinstance(end, int):
-            claim.limits[n] = Endless(claim, end).limit(claim.antiderivative)
+            claim.limits[n] = alone_endless.Endless(claim, end).limit(claim.antiderivative)
         else:
             Between(claim, n).check(claim.antiderivative)
     return alone.tried(sample, claim)

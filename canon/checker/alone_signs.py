@@ -47,6 +47,12 @@ class Signs:
                 if sign in "<>" and "=" not in a + b:
                     self.use(self.quotient(claim.read(f"({b}) - ({a})" if sign == "<" else f"({a}) - ({b})"))[0])
 
+    def spend(self, n: int = 1) -> None:
+        """Stop where it takes too long."""
+        self.work += n
+        if self.work > MOST_WORK:
+            raise Stop("not shown", "a sign that takes so long")
+
     def new(self, key: Any, positive: bool) -> str:
         """The name of something; the same for the same."""
         if key not in self.seen:
@@ -56,12 +62,14 @@ class Signs:
 
     def structure(self, f: Any) -> Any:
         """What a formula is, to compare it with others."""
+        self.spend()
         if f.kind == "." and f.of[0] in self.claim.texts:
             return self.structure(self.claim.known(self.claim.texts[f.of[0]]))
         return (f.kind, f.orders, *(self.structure(x) if isinstance(x, alone.Formula) else x for x in f.of))
 
     def quotient(self, f: Any) -> of.Quotient:
         """A formula as a quotient."""
+        self.spend()
         if f.kind == "#":
             return number(f.of[0]), ONE
         if f.kind == "." and f.of[0] in self.claim.texts:
@@ -174,9 +182,7 @@ class Signs:
     def shown(self, p: of.Polynomial, strict: bool, depth: int = DEEPEST) -> bool:
         """Whether a polynomial is seen to be positive, or at least not negative."""
         p = self.plain(p)
-        self.work += 1 + len(p)
-        if self.work > MOST_WORK:
-            raise Stop("not shown", "a sign that takes so long")
+        self.spend(1 + len(p))
         odd = [v for v in names_in(p) if v not in self.sure]
         if all(c > 0 and all(k % 2 == 0 for x, k in m if x in odd) for m, c in p.items()):
             return not strict or any(all(x not in odd for x, _ in m) for m in p)

@@ -7,23 +7,34 @@ import re
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_algebras, alone_complex, alone_integrals, alone_lie, alone_signs, alone_wider
+    from canon.checker import (
+        alone,
+        alone_algebras,
+        alone_complex,
+        alone_integrals,
+        alone_lie,
+        alone_limits,
+        alone_signs,
+        alone_wider,
+    )
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_algebras  # type: ignore
     import alone_complex  # type: ignore
     import alone_integrals  # type: ignore
     import alone_lie  # type: ignore
+    import alone_limits  # type: ignore
     import alone_signs  # type: ignore
     import alone_wider  # type: ignore
 
+COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 BESIDES: dict[str, tuple[Any, ...]] = {
     "inequality": (alone_signs,),
     "integral": (alone_integrals,),
+    "limit": (alone_limits,),
     "algebra": (alone_algebras,),
     "matrix_algebra": (alone_lie,),
 }
-COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 """Those that know a kind of claims, besides the table."""
 
 

@@ -111,8 +111,8 @@ class Claim:
         if len({*every}) < len(every) or odd or "complex" in str(self.words) or not all(map(str.isidentifier, named)):
             raise Stop("not shown", "names with two meanings, complex ones, of another form, or so many")
         for key, value in ((tables.get("hamiltonian", {}) if self.kind not in OWN else {}) | claim).items():
-            parts = enumerate(value if isinstance(value, list) else ())
-            self.texts |= {f"_{key}": value} | {f"_{key}{i}": text for i, text in parts}
+            self.texts |= {f"_{key}{i}": x for i, x in enumerate(value if isinstance(value, list) else ())}
+            self.texts[f"_{key}"] = value
         self.pairs, self.variables = [*zip(sides["q"], sides["p"], strict=True)], self.names
         said = {*re.findall(r"\w+", json.dumps([*self.texts.values()], ensure_ascii=False))}
         if self.kind in MAPS or {*sides["Q"], *sides["P"]} & said:
@@ -330,21 +330,17 @@ def random_prime() -> int:
 def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = None) -> int:
     """Put one random point into everything; returns the number of roots that were met."""
     point, own = of(claim, prime), {}
-    value = point.text
     point.check_domain()
 
     def put(polynomial: Any, kernel: Any) -> int:
         """A polynomial's value, of {"g1^2 x": "3/2"}."""
-        powers = {m: [factor.partition("^") for factor in m.split()] for m in polynomial}
-        values = {m: prod(pow(kernel(name), int(n or 1), prime) for name, _, n in powers[m]) for m in polynomial}
-        return sum(point.fraction(number(c).of[0], prime) * values[m] for m, c in polynomial.items()) % prime
+        at = lambda m: prod(pow(kernel(x), int(n or 1), prime) for x, _, n in (y.partition("^") for y in m.split()))
+        return sum(point.fraction(number(c).of[0], prime) * at(m) for m, c in polynomial.items()) % prime
 
-    scale = value(claim.texts.get("_scale", "1"))  # the claim first: a kernel's root may throw points away
-    constant = not all((scale * b - a) % prime for a, b in product(SMALL, SMALL))
-    if any(map(value, claim.zeros)) or not constant:
+    scales = {point.text(claim.texts.get("_scale", "1")) * b % prime for b in SMALL}  # the claim first: a kernel's
+    if any(map(point.text, claim.zeros)) or not scales & {a % prime for a in SMALL}:  # root may throw points away
         raise Stop("not shown", "that all of it is 0, and the scale a number that isn't 0")
-    if besides:
-        besides(point)
+    _ = besides and besides(point)
     for k in case["kernels"]:
         own[k["name"]] = claim.read(k["stands for"], own)
     kernel, free = cache(lambda name: point.at(claim.read(name, own))), cache(lambda name: RANDOM.randrange(prime))
@@ -367,8 +363,7 @@ def tried(put: Any, *of: Any) -> tuple[str, str]:
         if (tried := tried + 1) > MOST_TRIED + 40 * done or needed > TRIALS << MOST_ROOTS:
             raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
         with suppress(Elsewhere):
-            needed = max(needed, TRIALS << put(*of, random_prime()))
-            done += 1
+            needed, done = max(needed, TRIALS << put(*of, random_prime())), done + 1
     return "shown", ""
 
 

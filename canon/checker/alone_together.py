@@ -11,6 +11,7 @@ if __package__:
         alone,
         alone_algebras,
         alone_complex,
+        alone_generated,
         alone_integrals,
         alone_lie,
         alone_limits,
@@ -21,6 +22,7 @@ else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_algebras  # type: ignore
     import alone_complex  # type: ignore
+    import alone_generated  # type: ignore
     import alone_integrals  # type: ignore
     import alone_lie  # type: ignore
     import alone_limits  # type: ignore
@@ -34,6 +36,8 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "limit": (alone_limits,),
     "algebra": (alone_algebras,),
     "matrix_algebra": (alone_lie,),
+    "canonical": (alone_generated,),
+    "new_hamiltonian": (alone_generated,),
 }
 """Those that know a kind of claims, besides the table."""
 

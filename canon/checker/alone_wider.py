@@ -56,8 +56,8 @@ class Wider(alone.Claim):
             held[key] = self.stored(f"__{key}", *template.texts(row))
         rows = lambda key: [text for row in form.get(key, ()) for text in template.texts(row)]
         self.zeros, self.besides, self.nonzero = map(rows, ("zeros", "besides", "nonzero"))
-        if not self.zeros + self.besides:
-            raise Stop("not shown", "nothing that is asked for")
+        if not self.zeros + self.besides + self.nonzero:
+            raise Stop("not shown", "nothing")
         self.check_solution()
         self.check_germ(tables, held)
         read = [self.known(text) for text in (*self.zeros, *self.besides, *self.nonzero)]
@@ -240,8 +240,7 @@ class Placed(alone.Point):
                 raise Stop("not shown", "what is at a cut")
             if f.kind in ("log", "atanh"):
                 self.square(a if f.kind == "log" else (1 - a * a) % self.p)
-            for k in range(len(f.of)):  # at an edge there is no slope
-                self.at(claim.outer(f, k))
+            _ = [self.at(claim.outer(f, k)) for k in range(len(f.of))]  # at an edge there is no slope
         return found
 
     def check(self) -> None:
@@ -266,8 +265,9 @@ class Placed(alone.Point):
         values = {n: self.named(n) for n in names}
         plain = {x * y % p for x, y in product([1, *values.values()], repeat=2)}
         other, value = type(self)(claim, p), f(self)
-        kept = (k for k in self.free if len(k) == 1 or (k[0] in ("circle", "exp") and k[1] in plain))
-        other.free = {k: self.free[k] for k in kept}
+        generic = claim.is_function if "generic" in claim.form else lambda name: False
+        held = lambda k: (k[0] in ("circle", "exp") and k[1] in plain) or generic(k[0])
+        other.free = {k: self.free[k] for k in self.free if len(k) == 1 or held(k)}
         if not value or f(other) != value:
             raise Stop("not shown", "that something isn't 0")
         steep = {n: values[n] * f(self, n) % p for n in names}

@@ -19,7 +19,9 @@ else:  # as a program, beside the other files
     import alone_lie  # type: ignore
     import alone_wider  # type: ignore
 
-Stop, RANDOM, Route = alone.Stop, alone.RANDOM, tuple[str, ...]
+Stop, RANDOM = alone.Stop, alone.RANDOM
+Route = tuple[str, ...]
+"""Names by which there is differentiated."""
 KEYS, TRIES = {"basis", "equals", "structure", "tensor", "coordinates"}, 12
 
 

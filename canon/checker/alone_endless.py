@@ -19,6 +19,8 @@ SMOOTH = ("+", "*", "sin", "cos", "exp", "atan", "asinh")
 class Endless(alone_signs.Signs):
     """Limits as the variable grows, or falls, beyond all bounds."""
 
+    everywhere = True
+
     def __init__(self, claim: Any, sign: int) -> None:
         super().__init__(claim)
         self.of, self.sign = claim, sign

@@ -110,6 +110,8 @@ class Integral(alone.Claim):
 class Between(alone_signs.Signs):
     """What is smooth between the ends, or continuous at one: the variable is `at`, a quotient."""
 
+    everywhere = True
+
     def __init__(self, claim: Integral, end: int | None = None) -> None:
         super().__init__(claim)
         self.of, self.end, s = claim, end, of.named("#s")

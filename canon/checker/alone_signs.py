@@ -33,7 +33,9 @@ MOST_WORK, DEEPEST = 20_000, 6
 
 
 class Signs:
-    """What is seen to be positive in the domain of a claim; `flat` are angles that are π."""
+    """What is positive in the domain of a claim; `flat` are angles that are π."""
+
+    everywhere = False  # without such cases sines and cosines are names, but of angles between 0 and π
 
     def __init__(self, claim: alone.Claim, flat: Any = ()) -> None:
         self.claim, self.flat, self.count, self.work = claim, flat, count(), 0
@@ -97,6 +99,8 @@ class Signs:
         if key in self.flat:
             return number(sine - 1), ONE
         half = self.shown(a[0], True) and self.shown(plus(times(named("pi"), a[1]), minus(a[0])), True)  # below π
+        if self.everywhere and not half:
+            return named(self.new((sine, key), False)), ONE
         u = named(self.new(("angle", key), half))
         return (times(number(2), u) if sine else plus(ONE, minus(power(u, 2)))), plus(ONE, power(u, 2))
 
@@ -267,12 +271,10 @@ def claim_of(tables: Any) -> tuple[alone.Claim, str]:
 
 def in_numbers(claim: alone.Claim, f: Any) -> bool:
     """Whether a number is seen to be positive in intervals."""
-    for bits in (64, 256):
-        try:
-            return Point(claim, {}, Arithmetic(bits)).at(f)[0] > 0
-        except (Open, Stop):
-            continue
-    return False
+    try:
+        return Point(claim, {}, Arithmetic(256)).at(f)[0] > 0
+    except (Open, Stop):
+        return False
 
 
 def shown(data: Any) -> tuple[str, str]:

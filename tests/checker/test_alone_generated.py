@@ -45,7 +45,7 @@ def test_another_hamiltonian_or_no_map_shows_nothing(given: Any) -> None:
 
 
 def test_it_is_about_the_generating_function_alone() -> None:
-    explicit = {"transformation": {"Q": ["q"], "P": ["2*p"]}}
+    explicit: Any = {"transformation": {"Q": ["q"], "P": ["2*p"]}}
     assert answer(2, "q*P", **explicit) == "not shown"
     assert answer(2, "q*P", claim={"kind": "canonical", "scale": "2"}) == "not shown"
     assert answer(2, "q*P", claim={"kind": "new_hamiltonian"}) == "not shown"

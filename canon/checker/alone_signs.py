@@ -3,11 +3,9 @@
 `alone.py` reads the claim. Its formulas become quotients of polynomials with exact fractions, in names that are
 positive and names that are real: a root is a positive name w with wⁿ = its radicand, an exponential a positive name, a
 cosine and a sine (1 − u²)/(1 + u²) and 2 u/(1 + u²), any other function a real name. What holds for all values of these
-holds for those that they have. A condition of the domain is used by putting something in the place of a name: v > L as
-v = L + s, 0 < v < U as v = U s/(1 + s), with a new name s > 0, so that all points of the domain are still there.
-
-A polynomial is seen to be positive by its coefficients; as a quadratic one by its discriminant; with a root by squares;
-and for a real name by cases. From a certificate nothing is taken but the claim.
+holds for those that they have. A condition of the domain is put into them, and all its points are kept: v > L as v =
+L + s, 0 < v < U as v = U s/(1 + s), with a new name s > 0. A polynomial is seen to be positive by its coefficients, as
+a quadratic one by its discriminant, with a root by squares, and for a real name by cases.
 """
 
 from __future__ import annotations

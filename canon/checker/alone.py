@@ -76,6 +76,14 @@ class Formula:
     orders: tuple[Any, ...] = ()
 
 
+def formulas(tables: Any) -> str:
+    """All that is written in a file about one claim, but for what is there for people: it has no meaning."""
+    parts = [
+        {key: x for key, x in part.items() if key not in ("title", "source")} for part in (tables, tables["claim"])
+    ]
+    return json.dumps([{**parts[0], "claim": parts[1]}], ensure_ascii=False)
+
+
 def number(r: Any) -> Formula:
     if not isinstance(r, str) or (len(r) < LONGEST and not re.search(r"[eE][-+]?[\d_]{4}", r)):
         if max(map(int.bit_length, (r := Fraction(r)).as_integer_ratio())) < LONGEST:
@@ -93,7 +101,7 @@ class Claim:
         claim = {key: value for key, value in tables["claim"].items() if key not in UNASKED}
         sides = {side: space.get(side, []) for side in "qpQP"}
         self.words = {n: [w] if isinstance(w, str) else w for n, w in tables.get("symbols", {}).items()}
-        self.names, whole = [*chain(*sides.values()), space.get("time", "t")], json.dumps(tables, ensure_ascii=False)
+        self.names, whole = [*chain(*sides.values()), space.get("time", "t")], formulas(tables)
         self.texts, explicit = dict(tables.get("definitions", {})), tables.get("transformation", {})
         named = [*self.texts, *self.names, *({*self.words} - {*self.names})]
         every = [*named, "pi", "D", "bracket", *SLOPES, *MEANINGS]
@@ -103,8 +111,8 @@ class Claim:
         if len({*every}) < len(every) or odd or "complex" in str(self.words) or not all(map(str.isidentifier, named)):
             raise Stop("not shown", "names with two meanings, complex ones, of another form, or so many")
         for key, value in ((tables.get("hamiltonian", {}) if self.kind not in OWN else {}) | claim).items():
-            parts = enumerate(value if isinstance(value, list) else ())
-            self.texts |= {f"_{key}": value} | {f"_{key}{i}": text for i, text in parts}
+            self.texts |= {f"_{key}{i}": x for i, x in enumerate(value if isinstance(value, list) else ())}
+            self.texts[f"_{key}"] = value
         self.pairs, self.variables = [*zip(sides["q"], sides["p"], strict=True)], self.names
         said = {*re.findall(r"\w+", json.dumps([*self.texts.values()], ensure_ascii=False))}
         if self.kind in MAPS or {*sides["Q"], *sides["P"]} & said:
@@ -223,6 +231,15 @@ class Point:
         """x^r."""
         return pow(*(x, int(r)) if r.denominator == 1 else (self.square(x), self.fraction(r, self.half)), self.p)
 
+    def text(self, text: str) -> int:
+        return self.at(self.claim.known(text))
+
+    def check_domain(self) -> None:
+        """See that what has to be positive in the domain is."""
+        for words in (re.split(r"(<=|>=|<|>)", text) for text in self.claim.domain.get("where", [])):
+            for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
+                self.square(self.text(f"({b}) - ({a})" if "<" in sign else f"({a}) - ({b})"))
+
     def square(self, x: int) -> int:
         """What has to be positive."""
         if pow(x, self.half, self.p) != 1:
@@ -313,23 +330,17 @@ def random_prime() -> int:
 def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = None) -> int:
     """Put one random point into everything; returns the number of roots that were met."""
     point, own = of(claim, prime), {}
-    value = lambda text: point.at(claim.known(text))
-    for words in (re.split(r"(<=|>=|<|>)", text) for text in claim.domain.get("where", [])):
-        for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
-            point.square(value(f"({b}) - ({a})" if "<" in sign else f"({a}) - ({b})"))
+    point.check_domain()
 
     def put(polynomial: Any, kernel: Any) -> int:
         """A polynomial's value, of {"g1^2 x": "3/2"}."""
-        powers = {m: [factor.partition("^") for factor in m.split()] for m in polynomial}
-        values = {m: prod(pow(kernel(name), int(n or 1), prime) for name, _, n in powers[m]) for m in polynomial}
-        return sum(point.fraction(number(c).of[0], prime) * values[m] for m, c in polynomial.items()) % prime
+        at = lambda m: prod(pow(kernel(x), int(n or 1), prime) for x, _, n in (y.partition("^") for y in m.split()))
+        return sum(point.fraction(number(c).of[0], prime) * at(m) for m, c in polynomial.items()) % prime
 
-    scale = value(claim.texts.get("_scale", "1"))  # the claim first: a kernel's root may throw points away
-    constant = not all((scale * b - a) % prime for a, b in product(SMALL, SMALL))
-    if any(map(value, claim.zeros)) or not constant:
+    scales = {point.text(claim.texts.get("_scale", "1")) * b % prime for b in SMALL}  # the claim first: a kernel's
+    if any(map(point.text, claim.zeros)) or not scales & {a % prime for a in SMALL}:  # root may throw points away
         raise Stop("not shown", "that all of it is 0, and the scale a number that isn't 0")
-    if besides:
-        besides(point)
+    _ = besides and besides(point)
     for k in case["kernels"]:
         own[k["name"]] = claim.read(k["stands for"], own)
     kernel, free = cache(lambda name: point.at(claim.read(name, own))), cache(lambda name: RANDOM.randrange(prime))
@@ -345,27 +356,35 @@ def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = 
     return len(point.roots)
 
 
-def checked(data: Any, asked: Any = Claim, put: Any = sample) -> tuple[str, str]:
-    """(answer, reason) for a certificate that was read as JSON."""
+def tried(put: Any, *of: Any) -> tuple[str, str]:
+    """The answer that as many random points give as are needed."""
+    done, tried, needed = 0, 0, TRIALS
+    while done < needed:
+        if (tried := tried + 1) > MOST_TRIED + 40 * done or needed > TRIALS << MOST_ROOTS:
+            raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
+        with suppress(Elsewhere):
+            needed, done = max(needed, TRIALS << put(*of, random_prime())), done + 1
+    return "shown", ""
+
+
+def answered(data: Any, by: Any) -> tuple[str, str]:
+    """(answer, reason) about a certificate that was read as JSON, by what a function says of it."""
     try:
         rest = json.dumps({key: data[key] for key in data if key != "checksum"}, sort_keys=True, separators=(",", ":"))
         if hashlib.sha256(rest.encode()).hexdigest() != data["checksum"]:
             raise Stop("wrong", "the checksum")
-        claim, cases = asked(data["tables"]), data["cases"]
-        if data["verdict"] != "proved" or data["witness"] is not None or len(cases) != 1:
+        if data["verdict"] != "proved" or data["witness"] is not None or len(data["cases"]) != 1:
             raise Stop("not shown", "no proof, or one of several cases")
-        done, tried, needed = 0, 0, TRIALS
-        while done < needed:
-            if (tried := tried + 1) > MOST_TRIED + 20 * done or needed > TRIALS << MOST_ROOTS:
-                raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
-            with suppress(Elsewhere):
-                needed = max(needed, TRIALS << put(claim, cases[0], random_prime()))
-                done += 1
-        return "shown", ""
+        return by(data)
     except Stop as stop:
         return stop.args[0], stop.args[1]
     except Exception as error:  # whatever a certificate has in the wrong place
         return "not shown", f"a certificate of another form ({type(error).__name__}: {error})"
+
+
+def checked(data: Any, asked: Any = Claim, put: Any = sample) -> tuple[str, str]:
+    """(answer, reason) for a certificate: a random point is put into what the claim asks for and what it states."""
+    return answered(data, lambda data: tried(put, asked(data["tables"]), data["cases"][0]))
 
 
 def main(by: Any = checked) -> None:

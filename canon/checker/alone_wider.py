@@ -56,8 +56,8 @@ class Wider(alone.Claim):
             held[key] = self.stored(f"__{key}", *template.texts(row))
         rows = lambda key: [text for row in form.get(key, ()) for text in template.texts(row)]
         self.zeros, self.besides, self.nonzero = map(rows, ("zeros", "besides", "nonzero"))
-        if not self.zeros + self.besides:
-            raise Stop("not shown", "nothing that is asked for")
+        if not self.zeros + self.besides + self.nonzero:
+            raise Stop("not shown", "nothing")
         self.check_solution()
         self.check_germ(tables, held)
         read = [self.known(text) for text in (*self.zeros, *self.besides, *self.nonzero)]
@@ -67,7 +67,7 @@ class Wider(alone.Claim):
         """The names of the claim's own; each name has one meaning."""
         listed = {key: self.form.get(key, "").split() for key in ("names", "among")}
         own = flat([claim[key] for key in listed["names"] if key in claim])
-        among, whole = flat([held[word] for word in listed["among"]]), json.dumps(tables, ensure_ascii=False)
+        among, whole = flat([held[word] for word in listed["among"]]), alone.formulas(tables)
         named = [*self.texts, *self.names, *({*self.words} - {*self.names}), *({*own} - {*self.names, *self.words})]
         every, sections = [*named, "pi", *alone_table.LANGUAGE, *alone.SLOPES, *alone.MEANINGS], alone.SECTIONS
         odd = re.search(r"(?<!\w)_", whole) or unicodedata.normalize("NFKC", whole) != whole or {*tables} - {*sections}
@@ -240,8 +240,7 @@ class Placed(alone.Point):
                 raise Stop("not shown", "what is at a cut")
             if f.kind in ("log", "atanh"):
                 self.square(a if f.kind == "log" else (1 - a * a) % self.p)
-            for k in range(len(f.of)):  # at an edge there is no slope
-                self.at(claim.outer(f, k))
+            _ = [self.at(claim.outer(f, k)) for k in range(len(f.of))]  # at an edge there is no slope
         return found
 
     def check(self) -> None:
@@ -251,11 +250,11 @@ class Placed(alone.Point):
                 self.square(self.at(f) * (-1 if "negative" in words else 1) % self.p)
         if any(self.at(self.asked.known(text)) for text in self.asked.besides):
             raise Stop("not shown", "that all is 0 that has to be")
-        for text in self.asked.nonzero:
-            self.check_apart(self.asked.known(text))
+        for f in map(self.asked.known, self.asked.nonzero):
+            self.check_apart(lambda point, *by, f=f: point.at(f, *by))
 
     def check_apart(self, f: Any) -> None:
-        """See that a formula is 0 nearly nowhere, whatever the parameters are.
+        """See that f(point), whose derivatives are f(point, name), is 0 nearly nowhere, whatever the parameters are.
 
         It isn't 0 here, nor where functions have other values but sines and exponentials of names and their products,
         which are algebraically independent. And for each parameter x there are weights w of the variables v with
@@ -265,13 +264,14 @@ class Placed(alone.Point):
         names = [n for n in {*claim.words, *claim.variables} if not claim.is_function(n) and n not in claim.texts]
         values = {n: self.named(n) for n in names}
         plain = {x * y % p for x, y in product([1, *values.values()], repeat=2)}
-        other, value = Placed(claim, p), self.at(f)
-        kept = (k for k in self.free if len(k) == 1 or (k[0] in ("circle", "exp") and k[1] in plain))
-        other.free = {k: self.free[k] for k in kept}
-        if not value or other.at(f) != value:
+        other, value = type(self)(claim, p), f(self)
+        generic = claim.is_function if "generic" in claim.form else lambda name: False
+        held = lambda k: (k[0] in ("circle", "exp") and k[1] in plain) or generic(k[0])
+        other.free = {k: self.free[k] for k in self.free if len(k) == 1 or held(k)}
+        if not value or f(other) != value:
             raise Stop("not shown", "that something isn't 0")
-        steep = {n: values[n] * self.at(f, n) % p for n in names}
-        moving = [s for n, s in steep.items() if s and n in claim.variables][:4]
+        steep = {n: values[n] * f(self, n) % p for n in names}
+        moving = [s for n, s in steep.items() if s and n in claim.variables][:6]
         ratios = {k * value * pow(2, -1, p) % p for k in range(-24, 25)}
         weights = product((0, -1, 1, -2, 2), repeat=len(moving))
         ways = {sum(w * s for w, s in zip(way, moving, strict=True)) % p for way in weights}

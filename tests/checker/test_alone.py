@@ -122,6 +122,21 @@ def test_it_has_less_than_300_lines_of_code() -> None:
     assert max(map(len, lines)) <= 120
 
 
+def test_what_titles_say_has_no_meaning() -> None:
+    """A name of its own, or a letter that looks like another, may stand there, and nowhere else."""
+    data = proof("a double angle")
+    for key in ("title", "source"):
+        tables = {
+            **data["tables"],
+            key: "_lhs, \u00bd \u2026",
+            "claim": {**data["tables"]["claim"], key: "_rhs, \ufb01"},
+        }
+        assert alone.checked(resealed({**data, "tables": tables})) == ("shown", "")
+    for key, text in (("lhs", "_rhs"), ("lhs", "\ufb01")):
+        tables = {**data["tables"], "claim": {**data["tables"]["claim"], key: text}}
+        assert alone.checked(resealed({**data, "tables": tables}))[0] == "not shown"
+
+
 def test_it_needs_nothing_but_python(tmp_path: Path) -> None:
     """A copy of the file, elsewhere, by a Python that sees no packages."""
     imported = [node for node in ast.walk(ast.parse(FILE.read_text(encoding="utf-8"))) if isinstance(node, ast.Import)]

@@ -35,10 +35,10 @@ def times(claim: Any, a: Formula, b: Formula) -> Formula:
 
 class Writer:
     """Derivatives of a claim's formulas, written out; nothing is simplified but 0 and 1. A place at which a factor of 0
-    has no value has to be looked at by who asks."""
+    has no value is lost, so what is differentiated is listed `under`, for who asks to look at."""
 
     def __init__(self, claim: Any) -> None:
-        self.claim, self.size = claim, 0
+        self.claim, self.size, self.under = claim, 0, list[Formula]()
         self.slope, self.written = cache(self.slope), cache(self.written)
 
     def slope(self, f: Formula, name: str) -> Formula:
@@ -58,6 +58,7 @@ class Writer:
         """The formula with its derivatives, and abbreviations, written out."""
         if f.kind == "D":
             found = self.written(f.of[0])
+            self.under.append(found)
             for name in f.orders:
                 found = self.slope(found, name)
             return found

@@ -185,7 +185,7 @@ def integral(of: Callable[[Interval], Interval], over: Interval, done: Callable[
         put((over[0] + (over[1] - over[0]) * k / 8, over[0] + (over[1] - over[0]) * (k + 1) / 8))
     while unseen or not done((low, high)):
         _, number, (a, b), y = heappop(heap)
-        if number > MOST_PIECES or b - a < (over[1] - over[0]) / 2**90:
+        if number > MOST_PIECES or b - a < (over[1] - over[0]) / 2**160:
             raise Open("an integral, in so many pieces")
         low, high, unseen = (low, high, unseen - 1) if y is None else (low - y[0], high - y[1], unseen)
         put((a, (a + b) / 2))

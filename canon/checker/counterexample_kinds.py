@@ -55,7 +55,10 @@ class Table(More, Wider):
         called = getattr(getattr(at, "func", None), "id", "_")[1:]
         if called == "_along":
             first, *rest = (self.built(x, text, {}) for x in at.args)
-            return put_names(self.writer.written(first), {x.of[0]: y for x, y in zip(rest[::2], rest[1::2], strict=True)})
+            names = {x.of[0]: self.writer.written(y) for x, y in zip(rest[::2], rest[1::2], strict=True)}
+            found = put_names(self.writer.written(first), names)
+            self.placed_in += [(put_names(x, names), set[str]()) for x in self.writer.under]
+            return found
         if called in getattr(self, "solution", {}):
             given = zip(self.solution[called][0], at.args, strict=True)
             self.placed_in += [(self.built(x, text, own), {*self.words.get(n, ())}) for n, x in given]
@@ -75,6 +78,7 @@ class Asked:
     orders: tuple[str, int] = ("", 0)
     relation: str = ""
     here: Any = None
+    time: str = ""
 
 
 def plain(tables: Any, **claim: Any) -> Any:
@@ -190,6 +194,8 @@ def of_table(tables: Any) -> Iterator[Asked]:
         here = partial(along, tables=tables)
         if {*SHARED} & {*tables} or {*asked.words} & {*tables["phase_space"]["p"]}:
             raise Stop("not shown", "a path beside a Hamiltonian or a map")
+        for i, v in enumerate(claim["velocities"]):
+            asked.texts |= {asked.names[i]: f"__path_{i}", v: f"D(__path_{i}, {asked.names[-1]})"}
         yield from by_legendre(asked, claim, here)
     elif kind == "matrix_group" and tables.get("domain", {}).get("where"):
         here = partial(elsewhere, tables=tables)
@@ -205,7 +211,7 @@ def by_legendre(asked: Any, claim: Any, here: Any) -> Iterator[Asked]:
         return
     sign = "" if claim["extremum"] == "minimum" else "-"
     zeros = tuple(f"{sign}({on_path(asked, claim, f'D(D(__L, {v}), {v})')})" for v in claim["velocities"])
-    yield Asked(asked, zeros, relation=">=", here=here)
+    yield Asked(asked, zeros, relation=">=", here=here, time="(__from + __to)/2")
 
 
 def on_path(asked: Any, claim: Any, text: str) -> str:
@@ -234,6 +240,8 @@ def along(point: Place, tables: Any) -> None:
         try:
             box = type(point)(asked, {**point.of, time: (a, b)}, point.real)
             box.text(on_path(asked, claim, "__L"))
+            for f, _ in asked.placed_in:
+                box.at(f)
             for text in conditions:
                 words = re.split(r"(<=|>=|!=|<|>)", text)
                 for x, sign, y in zip(words[::2], words[1::2], words[2::2], strict=False):
@@ -322,6 +330,8 @@ def guesses(asked: Asked, witness: Any) -> Iterator[dict[str, Any]]:
 
 def fails_at(asked: Asked, of: dict[str, Any], tables: Any, real: Arithmetic) -> bool:
     """Whether something isn't 0 that has to be, at a point that counts. Raises Open."""
+    if asked.time:  # halfway
+        of = of | {asked.claim.names[-1]: Place(asked.claim, of, real).text(asked.time)}
     of = near(asked, of | {name: (x, x) for name, x in asked.held}, real)
     point = Place(asked.claim, of, real)
     sections = {"hamiltonian": tables.get("hamiltonian", {}), "transformation": {}}

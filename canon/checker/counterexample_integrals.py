@@ -254,7 +254,7 @@ def of_extremum(tables: Any, witness: Any) -> bool:
 RULES = {"integral": of_integral, "average": of_average, "stationary": of_extremum}
 
 
-def refuted(tables: Any, witness: Any) -> tuple[str, str]:
+def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     """Whether the claim fails at the witness."""
     if (rule := RULES.get(tables["claim"]["kind"])) is None or not isinstance(witness, dict):
         raise Stop("not shown", "a refutation of such a claim")

@@ -354,7 +354,7 @@ def fails_at(asked: Asked, of: dict[str, Any], tables: Any, real: Arithmetic) ->
     return True
 
 
-def refuted(tables: Any, witness: Any) -> tuple[str, str]:
+def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     """Whether the claim fails at the witness, or somewhere else."""
     tables = {key: x for key, x in tables.items() if key not in ("title", "source")}
     tables["claim"] = {key: x for key, x in tables["claim"].items() if key not in ("title", "source", "expect", "budget")}

@@ -333,7 +333,7 @@ def comes_back(tables: Any, witness: Any, period: Any) -> bool:
 RULES = {"action": of_action, "frequency": of_action, "action_angle": of_angle}
 
 
-def refuted(tables: Any, witness: Any) -> tuple[str, str]:
+def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     """Whether the claim fails at the witness."""
     if (rule := RULES.get(tables["claim"]["kind"])) is None or not isinstance(witness, dict):
         raise Stop("not shown", "a refutation of such a claim")

@@ -105,7 +105,7 @@ RULES = {"legendre": of_table, "hamilton_jacobi": of_table, "euler_lagrange": of
     "canonical": of_generating, "fundamental_brackets": of_generating, "new_hamiltonian": of_generating}  # fmt: skip
 
 
-def refuted(tables: Any, witness: Any) -> tuple[str, str]:
+def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     """Whether something vanishes everywhere that must not."""
     kind = tables["claim"]["kind"]
     if kind not in RULES or isinstance(witness, dict) or tables.get("domain", {}).get("on"):

@@ -8,17 +8,22 @@ from itertools import chain
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, counterexample, counterexample_integrals, counterexample_kinds, counterexample_orbits
+    from canon.checker import (
+        alone, counterexample, counterexample_algebras, counterexample_integrals, counterexample_kinds,
+        counterexample_orbits, counterexample_vanishing,
+    )  # fmt: skip
     from canon.checker.alone import Stop
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import counterexample  # type: ignore
+    import counterexample_algebras  # type: ignore
     import counterexample_integrals  # type: ignore
     import counterexample_kinds  # type: ignore
     import counterexample_orbits  # type: ignore
+    import counterexample_vanishing  # type: ignore
     from alone import Stop  # type: ignore
 
-FILES = (counterexample_kinds, counterexample_integrals, counterexample_orbits)
+FILES = (counterexample_kinds, counterexample_integrals, counterexample_orbits, counterexample_vanishing, counterexample_algebras)
 
 
 def checked(data: Any) -> tuple[str, str]:
@@ -30,7 +35,7 @@ def checked(data: Any) -> tuple[str, str]:
     tables, witness = renamed(data["tables"], data.get("witness"))
     for file in FILES:
         try:
-            found = file.refuted(tables, witness)
+            found = file.refuted(tables, witness, data.get("known") or {})
         except Stop as stop:
             found = stop.args
         except Exception as error:  # whatever a certificate has in the wrong place

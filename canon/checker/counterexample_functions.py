@@ -16,10 +16,10 @@ from typing import Any
 
 if __package__:
     from canon.checker.alone import Claim, Formula, Stop, number
-    from canon.checker.counterexample import ONE, Arithmetic, Interval, Open, Point
+    from canon.checker.counterexample import NONE, ONE, Arithmetic, Interval, Open, Point
 else:  # as a program's part, beside the other files
     from alone import Claim, Formula, Stop, number  # type: ignore
-    from counterexample import ONE, Arithmetic, Interval, Open, Point  # type: ignore
+    from counterexample import NONE, ONE, Arithmetic, Interval, Open, Point  # type: ignore
 
 NOUGHT, MOST_PIECES, SMALL = number(0), 3000, Fraction(1, 10**7)
 INTEGRANDS = {"elliptic_f": "b*(1 - a*sin(b*s)**2)**(-1/2)", "elliptic_e": "b*(1 - a*sin(b*s)**2)**(1/2)",
@@ -43,6 +43,9 @@ LAG = "(a - jacobi_epsilon(a, b)/(1 - b))/(2*b) + jacobi_sn(a, b)*jacobi_cn(a, b
 """∂am(u, m)/∂m over dn(u, m)."""
 ARITIES = {"abs": (1,), "sign": (1,), "elliptic_k": (1,), "elliptic_e": (1, 2), "elliptic_f": (2,),
     "elliptic_pi": (2, 3), "jacobi_sn": (2,), "jacobi_cn": (2,), "jacobi_dn": (2,), "jacobi_epsilon": (2,)}  # fmt: skip
+
+EXACTLY = {"exp": (NONE, ONE), "log": (ONE, NONE), "sin": (NONE, NONE), "cos": (NONE, ONE), "atan": (NONE, NONE)}
+"""Where values are no irrational numbers."""
 
 
 class More(Claim):
@@ -75,6 +78,8 @@ class Place(Point):
     def value(self, f: Formula) -> Interval:
         if f.kind == "^" and f.of[1].kind == "#" and f.of[1].of[0] == 0:
             return ONE
+        if f.kind in EXACTLY and self.at(f.of[0]) == EXACTLY[f.kind][0]:
+            return EXACTLY[f.kind][1]
         if f.kind not in ARITIES:
             return super().value(f)
         a = [self.at(x) for x in f.of]

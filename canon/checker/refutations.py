@@ -9,21 +9,26 @@ from typing import Any
 
 if __package__:
     from canon.checker import (
-        alone, counterexample, counterexample_algebras, counterexample_integrals, counterexample_kinds,
-        counterexample_orbits, counterexample_vanishing,
+        alone, counterexample, counterexample_algebras, counterexample_complex, counterexample_integrals,
+        counterexample_kinds, counterexample_limits, counterexample_orbits, counterexample_vanishing,
     )  # fmt: skip
     from canon.checker.alone import Stop
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import counterexample  # type: ignore
     import counterexample_algebras  # type: ignore
+    import counterexample_complex  # type: ignore
     import counterexample_integrals  # type: ignore
     import counterexample_kinds  # type: ignore
+    import counterexample_limits  # type: ignore
     import counterexample_orbits  # type: ignore
     import counterexample_vanishing  # type: ignore
     from alone import Stop  # type: ignore
 
-FILES = (counterexample_kinds, counterexample_integrals, counterexample_orbits, counterexample_vanishing, counterexample_algebras)
+FILES = (
+    counterexample_kinds, counterexample_integrals, counterexample_orbits, counterexample_vanishing,
+    counterexample_algebras, counterexample_complex, counterexample_limits,
+)  # fmt: skip
 
 
 def checked(data: Any) -> tuple[str, str]:

@@ -10,7 +10,8 @@ from typing import Any
 if __package__:
     from canon.checker import (
         alone, counterexample, counterexample_algebras, counterexample_complex, counterexample_integrals,
-        counterexample_kinds, counterexample_limits, counterexample_orbits, counterexample_vanishing,
+        counterexample_kinds, counterexample_limits, counterexample_normal_forms, counterexample_orbits,
+        counterexample_vanishing,
     )  # fmt: skip
     from canon.checker.alone import Stop
 else:  # as a program, beside the other files
@@ -21,6 +22,7 @@ else:  # as a program, beside the other files
     import counterexample_integrals  # type: ignore
     import counterexample_kinds  # type: ignore
     import counterexample_limits  # type: ignore
+    import counterexample_normal_forms  # type: ignore
     import counterexample_orbits  # type: ignore
     import counterexample_vanishing  # type: ignore
     from alone import Stop  # type: ignore
@@ -28,6 +30,7 @@ else:  # as a program, beside the other files
 FILES = (
     counterexample_kinds, counterexample_integrals, counterexample_orbits, counterexample_vanishing,
     counterexample_algebras, counterexample_complex, counterexample_limits,
+    counterexample_normal_forms,
 )  # fmt: skip
 
 

@@ -1,7 +1,7 @@
 """Refutations of claims with the imaginary unit, beside `counterexample.py`: a complex formula is two real ones.
 
-Names are real. Sums, products, quotients, whole powers, exponentials, derivatives and brackets of such pairs are written out;
-of all else only what is real has a meaning here.
+Names are real. Sums, products, quotients, whole powers, exponentials, derivatives and brackets of such pairs are
+written out; of all else only what is real has a meaning here.
 """
 
 from __future__ import annotations
@@ -149,7 +149,7 @@ def zeros(tables: Any) -> tuple[list[str], dict[str, Any], list[str]]:
         new = dict(zip([*space["Q"], *space["P"]], [*explicit["Q"], *explicit["P"]], strict=True))
         x, n = [*new], len(space["Q"])
         return [f"bracket({x[i]}, {x[j]}) - {int(j == i + n)}" for i, j in combinations(range(len(x)), 2)], new, []
-    rows = {"identity": "lhs - (rhs)", "bracket": "bracket(f, g) - (equals)", "conserved": f"D(f, {time}) + bracket(f, H)"}
+    rows = {"identity": "lhs - rhs", "bracket": "bracket(f, g) - equals", "conserved": f"D(f, {time}) + bracket(f, H)"}
     keys = {"identity": ["lhs", "rhs"], "bracket": ["f", "g", "equals"], "conserved": ["f"]}.get(kind, [])
     if not keys or {*claim} != {"kind", *keys} or explicit:
         raise Stop("not shown", "a refutation of such a claim")
@@ -176,7 +176,8 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
         raise Stop("not shown", "names with two meanings")
     if {*tables.get("symbols", {})} & {*new}:
         raise Stop("not shown", "new variables of which something is assumed")
-    base = {key: x for key, x in tables.items() if key in ("phase_space", "symbols", "domain", "hamiltonian", "definitions")}
+    kept = ("phase_space", "symbols", "domain", "hamiltonian", "definitions")
+    base = {key: x for key, x in tables.items() if key in kept}
     asked = claim_with(base, [], {})
     reader = Reader(asked, {**tables.get("definitions", {}), **new}, [*zip(space["q"], space["p"], strict=True)])
     found = [part for text in texts for part in reader.text(text)]

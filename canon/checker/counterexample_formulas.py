@@ -1,5 +1,5 @@
-"""Formulas as data, for the files beside `counterexample.py`: derivatives written out, what is put in a name's place, and
-of which degree a formula is in a name."""
+"""Formulas as data, for the files beside `counterexample.py`: derivatives written out, what is put in a name's
+place, and of which degree a formula is in a name."""
 
 from __future__ import annotations
 

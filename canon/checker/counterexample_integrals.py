@@ -1,4 +1,5 @@
-"""Refutations of integrals, averages and extrema, beside `counterexample.py`: an enclosure that leaves out the value.
+"""Refutations of integrals, averages and extrema, beside `counterexample.py`: an enclosure that leaves out the
+value.
 
 At an end where the integrand is infinite as 1/√g is, g having a slope there, what is left out is at most 2 √(δ/|g'|)
 times the rest of it.
@@ -19,7 +20,13 @@ if __package__:
 else:  # as a program's part, beside the other files
     from alone import Formula, Stop, number  # type: ignore
     from counterexample import (  # type: ignore
-        Arithmetic, Interval, Open, check, check_domain, fails, somewhere,
+        Arithmetic,
+        Interval,
+        Open,
+        check,
+        check_domain,
+        fails,
+        somewhere,
     )  # fmt: skip
     from counterexample_formulas import UNIT, Writer, degree, inner_names, put, put_names  # type: ignore
     from counterexample_functions import More, Place, integral, piece  # type: ignore

@@ -1,4 +1,5 @@
-"""More refutations at a point, beside `counterexample.py`: by tables, by orders of a parameter, on surfaces, by maps.
+"""More refutations at a point, beside `counterexample.py`: by tables, by orders of a parameter, on surfaces, by
+maps.
 
 Each rule names formulas that have to vanish if the claim holds, and what has to be so of a point before it counts.
 """
@@ -6,41 +7,55 @@ Each rule names formulas that have to vanish if the claim holds, and what has to
 from __future__ import annotations
 
 import re
+import tomllib
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, partial
-from itertools import combinations, permutations
 from pathlib import Path
 from random import Random
 from typing import Any
 
-import tomllib
-
 if __package__:
     from canon.checker import alone_table
-    from canon.checker.alone import GIVES, TYPES, Formula, Stop
+    from canon.checker.alone import Formula, Stop
     from canon.checker.alone_wider import Wider
     from canon.checker.counterexample import (
-        NONE, Arithmetic, Open, check, check_domain, claim_of, fails, momenta_of, somewhere,
+        NONE,
+        Arithmetic,
+        Open,
+        check,
+        check_domain,
+        claim_of,
+        fails,
+        momenta_of,
+        somewhere,
     )  # fmt: skip
     from canon.checker.counterexample_formulas import Writer, put_names
     from canon.checker.counterexample_functions import More, Place
+    from canon.checker.counterexample_maps import Asked, of_generated, of_map, plain
 else:  # as a program's part, beside the other files
     import alone_table  # type: ignore
-    from alone import GIVES, TYPES, Formula, Stop  # type: ignore
+    from alone import Formula, Stop  # type: ignore
     from alone_wider import Wider  # type: ignore
     from counterexample import (  # type: ignore
-        NONE, Arithmetic, Open, check, check_domain, claim_of, fails, momenta_of, somewhere,
+        NONE,
+        Arithmetic,
+        Open,
+        check,
+        check_domain,
+        claim_of,
+        fails,
+        momenta_of,
+        somewhere,
     )  # fmt: skip
     from counterexample_formulas import Writer, put_names  # type: ignore
     from counterexample_functions import More, Place  # type: ignore
+    from counterexample_maps import Asked, of_generated, of_map, plain  # type: ignore
 
 KINDS = tomllib.loads(Path(__file__).with_name("counterexample_kinds.toml").read_text(encoding="utf-8"))["kinds"]
-BITS, PIECES, MOST_ORDER, GUESSES = (64, 192), 300, 7, 12
+BITS, PIECES, GUESSES = (64, 192), 300, 12
 SHARED = ("hamiltonian", "transformation", "generating_function")
-SIDES = ("q", "p", "Q", "P")
 
 
 class Table(More, Wider):
@@ -63,97 +78,6 @@ class Table(More, Wider):
             given = zip(self.solution[called][0], at.args, strict=True)
             self.placed_in += [(self.built(x, text, own), {*self.words.get(n, ())}) for n, x in given]
         return super().built(at, text, own)
-
-
-@dataclass(frozen=True)
-class Asked:
-    """A claim with what vanishes, and what a point has to be like: on the surface of `on`, with `apart` not 0, with the
-    names in `held` at these values, and as `here` says besides."""
-
-    claim: Any
-    zeros: tuple[str, ...]
-    on: tuple[str, ...] = ()
-    apart: tuple[str, ...] = ()
-    held: tuple[tuple[str, Fraction], ...] = ()
-    orders: tuple[str, int] = ("", 0)
-    relation: str = ""
-    here: Any = None
-    time: str = ""
-
-
-def plain(tables: Any, **claim: Any) -> Any:
-    """The tables of an identity, in which new variables are names like others, without the sections of a map."""
-    space = tables["phase_space"]
-    sides = {"q": [*space["q"], *space.get("Q", [])], "p": [*space["p"], *space.get("P", [])]}
-    rest = {key: x for key, x in tables.items() if key in ("symbols", "definitions", "hamiltonian", "domain")}
-    said = {key: x for key, x in space.items() if key == "time"}
-    return {**rest, "phase_space": {**said, **sides}, "claim": {"kind": "identity", "lhs": "0", "rhs": "0"} | claim}
-
-
-def of_generated(tables: Any) -> Iterator[Asked]:
-    """K and H + ∂F/∂t differ by a function of time, in the variables of F, where its mixed Hessian isn't 0."""
-    generating, space = tables["generating_function"], tables["phase_space"]
-    n, types = len(space["q"]), generating["type"]
-    kinds = [types] * n if isinstance(types, int) else types
-    if [len(space[side]) for side in SIDES] != [n] * 4 or len(kinds) != n or {*tables["claim"]} != {"kind", "K"}:
-        raise Stop("not shown", "a map of that form")
-    claim = More(plain(tables, rhs=tables["claim"]["K"]))
-    free = [[space[side][i] for i, one in enumerate(kinds) for side in TYPES[one][k]] for k in (0, 1)]
-    for i, one in enumerate(kinds):
-        for side in TYPES[one]:
-            other, sign = GIVES[side]
-            minus = "-" if sign == "+" else ""  # p − ∂F/∂q = 0, P + ∂F/∂Q = 0
-            claim.texts[space[other][i]] = f"{minus}D(_F, {space[side][i]})"
-    claim.texts["_F"], claim.variables = generating["F"], [*free[0], *free[1], claim.names[-1]]
-    claim.known.cache_clear()  # type: ignore
-    check_inner(claim, "_F", {*free[0], *free[1]})
-    check_inner(claim, "_H", {*space["q"], *space["p"]}, tables["hamiltonian"]["H"])
-    check_inner(claim, "_rhs", {*space["Q"], *space["P"]}, tables["claim"]["K"])
-    zeros = tuple(f"D(_rhs - _H - D(_F, {claim.names[-1]}), {u})" for u in claim.variables[:-1])
-    yield Asked(claim, zeros, apart=(determinant([[f"D(D(_F, {u}), {v})" for v in free[1]] for u in free[0]]),))
-
-
-def check_inner(claim: Any, name: str, may: set[str], text: Any = None) -> None:
-    """A formula is of these variables, as it is written."""
-    own = {x: Formula(".", (x,)) for x in claim.names}
-    inner = cache(lambda f: {*f.of}.union(*(inner(x) for x in f.of if isinstance(x, Formula))))
-    if inner(claim.read(claim.texts[name] if text is None else text, own)) & ({*claim.names[:-1]} - may):
-        raise Stop("not shown", "a formula of other variables")
-
-
-def determinant(rows: list[list[str]]) -> str:
-    """As a text, by Leibniz."""
-    terms = list[str]()
-    for turn in permutations(range(len(rows))):
-        sign = (-1) ** sum(a > b for a, b in combinations(turn, 2))
-        terms.append("*".join([f"({sign})", *(f"({rows[i][j]})" for i, j in enumerate(turn))]))
-    return " + ".join(terms)
-
-
-def of_map(tables: Any) -> Iterator[Asked]:
-    """Brackets of a map given forward: to orders of a parameter, on a surface, of fewer variables, with more functions."""
-    claim, space, on = tables["claim"], tables["phase_space"], tables.get("domain", {}).get("on", [])
-    explicit, pairs = tables.get("transformation", {}), [*zip(space["q"], space["p"], strict=True)]
-    new = [*zip(space["Q"], space["P"], strict=True)]
-    if {*explicit} != {"Q", "P"} or {*claim} - {"kind", "order"} or "generating_function" in tables:
-        raise Stop("not shown", "a map that isn't given forward, or a scale")
-    domain = {"domain": {"where": tables.get("domain", {}).get("where", [])}}
-    asked = More(plain({**tables, **domain}))
-    asked.texts |= {x: text for side in explicit for x, text in zip(space[side], explicit[side], strict=True)}
-    asked.pairs, asked.variables = pairs, [*space["q"], *space["p"], asked.names[-1]]
-    asked.known.cache_clear()  # type: ignore
-    x = [*space["Q"], *space["P"]]
-    for side in explicit.values():
-        for text in side:
-            check_inner(asked, "", {*space["q"], *space["p"]}, text)
-    zeros = [f"bracket({x[i]}, {x[j]}) - {int(j == i + len(new))}" for i, j in combinations(range(len(x)), 2)]
-    name, n = claim.get("order", ["", 0])
-    said = str([tables.get("domain", {}), tables.get("hamiltonian", {})])
-    if name and ({*asked.words.get(name, ())} - {"real"} or re.search(rf"(?<!\w){name}(?!\w)", said)):
-        raise Stop("not shown", "a parameter near 0 of which more is said")
-    if name and (name in {*asked.names, *asked.texts} or not isinstance(n, int) or n > MOST_ORDER or on):
-        raise Stop("not shown", "such an order")
-    yield Asked(asked, tuple(zeros), tuple(on), (), ((name, Fraction(0)),) if name else (), (name, n))
 
 
 def of_table(tables: Any) -> Iterator[Asked]:
@@ -182,7 +106,8 @@ def of_table(tables: Any) -> Iterator[Asked]:
     asked.besides = [] if on or kind == "dimension" else asked.besides
     held: tuple[Any, ...] = ()
     if kind == "dimension":
-        if {*SHARED} & {*tables} or tables.get("domain") or any(isinstance(x, list) for x in claim["dimensions"].values()):
+        functions = any(isinstance(x, list) for x in claim["dimensions"].values())
+        if {*SHARED} & {*tables} or tables.get("domain") or functions:
             raise Stop("not shown", "units beside conditions, or of functions")
         zeros = tuple(Wider(usual, form).besides)
     elif kind == "lie_series":
@@ -269,7 +194,7 @@ def elsewhere(point: Place, tables: Any) -> None:
 
 
 def image(point: Place, tables: Any) -> None:
-    """Beside a map given forward: with p = ∂S/∂q the point lies in the domain of the map, and its image in the file's."""
+    """Beside a map given forward: with p = ∂S/∂q the point lies in the map's domain, and its image in the file's."""
     space, explicit = tables["phase_space"], tables["transformation"]
     other = More(plain(tables))
     other.texts |= {x: text for side in explicit for x, text in zip(space[side], explicit[side], strict=True)}
@@ -307,7 +232,7 @@ def near(asked: Asked, of: dict[str, Any], real: Arithmetic) -> dict[str, Any]:
         else:
             raise Open("a point of the surface")
     box = Place(asked.claim, of, real)
-    if any((value := box.text(text)) != NONE and text not in inexact for text in asked.on) or (wide and value is None):
+    if any(box.text(text) != NONE for text in asked.on if text not in inexact):
         raise Open("a point of the surface")
     return of
 
@@ -357,7 +282,8 @@ def fails_at(asked: Asked, of: dict[str, Any], tables: Any, real: Arithmetic) ->
 def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     """Whether the claim fails at the witness, or somewhere else."""
     tables = {key: x for key, x in tables.items() if key not in ("title", "source")}
-    tables["claim"] = {key: x for key, x in tables["claim"].items() if key not in ("title", "source", "expect", "budget")}
+    unsaid = ("title", "source", "expect", "budget")
+    tables["claim"] = {key: x for key, x in tables["claim"].items() if key not in unsaid}
     kind, reason = tables["claim"]["kind"], "that something fails at the witness"
     rules = [RULES[kind]] if kind in RULES else []
     if "generating_function" in tables and "transformation" not in tables:
@@ -374,4 +300,3 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
         except (Stop, ValueError, KeyError, TypeError) as stop:  # not of this rule's form
             reason = str(stop.args[-1])
     return "not shown", reason
-

@@ -1,8 +1,8 @@
-"""Refutations of limits, beside `counterexample.py`: by series in the distance w to the limit, with intervals for coefficients.
+"""Refutations of limits, beside `counterexample.py`: by series in the distance w to the limit, of intervals.
 
-A series (v, c) is wᵛ (c₀ + c₁ w + … + c_N w^N) for every w between 0 and NEAR, where the last "coefficient" is an interval
-of what is left over, at all these w. If f tended to a number, its terms of negative powers were 0, and the constant one
-that number; so another constant term refutes it.
+A series (v, c) is wᵛ (c₀ + c₁ w + … + c_N w^N) for every w between 0 and NEAR, where the last "coefficient" is an
+interval of what is left over, at all these w. If f tended to a number, its terms of negative powers were 0, and the
+constant one that number; so another constant term refutes it.
 """
 
 from __future__ import annotations
@@ -97,7 +97,8 @@ class Expansion:
         for k in range(1, size):
             power = self.product(power, rest)
             slope = (here if k < size - 1 else box).at(g, *("#x",) * k)
-            found = self.sum(found, self.product(power, self.constant(self.real.times(slope, (Fraction(1, factorial(k)),) * 2))))
+            slope = self.real.times(slope, (Fraction(1, factorial(k)),) * 2)
+            found = self.sum(found, self.product(power, self.constant(slope)))
         return found
 
     def sign(self, x: Series) -> int:

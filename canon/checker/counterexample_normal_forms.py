@@ -1,9 +1,9 @@
 """Refutations of normal forms, beside `counterexample.py`: Birkhoff's and Gustavson's, in exact fractions.
 
-H₂ + N₃ + … is one of H if {H₂, N} = 0, and a product of flows exp {·, χ}, with χ of degree 3 and higher, leads from H to it.
-Up to an order these are a unipotent group that acts linearly on polynomials, and those of them that leave the lower degrees as
-they are make the exponential of a Lie algebra. So when F, reached from H, is N below degree m, N can be reached in degree m
-only by a χ with {F, χ} = 0 below m and {F, χ} = N − F in degree m: linear equations for its coefficients.
+H₂ + N₃ + … is one of H if {H₂, N} = 0, and a product of flows exp {·, χ}, with χ of degree 3 and higher, leads from
+H to it. Up to an order these are a unipotent group that acts linearly on polynomials, and those of them that leave
+the lower degrees as they are make the exponential of a Lie algebra. So when F, reached from H, is N below degree m,
+N can be reached in degree m only by a χ with {F, χ} = 0 below m and {F, χ} = N − F in degree m: linear equations.
 """
 
 from __future__ import annotations

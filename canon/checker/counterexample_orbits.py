@@ -1,8 +1,9 @@
-"""Refutations of actions, frequencies and angles, beside `counterexample.py`: by an orbit that is enclosed.
+"""Refutations of actions and frequencies, beside `counterexample.py`: by an orbit that is enclosed.
 
-For H = A p² + B p + C and D = B² − 4 A (C − E) an orbit in q lies where D > 0. Round a libration, between two simple zeros
-of D, ∮ p dq = ∫ √D/A dq and the period is T = ∫ 2/√D dq; a rotation has p = (−B + √D)/2A and T = ∫ dq/√D over a period
-of H. The zeros lie in short intervals, where D changes its sign and its slope has one; there ∫ 2/√D is at most 4 √(δ/|D'|).
+For H = A p² + B p + C and D = B² − 4 A (C − E) an orbit in q lies where D > 0. Round a libration, between two simple
+zeros of D, ∮ p dq = ∫ √D/A dq and the period is T = ∫ 2/√D dq; a rotation has p = (−B + √D)/2A and T = ∫ dq/√D over
+a period of H. The zeros lie in short intervals, where D changes its sign and its slope has one; ∫ 2/√D ≤ 4
+√(δ/|D'|).
 """
 
 from __future__ import annotations
@@ -243,7 +244,7 @@ def rotates(orbits: Orbits, claim: Any, value: Interval, is_time: bool) -> bool:
     """The same of a rotation, the one with p > 0; without a `period` it may be any part of 2π."""
     point = Place(orbits.asked, orbits.of, orbits.real)
     length = point.text("_period" if "period" in claim else "2*pi")
-    if "period" not in claim and not circular(orbits.h, orbits.q) or not circular(orbits.d, orbits.q):
+    if not circular(orbits.h, orbits.q) or not circular(orbits.d, orbits.q):
         raise Stop("not shown", "a period")
     if length[0] <= 0 or orbits.extent != [(orbits.extent[-1][0], ())]:
         raise Stop("not shown", "a rotation in a part of the circle")
@@ -252,85 +253,7 @@ def rotates(orbits: Orbits, claim: Any, value: Interval, is_time: bool) -> bool:
     return apart(found, value) if "period" in claim else not multiples(found, value)
 
 
-def of_angle(tables: Any, witness: Any) -> bool:
-    """An angle doesn't advance by its period: the old variables don't come back, or it advances by another T {w, H}."""
-    claim, space, explicit = tables["claim"], tables["phase_space"], tables["transformation"]
-    if "generating_function" in tables or {*claim} - {"kind", "angle_period"}:
-        raise Stop("not shown", "angles by a generating function")
-    new = [*space["Q"], *space["P"]]
-    period = {"_period": claim.get("angle_period", "1")}
-    if {*explicit} == {"q", "p"}:
-        return comes_back(tables, witness, period)
-    if len(space["q"]) != 1:
-        raise Stop("not shown", "several angles that are given forward")
-    maps = dict(zip(new, [*explicit["Q"], *explicit["P"]], strict=True))
-    asked = claim_with({**tables, "domain": {"where": []}}, [], period | {f"_{x}": y for x, y in maps.items()})
-    q, p, time = asked.names
-    of = somewhere(asked, witness, 0)
-    of["#e"] = Place(asked, of, Arithmetic(BITS)).text("_H")
-    domain = claim_with(tables, new, {**maps, **period})
-    point = Place(domain, {n: x for n, x in of.items() if n not in maps}, Arithmetic(BITS))
-    for text, word in sides_of(tables.get("domain", {}).get("where", [])):
-        check(point.text(text), [word])
-    for name, words in domain.words.items():
-        if "function" not in words:
-            check(point.named(name), words)
-    if time in inner_names(asked.known("_H"), asked) | inner_names(asked.known(f"_{new[0]}"), asked):
-        raise Stop("not shown", "a map that depends on time")
-    rate, turn = point.text(f"bracket({new[0]}, _H)"), point.text("_period")
-    if not fails(rate, "") or not fails(turn, ""):
-        raise Open("that the angle moves")
-    for name in (q, p):
-        of.pop(name, None)
-    orbits = Orbits(asked, of, q, "#e", [])
-    if not orbits.plain:
-        raise Stop("not shown", "a Hamiltonian that isn't quadratic in the momentum")
-    bound = [abs(turn[k] / rate[m]) for k in (0, 1) for m in (0, 1)]
-    value = (min(bound), max(bound))  # the time that the angle takes
-    start = point.named(q)[0]
-    try:
-        found = orbits.over(orbits.time, orbits.reach(start), value, True)
-        return apart(found, value)
-    except Open:
-        if not circular(orbits.d, q):
-            raise
-        length, half = point.text("2*pi"), asked.read("a/2", {"a": orbits.time})
-        return not multiples(orbits.turn(half, length, value), value)
-
-
-def comes_back(tables: Any, witness: Any, period: Any) -> bool:
-    """With an angle that has grown by its period, a momentum isn't the same, or a coordinate not up to turns."""
-    space, explicit = tables["phase_space"], tables["transformation"]
-    flipped = {**tables, "phase_space": {**space, "q": space["Q"], "p": space["P"], "Q": [], "P": []}}
-    asked = claim_with({**flipped, "domain": {"where": []}, "hamiltonian": {"H": "0"}}, [*space["q"], *space["p"]],
-                       period | {f"_{side}{i}": x for side in "qp" for i, x in enumerate(explicit[side])})  # fmt: skip
-    old = dict(zip([*space["q"], *space["p"]], [*explicit["q"], *explicit["p"]], strict=True))
-    asked.texts |= old
-    of = {n: x for n, x in somewhere(asked, witness, 0).items() if n not in old}
-    point = Place(asked, of, Arithmetic(BITS))
-    for text, word in sides_of(tables.get("domain", {}).get("where", [])):
-        check(point.text(text), [word])
-    asked.texts["_H"] = tables["hamiltonian"]["H"]
-    point.text("_H")
-    for name, words in asked.words.items():
-        if "function" not in words:
-            check(point.named(name), words)
-    turn, real = point.text("_period"), point.real
-    for w in space["Q"]:
-        later = Place(asked, {**of, w: real.add(of[w], turn)}, real)
-        for side in "qp":
-            for k in range(len(explicit[side])):
-                x, y = point.text(f"_{side}{k}"), later.text(f"_{side}{k}")
-                gap = real.add(y, (-x[1], -x[0]))
-                if side == "p" and fails(gap, ""):
-                    return True
-                turns = real.times(gap, real.power(point.text("2*pi"), -1))
-                if side == "q" and turns[0].__floor__() < turns[0] and turns[0].__floor__() == turns[1].__floor__():
-                    return True
-    return False
-
-
-RULES = {"action": of_action, "frequency": of_action, "action_angle": of_angle}
+RULES = {"action": of_action, "frequency": of_action}
 
 
 def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:

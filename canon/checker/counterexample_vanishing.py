@@ -1,11 +1,14 @@
-"""Refutations of what must not vanish everywhere and does, beside `counterexample.py`: by `alone.py`'s random points.
+"""Refutations of what must not vanish everywhere and does, beside `counterexample.py`: by `alone.py`'s random
+points.
 
-A mixed Hessian, the Hessian of a Lagrangian, the determinant of a complete integral, the minors of gradients: where these are
-0 modulo random primes they are 0 wherever the formulas have values. That there is such a place is seen in intervals.
+A mixed Hessian, the Hessian of a Lagrangian, the determinant of a complete integral, the minors of gradients: where
+these are 0 modulo random primes they are 0 wherever the formulas have values. That there is such a place is seen in
+intervals.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import suppress
 from itertools import combinations
@@ -13,19 +16,21 @@ from typing import Any
 
 if __package__:
     from canon.checker import alone, alone_table
-    from canon.checker.alone import TYPES, Claim, Formula, Stop
+    from canon.checker.alone import TYPES, Claim, Stop
     from canon.checker.alone_wider import Placed, Wider
     from canon.checker.counterexample import Arithmetic, Open, check_domain
     from canon.checker.counterexample_functions import Place
-    from canon.checker.counterexample_kinds import Asked, determinant, guesses, plain
+    from canon.checker.counterexample_kinds import guesses
+    from canon.checker.counterexample_maps import Asked, determinant, plain
 else:  # as a program's part, beside the other files
     import alone  # type: ignore
     import alone_table  # type: ignore
-    from alone import TYPES, Claim, Formula, Stop  # type: ignore
+    from alone import TYPES, Claim, Stop  # type: ignore
     from alone_wider import Placed, Wider  # type: ignore
     from counterexample import Arithmetic, Open, check_domain  # type: ignore
     from counterexample_functions import Place  # type: ignore
-    from counterexample_kinds import Asked, determinant, guesses, plain  # type: ignore
+    from counterexample_kinds import guesses  # type: ignore
+    from counterexample_maps import Asked, determinant, plain  # type: ignore
 
 MOST_MINORS = 60
 
@@ -84,7 +89,7 @@ def drop_complex(tables: Any, functions: list[str]) -> Any:
     words = " ".join(map(str, [*functions, tables.get("hamiltonian", {}).get("H", ""), tables.get("domain", "")]))
     kept: dict[str, Any] = {}
     for name, text in reversed(tables.get("definitions", {}).items()):
-        if alone_table.re.search(rf"(?<!\w){alone_table.re.escape(name)}(?!\w)", words):
+        if re.search(rf"(?<!\w){re.escape(name)}(?!\w)", words):
             kept, words = {name: text, **kept}, f"{words} {text}"
     return {**tables, "definitions": kept}
 
@@ -129,6 +134,3 @@ def is_somewhere(claim: Any, texts: list[str], tables: Any) -> bool:
                 point.text(text)
             return True
     return False
-
-
-__all__ = ["Formula", "refuted"]

@@ -1,5 +1,5 @@
-"""Lie algebras by structure constants in fractions, for `counterexample_algebras.py`: of matrices, of names, and numbers
-that isomorphic ones have in common."""
+"""Lie algebras by structure constants in fractions, for `counterexample_algebras.py`: of matrices, of names, and
+what isomorphic ones have in common."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ def flat(a: Any) -> list[Fraction]:
 
 
 def structure_of(matrices: Any) -> Any:
-    """Structure constants of the real span under [A, B], or else under −i [A, B]; None where it closes under neither, or
+    """Structure constants of the real span under [A, B], or else −i [A, B]; None where it closes under neither, or
     the matrices depend on each other."""
     columns, n = [flat(a) for a in matrices], range(len(matrices))
     if rank(columns) < len(columns):
@@ -126,7 +126,8 @@ def structure_of(matrices: Any) -> Any:
         found = [[[ZERO] * len(matrices) for _ in n] for _ in n]
         for i, j in combinations(n, 2):
             ab, ba = times(matrices[i], matrices[j]), times(matrices[j], matrices[i])
-            right = [[(x[0] - y[0], x[1] - y[1]) for x, y in zip(*rows, strict=True)] for rows in zip(ab, ba, strict=True)]
+            pairs = [zip(*rows, strict=True) for rows in zip(ab, ba, strict=True)]
+            right = [[(x[0] - y[0], x[1] - y[1]) for x, y in row] for row in pairs]
             right = [[(im, -re) for re, im in row] for row in right] if turned else right
             if (row := solved(columns, flat(right))) is None:
                 break
@@ -155,7 +156,8 @@ def fundamental() -> dict[str, list[Any]]:
     turns = orthogonal(3, 0, 5)
     boosts, shifts = ([matrix(5, (k, column, 1)) for k in range(3)] for column in (3, 4))
     galilei = [*turns, *boosts, *shifts, matrix(5, (3, 4, 1))]
-    return {"galilei": galilei, "sl(2,r)": [matrix(2, (0, 0, 1), (1, 1, -1)), matrix(2, (0, 1, 1)), matrix(2, (1, 0, 1))]}
+    special = [matrix(2, (0, 0, 1), (1, 1, -1)), matrix(2, (0, 1, 1)), matrix(2, (1, 0, 1))]
+    return {"galilei": galilei, "sl(2,r)": special}
 
 
 def summand(name: str) -> Any:

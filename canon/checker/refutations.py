@@ -9,16 +9,27 @@ from typing import Any
 
 if __package__:
     from canon.checker import (
-        alone, counterexample, counterexample_algebras, counterexample_complex, counterexample_integrals,
-        counterexample_kinds, counterexample_limits, counterexample_normal_forms, counterexample_orbits,
+        alone,
+        counterexample,
+        counterexample_algebras,
+        counterexample_angles,
+        counterexample_complex,
+        counterexample_groups,
+        counterexample_integrals,
+        counterexample_kinds,
+        counterexample_limits,
+        counterexample_normal_forms,
+        counterexample_orbits,
         counterexample_vanishing,
-    )  # fmt: skip
+    )
     from canon.checker.alone import Stop
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import counterexample  # type: ignore
     import counterexample_algebras  # type: ignore
+    import counterexample_angles  # type: ignore
     import counterexample_complex  # type: ignore
+    import counterexample_groups  # type: ignore
     import counterexample_integrals  # type: ignore
     import counterexample_kinds  # type: ignore
     import counterexample_limits  # type: ignore
@@ -28,10 +39,17 @@ else:  # as a program, beside the other files
     from alone import Stop  # type: ignore
 
 FILES = (
-    counterexample_kinds, counterexample_integrals, counterexample_orbits, counterexample_vanishing,
-    counterexample_algebras, counterexample_complex, counterexample_limits,
+    counterexample_kinds,
+    counterexample_integrals,
+    counterexample_orbits,
+    counterexample_angles,
+    counterexample_vanishing,
+    counterexample_algebras,
+    counterexample_groups,
+    counterexample_complex,
+    counterexample_limits,
     counterexample_normal_forms,
-)  # fmt: skip
+)
 
 
 def checked(data: Any) -> tuple[str, str]:

@@ -27,7 +27,7 @@ if __package__:
         somewhere,
     )  # fmt: skip
     from canon.checker.counterexample_formulas import Writer, inner_names, is_nought
-    from canon.checker.counterexample_functions import Place
+    from canon.checker.counterexample_functions import Place, just
     from canon.checker.counterexample_kinds import guesses
     from canon.checker.counterexample_maps import Asked
     from canon.checker.counterexample_vanishing import vanish
@@ -45,7 +45,7 @@ else:  # as a program's part, beside the other files
         somewhere,
     )  # fmt: skip
     from counterexample_formulas import Writer, inner_names, is_nought  # type: ignore
-    from counterexample_functions import Place  # type: ignore
+    from counterexample_functions import Place, just  # type: ignore
     from counterexample_kinds import guesses  # type: ignore
     from counterexample_maps import Asked  # type: ignore
     from counterexample_vanishing import vanish  # type: ignore
@@ -189,7 +189,7 @@ def exactly(asked: Any, point: Place, coefficients: Any, n: int) -> Any:
     found, write = [[[Fraction(0)] * n for _ in range(n)] for _ in range(n)], Writer(asked)
     parameters = {name: x for name, x in point.of.items() if name not in asked.names}
     basis = [f"#b{k}" for k in range(n)]
-    here = Place(asked, {**parameters, **{x: (Fraction(0),) * 2 for x in basis}}, point.real)
+    here = Place(asked, {**parameters, **{x: just(Fraction(0)) for x in basis}}, point.real)
     for (i, j), text in coefficients.items():
         f = write.written(text)
         slopes = [write.slope(f, x) for x in basis]

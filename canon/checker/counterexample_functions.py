@@ -49,6 +49,11 @@ EXACTLY = {"exp": (NONE, ONE), "log": (ONE, NONE), "sin": (NONE, NONE), "cos": (
 """Where values are no irrational numbers."""
 
 
+def just(x: Fraction) -> Interval:
+    """The interval of one number."""
+    return x, x
+
+
 class More(Claim):
     """A claim in whose formulas these functions may stand."""
 
@@ -89,7 +94,7 @@ class Place(Point):
             if a[0][0] <= 0 <= a[0][1]:
                 raise Open("the modulus, or the sign, of what may be 0")
             side = 1 if a[0][0] > 0 else -1
-            return self.real.times(a[0], (Fraction(side),) * 2) if f.kind == "abs" else (Fraction(side),) * 2
+            return self.real.times(a[0], just(Fraction(side))) if f.kind == "abs" else just(Fraction(side))
         if f.kind.startswith("jacobi") and f.kind != "jacobi_epsilon":
             known = self.real.__dict__.setdefault("known", {})
             if (*a,) not in known:
@@ -97,7 +102,7 @@ class Place(Point):
             return known[(*a,)]["scd".index(f.kind[7])]
         if f.kind == "jacobi_epsilon" or f.kind == "elliptic_f":
             return self.legendre(f.kind, a[1], a[0])
-        quarter = self.real.times(self.real.pi, (Fraction(1, 2),) * 2)
+        quarter = self.real.times(self.real.pi, just(Fraction(1, 2)))
         if f.kind == "elliptic_pi":
             return self.legendre(f.kind, a[-1], a[1] if len(a) == 3 else quarter, a[0])
         if len(a) == 2:
@@ -105,7 +110,7 @@ class Place(Point):
         ends = [complete(self.real, x)[f.kind == "elliptic_e"] for x in a[0]]  # K grows with m, E falls
         return min(x for x, _ in ends), max(y for _, y in ends)
 
-    def legendre(self, kind: str, m: Interval, upper: Interval, n: Interval = (Fraction(0),) * 2) -> Interval:
+    def legendre(self, kind: str, m: Interval, upper: Interval, n: Interval = NONE) -> Interval:
         """An integral of INTEGRANDS."""
         key, known = (kind, m, upper, n), self.real.__dict__.setdefault("known", {})
         if key in known:
@@ -121,7 +126,7 @@ def complete(real: Arithmetic, m: Fraction) -> tuple[Interval, Interval]:
     """K = π/(2 M(1, k')) and E = K (1 − Σ 2ⁿ⁻¹ c²), by arithmetic and geometric means a and b with a² − b² = c²."""
     if m >= 1:
         raise Open("an elliptic integral beyond its edge")
-    half, minus, total = (Fraction(1, 2),) * 2, (Fraction(-1),) * 2, ONE
+    half, minus, total = just(Fraction(1, 2)), just(Fraction(-1)), ONE
     a, b, weight = ONE, real.monotone(real.root, (1 - m, 1 - m)), Fraction(1, 2)
     squares = (m, m)
     for _ in range(12):

@@ -13,14 +13,14 @@ if __package__:
     from canon.checker.alone import Formula, Stop
     from canon.checker.counterexample import Arithmetic, Open, check, fails, somewhere
     from canon.checker.counterexample_formulas import Writer, put_names
-    from canon.checker.counterexample_functions import Place
+    from canon.checker.counterexample_functions import Place, just
     from canon.checker.counterexample_integrals import claim_with
     from canon.checker.lie_invariants import Invariants, named, structure_of
 else:  # as a program's part, beside the other files
     from alone import Formula, Stop  # type: ignore
     from counterexample import Arithmetic, Open, check, fails, somewhere  # type: ignore
     from counterexample_formulas import Writer, put_names  # type: ignore
-    from counterexample_functions import Place  # type: ignore
+    from counterexample_functions import Place, just  # type: ignore
     from counterexample_integrals import claim_with  # type: ignore
     from lie_invariants import Invariants, named, structure_of  # type: ignore
 
@@ -97,7 +97,7 @@ def of_group(tables: Any, witness: Any, known: Any) -> bool:
         raise Stop("not shown", "parameters that have signs")
     n, third = range(len(first)), [f"#c{k}" for k in range(len(first))]
     asked = claim_with(tables, [*first, *second], {f"_t{k}": text for k, text in enumerate(claim["composition"])})
-    of = {**somewhere(asked, {}, 0), **{x: (Fraction(0),) * 2 for x in (*first, *second, *third)}}
+    of = {**somewhere(asked, {}, 0), **{x: just(Fraction(0)) for x in (*first, *second, *third)}}
     point = Place(asked, of, Arithmetic(BITS))
     for name, said in asked.words.items():
         if "function" not in said:

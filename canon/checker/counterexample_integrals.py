@@ -14,12 +14,13 @@ from typing import Any
 
 if __package__:
     from canon.checker.alone import Formula, Stop, number
-    from canon.checker.counterexample import Arithmetic, Interval, Open, check, check_domain, fails, somewhere
+    from canon.checker.counterexample import NONE, Arithmetic, Interval, Open, check, check_domain, fails, somewhere
     from canon.checker.counterexample_formulas import UNIT, Writer, degree, inner_names, put, put_names
-    from canon.checker.counterexample_functions import More, Place, integral, piece
+    from canon.checker.counterexample_functions import More, Place, integral, just, piece
 else:  # as a program's part, beside the other files
     from alone import Formula, Stop, number  # type: ignore
     from counterexample import (  # type: ignore
+        NONE,
         Arithmetic,
         Interval,
         Open,
@@ -29,7 +30,7 @@ else:  # as a program's part, beside the other files
         somewhere,
     )  # fmt: skip
     from counterexample_formulas import UNIT, Writer, degree, inner_names, put, put_names  # type: ignore
-    from counterexample_functions import More, Place, integral, piece  # type: ignore
+    from counterexample_functions import More, Place, integral, just, piece  # type: ignore
 
 BITS, NEAR, WAVES = 160, Fraction(1, 2**60), (1, 2, 3)
 SHARED = ("hamiltonian", "transformation", "generating_function")
@@ -94,7 +95,7 @@ class Range:
             return None
         except Open:
             pass
-        box, tip = self.box(s), self.box((Fraction(end),) * 2)
+        box, tip = self.box(s), self.box(just(Fraction(end)))
         for formula, words in self.asked:
             check(box.at(formula), words)
         for node, base in poles(self.f):
@@ -200,7 +201,7 @@ def of_average(tables: Any, witness: Any) -> bool:
                              "b": put_names(rate, along), "c": write.written(length)})  # fmt: skip
     signs = [(put_names(motion[n], along), asked.words.get(n, ()) if n != time else ()) for n in motion]
     signs += [(here(x), ()) for x in write.under]
-    return leaves_out(Range(asked, {n: x for n, x in of.items() if n not in moving}, f, signs), WHOLE[:1] * 2)
+    return leaves_out(Range(asked, {n: x for n, x in of.items() if n not in moving}, f, signs), NONE)
 
 
 def by_virial(asked: Any, tables: Any, witness: Any) -> bool:

@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import cache, partial
 from pathlib import Path
 from random import Random
-from typing import Any
+from typing import Any, cast
 
 if __package__:
     from canon.checker import alone_table
@@ -149,7 +149,7 @@ def on_path(asked: Any, claim: Any, text: str) -> str:
 
 def along(point: Place, tables: Any) -> None:
     """The time lies between the ends, and the path in the domain, with all that the claim needs, all the way."""
-    asked, claim, time = point.claim, tables["claim"], point.claim.names[-1]
+    asked, claim, time = cast(Table, point.claim), tables["claim"], point.claim.names[-1]
     low, high = (point.text(f"__{end}") for end in ("from", "to"))
     now = point.named(time)
     if not low[1] < now[0] or not now[1] < high[0]:

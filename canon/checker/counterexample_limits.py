@@ -16,13 +16,13 @@ if __package__:
     from canon.checker.alone import Formula, Stop
     from canon.checker.counterexample import NONE, ONE, Arithmetic, Interval, Open, check, fails, somewhere
     from canon.checker.counterexample_formulas import Writer, inner_names
-    from canon.checker.counterexample_functions import Place
+    from canon.checker.counterexample_functions import Place, just
     from canon.checker.counterexample_integrals import claim_with, sides_of
 else:  # as a program's part, beside the other files
     from alone import Formula, Stop  # type: ignore
     from counterexample import NONE, ONE, Arithmetic, Interval, Open, check, fails, somewhere  # type: ignore
     from counterexample_formulas import Writer, inner_names  # type: ignore
-    from counterexample_functions import Place  # type: ignore
+    from counterexample_functions import Place, just  # type: ignore
     from counterexample_integrals import claim_with, sides_of  # type: ignore
 
 N, BITS, NEAR = 8, 256, (Fraction(0), Fraction(1, 2**24))
@@ -97,7 +97,7 @@ class Expansion:
         for k in range(1, size):
             power = self.product(power, rest)
             slope = (here if k < size - 1 else box).at(g, *("#x",) * k)
-            slope = self.real.times(slope, (Fraction(1, factorial(k)),) * 2)
+            slope = self.real.times(slope, just(Fraction(1, factorial(k))))
             found = self.sum(found, self.product(power, self.constant(slope)))
         return found
 
@@ -117,11 +117,11 @@ class Expansion:
         if f.kind == "^":
             return self.power(f)
         if f.kind == "atan" and f.of[0].kind == "exp" and self.at(f.of[0].of[0])[0] < 0:
-            minus = self.product(self.constant((Fraction(-1),) * 2), self.at(f.of[0].of[0]))
+            minus = self.product(self.constant(just(Fraction(-1))), self.at(f.of[0].of[0]))
             if self.sign(minus) < 0:  # π/2 − arctan of what falls
                 other = self.composed(Formula("atan", (X,)), self.fallen(minus))
-                return self.sum(self.constant(self.real.times(self.real.pi, (Fraction(1, 2),) * 2)),
-                                self.product(self.constant((Fraction(-1),) * 2), other))  # fmt: skip
+                return self.sum(self.constant(self.real.times(self.real.pi, just(Fraction(1, 2)))),
+                                self.product(self.constant(just(Fraction(-1))), other))  # fmt: skip
         x = self.at(f.of[0])
         if f.kind == "exp" and x[0] < 0:
             return self.fallen(x)
@@ -191,7 +191,7 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     for side in (1, -1):
         if infinite not in (None, side) or {"+": 1, "-": -1}.get(claim.get("side", ""), side) != side:
             continue
-        sign = (Fraction(side),) * 2
+        sign = just(Fraction(side))
         if infinite is None:
             start = 0, (point.text("_to"), sign, *[NONE] * (N - 1))
         else:
@@ -202,14 +202,14 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
             for g, word in conditions:
                 if name in inner_names(g, asked):
                     here = whole.sign(whole.trimmed(whole.at(write.written(g))))
-                    check((Fraction(here),) * 2, [word])
+                    check(just(Fraction(here)), [word])
                 else:
                     check(point.at(g), [word])
             for other, words in asked.words.items():
                 if "function" not in words and other != name:
                     check(point.named(other), words)
             mine = {*asked.words.get(name, ())} - {"real"}
-            check((Fraction(whole.sign(whole.trimmed(start))),) * 2, mine) if mine else None
+            check(just(Fraction(whole.sign(whole.trimmed(start)))), mine)
             for g in write.under:
                 whole.at(g)
             found = limit_of(whole.at(f))

@@ -90,7 +90,7 @@ def determinant(rows: list[list[str]]) -> str:
 
 
 def of_map(tables: Any) -> Iterator[Asked]:
-    """Brackets of a map given forward: to orders of a parameter, on a surface, of fewer variables, of more functions."""
+    """Brackets of a map given forward: to an order of a parameter, on a surface, of fewer variables than old ones."""
     claim, space, on = tables["claim"], tables["phase_space"], tables.get("domain", {}).get("on", [])
     explicit, pairs = tables.get("transformation", {}), [*zip(space["q"], space["p"], strict=True)]
     new = [*zip(space["Q"], space["P"], strict=True)]

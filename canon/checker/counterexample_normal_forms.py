@@ -17,13 +17,13 @@ if __package__:
     from canon.checker.alone import Stop
     from canon.checker.counterexample import Arithmetic, Open, check_domain, somewhere
     from canon.checker.counterexample_formulas import Writer, inner_names
-    from canon.checker.counterexample_functions import Place
+    from canon.checker.counterexample_functions import Place, just
     from canon.checker.counterexample_integrals import claim_with
 else:  # as a program's part, beside the other files
     from alone import Stop  # type: ignore
     from counterexample import Arithmetic, Open, check_domain, somewhere  # type: ignore
     from counterexample_formulas import Writer, inner_names  # type: ignore
-    from counterexample_functions import Place  # type: ignore
+    from counterexample_functions import Place, just  # type: ignore
     from counterexample_integrals import claim_with  # type: ignore
 
 MOST_ORDER, MOST_UNKNOWN, BITS = 8, 260, 128
@@ -140,7 +140,7 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     if any(time in inner_names(write.written(asked.known(text)), asked) for text in ("_H", *texts)):
         raise Stop("not shown", "a Hamiltonian that depends on time")
     of = somewhere(asked, witness if isinstance(witness, dict) else {}, 0)
-    point = Place(asked, of | {name: (Fraction(0),) * 2 for name in names}, Arithmetic(BITS))
+    point = Place(asked, of | {name: just(Fraction(0)) for name in names}, Arithmetic(BITS))
     try:
         check_domain(point, {"hamiltonian": tables["hamiltonian"]})
         h = taylor(point, "_H", names, order)

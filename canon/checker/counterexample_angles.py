@@ -46,6 +46,7 @@ def of_angle(tables: Any, witness: Any) -> bool:
             check(point.named(name), words)
     if time in inner_names(asked.known("_H"), asked) | inner_names(asked.known(f"_{new[0]}"), asked):
         raise Stop("not shown", "a map that depends on time")
+    point.text(new[1])
     rate, turn = point.text(f"bracket({new[0]}, _H)"), point.text("_period")
     if not fails(rate, "") or not fails(turn, ""):
         raise Open("that the angle moves")

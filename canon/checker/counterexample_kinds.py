@@ -232,7 +232,8 @@ def near(asked: Asked, of: dict[str, Any], real: Arithmetic) -> dict[str, Any]:
         else:
             raise Open("a point of the surface")
     box = Place(asked.claim, of, real)
-    if any(box.text(text) != NONE for text in asked.on if text not in inexact):
+    values = {text: box.text(text) for text in asked.on}  # continuous where they have values
+    if any(values[text] != NONE for text in asked.on if text not in inexact):
         raise Open("a point of the surface")
     return of
 

@@ -246,6 +246,8 @@ def rotates(orbits: Orbits, claim: Any, value: Interval, is_time: bool) -> bool:
     length = point.text("_period" if "period" in claim else "2*pi")
     if not circular(orbits.h, orbits.q) or not circular(orbits.d, orbits.q):
         raise Stop("not shown", "a period")
+    if is_time and not orbits.plain:
+        raise Stop("not shown", "a Hamiltonian that isn't quadratic in the momentum")
     if length[0] <= 0 or orbits.extent != [(orbits.extent[-1][0], ())]:
         raise Stop("not shown", "a rotation in a part of the circle")
     half = orbits.asked.read("a/2", {"a": orbits.time})

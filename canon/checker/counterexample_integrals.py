@@ -159,7 +159,7 @@ def of_integral(tables: Any, witness: Any) -> bool:
 def leaves_out(whole: Range, value: Interval) -> bool:
     """Whether the integral isn't the value."""
     apart = lambda x: x[1] < value[0] or value[1] < x[0]
-    small = (abs(value[0]) + abs(value[1])) / 10**6
+    small = (abs(value[0]) + abs(value[1]) or 1) / 10**5
     found = whole.enclosed(lambda x: apart(x) or x[1] - x[0] < small)
     return apart(found)
 

@@ -126,7 +126,7 @@ class Orbits:
                 top = self.real.root(max(Fraction(0), box.at(self.d)[1]) + FINE**9)[1]
                 most = self.real.times((Fraction(0), 2 * width * top), self.real.power(box.at(self.a), -1))
                 low, high = low + min(most[0], Fraction(0)), high + max(most[1], Fraction(0))
-        small = (abs(value[0]) + abs(value[1])) / 10**6
+        small = (abs(value[0]) + abs(value[1])) / 10**5
 
         def done(x: Interval) -> bool:
             return x[1] + high < value[0] or value[1] < x[0] + low or x[1] - x[0] < small
@@ -143,7 +143,7 @@ class Orbits:
     def turn(self, f: Formula, length: Interval, value: Interval, both: bool = False) -> Interval:
         """∫ f over a whole turn, from 0 on: what is left of it up to its irrational length is at most so large. With
         `both` the two momenta are seen to have two signs, and f to belong to the positive one."""
-        small = (abs(value[0]) + abs(value[1])) / 10**6
+        small = (abs(value[0]) + abs(value[1])) / 10**5
 
         def part(x: Interval) -> Interval:
             box = self.box(x)

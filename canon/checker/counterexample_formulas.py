@@ -105,18 +105,20 @@ def inner_names(f: Formula, claim: Any) -> set[str]:
 
 def degree(f: Formula, name: str, claim: Any) -> int | None:
     """The degree of a polynomial in a name, or an upper bound; None for what is none."""
-    if name not in inner_names(f, claim):
-        return 0
-    if f.kind == ".":
-        return 1 if f.of[0] == name and name not in claim.texts else None
-    of = [degree(x, name, claim) for x in f.of if isinstance(x, Formula)]
-    if None in of:
-        return None
-    known = [n for n in of if n is not None]
-    if f.kind == "+":
-        return max(known)
-    if f.kind == "*":
-        return sum(known)
-    if f.kind == "^" and f.of[1].kind == "#" and f.of[1].of[0].denominator == 1 and f.of[1].of[0] >= 0:
-        return known[0] * int(f.of[1].of[0])
-    return None
+
+    @cache
+    def of(x: Formula) -> int | None:
+        if x.kind in "#.":
+            return (None if name in claim.texts else 1) if x.of == (name,) else 0
+        parts = [of(y) for y in x.of if isinstance(y, Formula)]
+        if not any(parts) and None not in parts:
+            return 0
+        known = [n for n in parts if n is not None]
+        if len(known) < len(parts):
+            return None
+        if x.kind in "+*":
+            return max(known) if x.kind == "+" else sum(known)
+        whole = x.kind == "^" and x.of[1].kind == "#" and x.of[1].of[0].denominator == 1 and x.of[1].of[0] >= 0
+        return known[0] * int(x.of[1].of[0]) if whole else None
+
+    return of(f) if name in inner_names(f, claim) else 0

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 if __package__:
@@ -32,7 +33,7 @@ else:  # as a program's part, beside the other files
     from counterexample_formulas import UNIT, Writer, degree, inner_names, put, put_names  # type: ignore
     from counterexample_functions import More, Place, integral, just, piece  # type: ignore
 
-BITS, NEAR, WAVES = 160, Fraction(1, 2**60), (1, 2, 3)
+BITS, NEAR, WAVES, MOST_FACTORS = 160, Fraction(1, 2**60), (1, 2, 3), 20
 SHARED = ("hamiltonian", "transformation", "generating_function")
 S, WHOLE = Formula(".", ("#s",)), (Fraction(0), Fraction(1))
 
@@ -101,7 +102,7 @@ class Range:
         for node, base in poles(self.f):
             value, steep = tip.at(base), box.at(base, "#s")
             slope = steep[0] if end == 0 else -steep[1]
-            if value[0] >= 0 and slope > 0:
+            if value[0] >= 0 and slope > 0 and times_in(self.f, node) == 1:
                 rest = box.at(put(self.f, lambda x, node=node: UNIT if x is node else None))
                 far = 2 * self.real.root(NEAR / slope)[1]
                 ends = [r * c for r in rest for c in (Fraction(0), far)]
@@ -109,10 +110,11 @@ class Range:
         raise Open("an end of the range")
 
 
+@cache
 def poles(f: Formula) -> list[tuple[Formula, Formula]]:
     """The factors 1/√g of a product, each with its g."""
     if f.kind == "*":
-        return [x for factor in f.of for x in poles(factor)]
+        return [*dict.fromkeys(x for factor in f.of for x in poles(factor))][:MOST_FACTORS]
     if f.kind != "^" or f.of[1].kind != "#":
         return []
     base, r = f.of[0], f.of[1].of[0]
@@ -121,6 +123,12 @@ def poles(f: Formula) -> list[tuple[Formula, Formula]]:
     if r == -1 and base.kind == "^" and base.of[1].kind == "#" and base.of[1].of[0] == Fraction(1, 2):
         return [(f, base.of[0])]
     return []
+
+
+def times_in(f: Formula, node: Formula) -> int:
+    """How often a formula stands in another, which may have the same part in several places."""
+    count = cache(lambda x: 1 if x is node else sum(count(y) for y in x.of if isinstance(y, Formula)))
+    return count(f)
 
 
 def of_integral(tables: Any, witness: Any) -> bool:

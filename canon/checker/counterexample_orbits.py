@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 if __package__:
@@ -25,7 +26,7 @@ else:  # as a program's part, beside the other files
     from counterexample_functions import More, Place, integral, piece  # type: ignore
     from counterexample_integrals import claim_with, sides_of  # type: ignore
 
-BITS, HALVINGS, STEPS, FINE = 192, 400, 8, Fraction(1, 10**22)
+BITS, HALVINGS, STEPS, MOST_TERMS, FINE = 192, 400, 8, 1000, Fraction(1, 10**22)
 
 
 class Orbits:
@@ -158,7 +159,13 @@ class Orbits:
 
 def terms(f: Formula) -> list[Formula]:
     """What a formula is the sum of."""
-    return [x for part in f.of for x in terms(part)] if f.kind == "+" else [f]
+    found, left = list[Formula](), [f]
+    while left:
+        x = left.pop()
+        (left if x.kind == "+" else found).extend(x.of if x.kind == "+" else [x])
+        if len(found) + len(left) > MOST_TERMS:
+            raise Stop("not shown", "sums that are so long")
+    return found
 
 
 def less(asked: More, f: Formula, one: Formula) -> Formula:
@@ -183,9 +190,14 @@ def multiples(x: Interval, y: Interval) -> bool:
 
 def circular(f: Formula, name: str) -> bool:
     """Whether a name stands in sines and cosines of itself alone, so that 2π is a period."""
-    if f.kind in ("sin", "cos") and f.of[0].kind == "." and f.of[0].of[0] == name:
-        return True
-    return f.of != (name,) if f.kind == "." else all(circular(x, name) for x in f.of if isinstance(x, Formula))
+
+    @cache
+    def of(x: Formula) -> bool:
+        if x.kind in ("sin", "cos") and x.of[0].kind == "." and x.of[0].of[0] == name:
+            return True
+        return x.of != (name,) if x.kind == "." else all(of(y) for y in x.of if isinstance(y, Formula))
+
+    return of(f)
 
 
 def of_action(tables: Any, witness: Any) -> bool:

@@ -207,6 +207,9 @@ TRUE: dict[str, tuple[Any, Any, Any]] = {
         "to": "a", "equals": "a**2/2"}, {"symbols": {"a": "real"}}, {"a": "-1"}),
     "an improper integral": ({"kind": "integral", "f": "1/sqrt(q*(1 - q))", "variable": "q", "from": "0", "to": "1",
         "equals": "pi"}, {}, {}),
+    "an improper integral of a root's powers": (
+        {"kind": "integral", "f": "u*u*u*q**(3/5)", "variable": "q", "from": "0", "to": "1", "equals": "10"},
+        {"definitions": {"u": "1/sqrt(q)"}}, {}),
     "an average": ({"kind": "average", "f": "q**2", "equals": "1/2", "parameter": "t", "from": "0", "to": "2*pi",
         "motion": {"q": "sin(t)", "p": "cos(t)"}}, {}, {}),
     "a virial of motions that end": ({"kind": "average", "f": "p**2", "equals": "7", "virial": "q*p", "bound": "9"},

@@ -93,11 +93,11 @@ class Template:
         return self.written(text[: m.start()], at) + new + self.written(text[end:], at)
 
 
-def form_of(tables: Any) -> Any:
+def form_of(tables: Any, kinds: Any = TABLE["kinds"]) -> Any:
     """The form of a kind of claims with these keys, beside such a map."""
     claim, explicit = tables["claim"], "".join(sorted(tables.get("transformation", {})))
     given = {"PQ": ("forward", "either"), "pq": ("backward", "either")}.get(explicit, ())
-    for form in TABLE["kinds"].get(claim["kind"], ()):
+    for form in kinds.get(claim["kind"], ()):
         needed, may = ({*form.get(word, "").split()} for word in ("keys", "may"))
         fixed = all(repr(claim.get(key, value)) == repr(value) for key, value in form.get("fixed", {}).items())
         if needed <= {*claim} - UNASKED <= needed | may and fixed and form.get("map", None) in (None, *given):

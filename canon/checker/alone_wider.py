@@ -28,10 +28,10 @@ UNITS = rf"(1|{UNIT})([*/]({UNIT}|\({UNIT}([*/]{UNIT})*\)))*"
 class Wider(alone.Claim):
     """What a claim asks for by the table: `zeros` and `besides` vanish, and `nonzero` doesn't."""
 
-    def __init__(self, tables: Any) -> None:
+    def __init__(self, tables: Any, form: Any = None) -> None:
         self.known, self.outer, self.inner = cache(self.read), cache(super().outer), cache(self.inner)
         tables = json.loads(re.sub(r"\\([nrtfb]|u00[01].)", " ", json.dumps(tables)))
-        self.form = form = alone_table.form_of(tables)
+        self.form = form = form or alone_table.form_of(tables)
         self.kind, self.domain = tables["claim"]["kind"], tables.get("domain", {})
         claim = {key: x for key, x in tables["claim"].items() if key not in (*alone.UNASKED, *form.get("fixed", ()))}
         space = tables.get("phase_space", {}) if "bare" in form else tables["phase_space"]

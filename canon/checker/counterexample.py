@@ -252,7 +252,7 @@ def check(x: Interval, words: Any) -> None:
         raise Open("that a name, a function or a condition of the domain has the sign, or the value, that it must have")
 
 
-def claim_of(tables: Any) -> Claim:
+def claim_of(tables: Any, of: Any = Claim) -> Claim:
     """What has to vanish, with the variables that the map gives. Raises Stop where it isn't all needed."""
     drop = lambda table, *keys: {key: x for key, x in table.items() if key not in keys}
     explicit, space, claim = (tables.get(key, {}) for key in ("transformation", "phase_space", "claim"))
@@ -273,7 +273,7 @@ def claim_of(tables: Any) -> Claim:
         plain = drop(plain, "transformation") | {"phase_space": drop(space, *"QP") | sides}
     if kind == "inequality":
         claim = drop(claim, "relation") | {"kind": "identity"}
-    found = Claim({**plain, "claim": claim})
+    found = of({**plain, "claim": claim})
     for side, texts in explicit.items():
         found.texts |= dict(zip(space[side], texts, strict=True))
     return found

@@ -18,7 +18,7 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-from canon.checker import alone_together, counterexample
+from canon.checker import alone_together, refutations
 from canon.checker.check import Answer, check
 from canon.checker.functions import Unreadable
 
@@ -73,13 +73,13 @@ def checked_apart(certificate: Any, seconds: float = SECONDS) -> Answer:
 
 def checked_alone(certificate: Any, seconds: float = SECONDS) -> Answer:
     """The answer of the small checker of proofs (`canon.checker.alone`, `alone_together`), or of that of refutations
-    (`counterexample`): "shown", "not shown" or "wrong"."""
+    (`refutations`): "shown", "not shown" or "wrong"."""
     answer = _limited(certificate, seconds, _alone)
     return Answer("not shown", answer.reasons) if answer.status == "not confirmed" else answer
 
 
 def _alone(certificate: Any) -> Answer:
-    by = counterexample if isinstance(certificate, dict) and certificate.get("verdict") == "refuted" else alone_together
+    by = refutations if isinstance(certificate, dict) and certificate.get("verdict") == "refuted" else alone_together
     status, reason = by.checked(certificate)
     return Answer(status, (reason,) if reason else ())
 

@@ -271,13 +271,13 @@ class Placed(alone.Point):
         if not value or f(other) != value:
             raise Stop("not shown", "that something isn't 0")
         steep = {n: values[n] * f(self, n) % p for n in names}
-        moving = [s for n, s in steep.items() if s and n in claim.variables][:6]
         ratios = {k * value * pow(2, -1, p) % p for k in range(-24, 25)}
-        weights = product((0, -1, 1, -2, 2), repeat=len(moving))
-        ways = {sum(w * s for w, s in zip(way, moving, strict=True)) % p for way in weights}
+        ways = {0}
+        for s in [s for n, s in steep.items() if s and n in claim.variables][:6]:
+            ways = {(way + w * s) % p for way in ways for w in (0, -1, 1, -2, 2)}
         for n in (n for n, s in steep.items() if s and n not in claim.variables):
             apart = {*claim.words[n]} & {"positive", "negative", "nonzero"}
-            if not apart or not {(steep[n] + way) % p for way in ways} & ratios:
+            if not apart or not {(r - steep[n]) % p for r in ratios} & ways:
                 raise Stop("not shown", f"that what mustn't be 0 isn't, whatever {n[:40]} is")
 
 

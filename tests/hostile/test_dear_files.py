@@ -104,7 +104,7 @@ def test_derivatives_are_those_of_sympy(formula: str, by: str) -> None:
 
 @pytest.mark.parametrize(("corpus", "number"), [("round15_algebra", 411), ("round12", 53), ("round13_analysis", 0)])
 def test_the_dearest_files_of_the_corpora_are_read(corpus: str, number: int) -> None:
-    """A file of 109 identities between numbers was refused: what each of them costs had been counted five times over."""
+    """A file of 109 identities between numbers was refused: their costs were counted five times over."""
     with (Path(__file__).parents[2] / "properties" / f"{corpus}.toml").open("rb") as stream:
         file = tomllib.load(stream)["file"][number]
     read = read_text(file["text"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from errno import ENOENT
 
 
 def make_folder(path: str | os.PathLike[str]) -> None:
@@ -12,16 +13,27 @@ def make_folder(path: str | os.PathLike[str]) -> None:
     system is refused before any other is made.
     """
     missing = [os.fspath(path)]
-    while missing:
-        try:
-            os.mkdir(missing[-1])
-        except FileNotFoundError:
-            above = os.path.dirname(missing[-1].rstrip(os.sep))
-            if not above or above == missing[-1]:
-                raise
-            missing.append(above)
-            continue
-        except OSError:
-            if not os.path.isdir(missing[-1]):
-                raise
-        missing.pop()
+    while not _made(missing[-1]):
+        above = os.path.dirname(missing[-1].rstrip(os.sep))
+        if not above or above == missing[-1]:
+            raise _absent(missing[-1])
+        missing.append(above)
+    for folder in reversed(missing[:-1]):
+        if not _made(folder):  # a file system in which nothing can be made, as /proc, says that it isn't there
+            raise _absent(folder)
+
+
+def _made(folder: str) -> bool:
+    """Make a folder, if it isn't there; False where the one that it lies in isn't there. Raises OSError."""
+    try:
+        os.mkdir(folder)
+    except FileNotFoundError:
+        return False
+    except OSError:
+        if not os.path.isdir(folder):
+            raise
+    return True
+
+
+def _absent(folder: str) -> FileNotFoundError:
+    return FileNotFoundError(ENOENT, os.strerror(ENOENT), folder)

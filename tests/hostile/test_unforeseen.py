@@ -121,6 +121,9 @@ def test_a_folder_is_made_as_deep_as_it_is_asked_for(tmp_path: Path, capsys: pyt
     for place in ("file", "file/below", "e/" * 3000, "e" * 300):
         with pytest.raises(OSError):  # noqa: PT011 - which one is the system's
             make_folder(tmp_path / place)
+    for place in ("", "/proc/none", "/proc/none/below"):  # made again and again for ever, once
+        with pytest.raises(FileNotFoundError):
+            make_folder(place)
     assert not (tmp_path / "e").exists()
     claims = tmp_path / "claims.toml"
     claims.write_text(CLAIMS, encoding="utf-8")

@@ -19,6 +19,10 @@ OUTSIDE = {"mpmath"}
 """What the checker takes from others than Python."""
 
 
+SMALL = ("alone*.py", "counterexample*.py", "refutations.py", "lie_invariants.py")
+"""The files that run in a folder of their own."""
+
+
 def imported(path: Path) -> set[tuple[str, str]]:
     """The (module, name) pairs that a file imports, wherever in it; a name is "" where all of a module is."""
     found = set[tuple[str, str]]()
@@ -35,7 +39,7 @@ def strangers(path: Path) -> set[str]:
 
     Files that run where canon isn't installed name those that lie beside them.
     """
-    beside = {file.stem for file in HERE.glob("alone*.py")}
+    beside = {file.stem for pattern in SMALL for file in HERE.glob(pattern)}
     return {
         module
         for module, name in imported(path)

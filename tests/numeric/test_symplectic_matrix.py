@@ -78,5 +78,5 @@ def test_what_has_no_symplectic_neighbour(matrix: object, message: str) -> None:
 
 
 def test_a_method_that_does_not_exist() -> None:
-    with pytest.raises(InputError, match="'nearest', 'cayley' or 'polar', not 'qr'"):
+    with pytest.raises(InputError, match="one of 'nearest', 'cayley', 'polar' is expected, not 'qr'"):
         symplectify(np.eye(2), method="qr")

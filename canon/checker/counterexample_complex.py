@@ -164,9 +164,6 @@ RULES = {"canonical", "fundamental_brackets", "identity", "bracket", "conserved"
 def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     """Whether the claim fails at the witness."""
     del known
-    unsaid = ("title", "source", "expect", "budget")
-    tables = {key: x for key, x in tables.items() if key not in ("title", "source")}
-    tables["claim"] = {key: x for key, x in tables["claim"].items() if key not in unsaid}
     if tables["claim"]["kind"] not in RULES or not isinstance(witness, dict) or "generating_function" in tables:
         raise Stop("not shown", "a refutation of such a claim")
     texts, new, _ = zeros(tables)

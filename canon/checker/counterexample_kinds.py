@@ -282,9 +282,6 @@ def fails_at(asked: Asked, of: dict[str, Any], tables: Any, real: Arithmetic) ->
 
 def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     """Whether the claim fails at the witness, or somewhere else."""
-    tables = {key: x for key, x in tables.items() if key not in ("title", "source")}
-    unsaid = ("title", "source", "expect", "budget")
-    tables["claim"] = {key: x for key, x in tables["claim"].items() if key not in unsaid}
     kind, reason = tables["claim"]["kind"], "that something fails at the witness"
     rules = [RULES[kind]] if kind in RULES else []
     if "generating_function" in tables and "transformation" not in tables:

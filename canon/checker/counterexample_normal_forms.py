@@ -128,8 +128,7 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     if claim["kind"] not in RULES or {"transformation", "generating_function"} & {*tables}:
         raise Stop("not shown", "a refutation of such a claim, or beside such a map")
     order = claim["order"]
-    if not isinstance(order, int) or not 3 <= order <= MOST_ORDER or {*claim} - {"kind", "title", "source", "expect",
-                                                                               "budget", "order", "N"}:  # fmt: skip
+    if not isinstance(order, int) or not 3 <= order <= MOST_ORDER or {*claim} - {"kind", "order", "N"}:
         raise Stop("not shown", "such an order")
     texts = {f"_n{degree}": text for degree, text in claim["N"].items()}
     asked = claim_with(tables, [], texts)

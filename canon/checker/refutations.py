@@ -23,6 +23,7 @@ if __package__:
         counterexample_vanishing,
     )
     from canon.checker.alone import Stop
+    from canon.checker.counterexample import Open
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import counterexample  # type: ignore
@@ -37,6 +38,7 @@ else:  # as a program, beside the other files
     import counterexample_orbits  # type: ignore
     import counterexample_vanishing  # type: ignore
     from alone import Stop  # type: ignore
+    from counterexample import Open  # type: ignore
 
 FILES = (
     counterexample_kinds,
@@ -58,18 +60,30 @@ def checked(data: Any) -> tuple[str, str]:
     answer = counterexample.checked(data)
     if answer[0] != "not shown" or not isinstance(data, dict) or data.get("verdict") != "refuted":
         return answer
-    tables, witness = renamed(data["tables"], data.get("witness"))
+    try:
+        tables, witness = renamed(said(data["tables"]), data.get("witness"))
+    except Exception as error:  # whatever a certificate has in the wrong place
+        return "not shown", f"a certificate of another form ({type(error).__name__}: {error})"
     for file in FILES:
         try:
             found = file.refuted(tables, witness, data.get("known") or {})
         except Stop as stop:
             found = stop.args
+        except Open as left:
+            found = "not shown", str(left)
         except Exception as error:  # whatever a certificate has in the wrong place
             found = "not shown", f"a certificate of another form ({type(error).__name__}: {error})"
         if found[0] == "shown":
             return "shown", ""
         answer = found if found[1] and "such a claim" not in found[1] else answer
     return "not shown", answer[1]
+
+
+def said(tables: Any) -> Any:
+    """The tables without what is for people, and without what the file expects."""
+    unsaid = ("title", "source", "expect", "budget")
+    claim = {key: x for key, x in tables["claim"].items() if key not in unsaid}
+    return {key: x for key, x in tables.items() if key not in ("title", "source")} | {"claim": claim}
 
 
 def renamed(tables: Any, witness: Any) -> tuple[Any, Any]:

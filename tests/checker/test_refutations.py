@@ -163,6 +163,15 @@ def test_it_shows_what_is_refuted(name: str) -> None:
     assert refutations.checked({**data, "method": "by hand"})[0] == "wrong"
 
 
+@pytest.mark.parametrize("name", ["a normal form", "to an order", "on a surface"])
+def test_what_a_file_says_to_people_means_nothing(name: str) -> None:
+    text, claim = SHOWN[name]
+    words = "title = 'D(F) = 1j'\nsource = 'bracket(q, p)'\n"
+    data = certified(words + text, f"{claim}\n{words}expect = 'fails'\nbudget = 5")
+    assert data["tables"]["claim"]["expect"] == "fails"
+    assert refutations.checked(data) == ("shown", "")
+
+
 def answer(claim: Any, witness: Any, known: Any = None, **tables: Any) -> str:
     """The answer about a certificate that refutes a claim."""
     tables = {"phase_space": {"q": ["q"], "p": ["p"]}, **tables, "claim": claim}

@@ -37,6 +37,9 @@ def independent(one: str, other: str) -> str:
         ('where = ["x + abs(x) >= 0"]', more("x + abs(x)", ">")),  # false at x = -1
         ('where = ["sign(x) <= 1"]', more("sign(x)", "<", "1")),
         ('where = ["x + sqrt(x**2) >= 0"]', independent("p", "x + sqrt(x**2)")),
+        ('where = ["acosh(cosh(x)) + x >= 0"]', more("acosh(cosh(x)) + x", ">")),  # not meromorphic: |x| + x
+        ('where = ["lambertw(x*exp(x)) - x >= 0"]', more("lambertw(x*exp(x)) - x", ">")),  # 0 for x > -1
+        ('where = ["atan2(x, 0) + pi/2 >= 0"]', more("atan2(x, 0) + pi/2", ">")),  # 0 for x < 0
         ('where = ["a >= 0"]', independent("x", "a*p")),
         ('where = ["0 <= a < 1"]', independent("x", "a*p")),
         ('where = ["a**2 >= 0"]', independent("x", "a*p")),

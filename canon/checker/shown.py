@@ -39,6 +39,8 @@ PRIMES = 2
 """Modulo so many primes a residual is compared with its numerator and denominator."""
 MEASURED = 2
 """At so many points what takes an integral is measured."""
+AGAIN = 4
+"""So often are points drawn near which functions are seen to be independent: some are 0 on a part of the domain."""
 Places = Sequence[tuple[dict[str, Any], dict[int, Any]]]
 
 
@@ -116,7 +118,8 @@ class Shown:
                 trusted.append("that what must not vanish everywhere doesn't, as values in 50 digits say")
         if case.independent and all(independence(s, case, case.independent, self.numbers, of) == 0 for of, _ in places):
             raise Rejected("what must be linearly independent is not, at the points that were tried")
-        at = (of for of, _ in places)
+        more = lambda: self.places(case, kernels, leaves - kernels.keys() - case.images.keys(), targets)
+        at = (of for n in range(AGAIN) for of, _ in (more() if n else places))
         if case.independent and not are_independent(s, case.independent, at, case.algebra, case.is_simple):
             trusted.append("that the basis is independent for all values of the parameters, as values at points say")
         return [*trusted, *self._positive(case, places), *self._measured(case, places)]

@@ -1,8 +1,9 @@
 """Actions of many orbits in a central potential that is given by a formula.
 
-The nodes are doubled for the orbits that need it. The error falls geometrically in their number, so that it is about
-the square of what the last doubling changed: that, with a margin, and the rounding are the bound. Conditioning: the
-bound takes the state as exact. Next to a circle J_r is as the square of the eccentricity e, so that relative errors ε
+The nodes are doubled until that changes nothing to speak of. The error falls at least geometrically in their number, so
+that what the last doubling changed is more than what is left: that and the rounding are the bound. To square a larger
+change instead, as one that is of the whole of J_r, would be less than what is left where the orbit passes by a small
+core, of which J_r has a part alone. Conditioning: the bound takes the state as exact. Next to a circle J_r is as the square of the eccentricity e, so that relative errors ε
 of the state are errors of some ε/e of J_r.
 """
 
@@ -23,8 +24,7 @@ from canon.numeric.actions.radial import amplitude, narrow, narrow_sums, wide_en
 from canon.numeric.precision import UNIT, double
 
 COUNTS: Final = (16, 32, 64, 128, 256, 512)
-SETTLED: Final = 1e-7
-MARGIN: Final = 1e2
+SETTLED: Final = 1e-12
 
 
 class _Kernels(NamedTuple):
@@ -102,9 +102,8 @@ def doubled(kernels: Any, todo: Any, rows: Any, found: Any, row: Any) -> None:
         for block in blocks(todo):
             values = row(*on_block(kernels(count), block, rows))
             change = np.abs(values[0] - before[block])
-            part = change / np.where(values[0] != 0, np.abs(values[0]), np.inf)
-            settled = part < SETTLED
-            values[-1] += np.where(settled, MARGIN * part * change, change)
+            settled = change <= np.maximum(SETTLED * np.abs(values[0]), values[-1])
+            values[-1] += change
             before[block] = values[0]
             if count == COUNTS[-1]:
                 settled = np.ones_like(settled)

@@ -3,8 +3,8 @@
 The nodes are doubled until that changes nothing to speak of. The error falls at least geometrically in their number, so
 that what the last doubling changed is more than what is left: that and the rounding are the bound. To square a larger
 change instead, as one that is of the whole of J_r, would be less than what is left where the orbit passes by a small
-core, of which J_r has a part alone. Conditioning: the bound takes the state as exact. Next to a circle J_r is as the square of the eccentricity e, so that relative errors ε
-of the state are errors of some ε/e of J_r.
+core, of which J_r has a part alone. Conditioning: the bound takes the state as exact. Next to a circle J_r is as the
+square of the eccentricity e, so that relative errors ε of the state are errors of some ε/e of J_r.
 """
 
 from __future__ import annotations
@@ -95,16 +95,22 @@ def spread(rows: Any, indices: Any, count: int) -> Any:
     return found
 
 
-def doubled(kernels: Any, todo: Any, rows: Any, found: Any, row: Any) -> None:
-    """Fill `found`, whose first row is an action and whose last is its rounding, with as many nodes as it takes."""
-    before = np.full(found.shape[1], np.nan)
+def doubled(kernels: Any, todo: Any, rows: Any, found: Any, row: Any, watched: int = 1) -> None:
+    """Fill `found`, whose last row is the rounding of its first, with as many nodes as it takes.
+
+    There are enough when each of the first `watched` rows is settled; the largest part of itself by which one of them
+    changed last joins the rounding.
+    """
+    before = np.full((watched, found.shape[1]), np.nan)
     for count in COUNTS:
         for block in blocks(todo):
             values = row(*on_block(kernels(count), block, rows))
-            change = np.abs(values[0] - before[block])
-            settled = change <= np.maximum(SETTLED * np.abs(values[0]), values[-1])
-            values[-1] += change
-            before[block] = values[0]
+            size = np.abs(values[:watched])
+            change = np.abs(values[:watched] - before[:, block])
+            part = np.max(change / np.where(size > 0, size, 1.0), axis=0)
+            settled = part * size[0] <= np.maximum(SETTLED * size[0], values[-1])
+            values[-1] += part * size[0]
+            before[:, block] = values[:watched]
             if count == COUNTS[-1]:
                 settled = np.ones_like(settled)
             found[:, block[settled]] = values[:, settled]

@@ -62,5 +62,5 @@ def _wide(G: Scalar, D2: Any, m: Any, place: staeckel.Place, low: Any, high: Any
     return 2 * action, rounding
 
 
-PARTS = Parts(_near, _wide, staeckel.vertical)
+PARTS = Parts(_near, _wide, staeckel.vertical, 1)
 """The integrals there and back, with their rounding."""

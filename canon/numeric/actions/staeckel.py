@@ -9,7 +9,10 @@ there. de Zeeuw (1985), Mon. Not. R. Astron. Soc. 216, 273 (with t = τ + γ, l 
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import Any, Final, NamedTuple
+
+import numpy as np
 
 from canon.numeric.actions.oscillation import (
     NARROW_NODES,
@@ -21,6 +24,16 @@ from canon.numeric.actions.oscillation import (
     turning_points,
     zero_between,
 )
+from canon.numeric.exact.carlson import complete_k
+from canon.numeric.exact.euler_rotor import sn_cn_dn
+
+CLOSE: Final = 0.1
+AXIS: Final = 0.25
+"""The part of Δ² below which Δ² − n is small, at an orbit's largest n."""
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+Scalars = Callable[[Any, Any], tuple[Any, ...]]
 
 
 class Place(NamedTuple):
@@ -144,29 +157,100 @@ def narrow_action(orbit: Narrow, m: Any, place: Place) -> tuple[Any, Any]:
     return half * half * action, 2 * (off * slope + 2.0**-48 * half * half * action)
 
 
-def vertical_end(G: Scalar, D2: Any, place: Place) -> Any:
-    """The largest n of the orbit, where n [G(n) + E + I₂/(Δ² − n)] = I₃."""
+class Swing(NamedTuple):
+    """How n goes from the plane to its largest value `end`, and Δ² − `end`, with the digits of either."""
+
+    end: Any
+    left: Any
+
+
+def vertical_end(G: Scalar, D2: Any, place: Place) -> Swing:
+    """The largest n of the orbit, where n [G(n) + E + I₂/(Δ² − n)] = I₃.
+
+    Of an orbit that passes by the axis beyond the foci, Δ² − n is as small there as I₂: it is solved for by itself.
+    """
     import jax.numpy as jnp
 
-    def left(n: Any) -> Any:
+    def rest(n: Any) -> Any:
         return place.I3 - n * (G(n) + place.E + place.I2 / (D2 - n))
+
+    def rest_within(within: Any) -> Any:
+        n = D2 - within
+        return within * (place.I3 + place.I2 - n * (G(n) + place.E)) - place.I2 * D2
 
     stiffness = G(place.n) + place.E + place.I2 / place.within
     guess = jnp.clip(place.I3 / stiffness, place.n, (place.n + D2) / 2)
-    end = zero_between(left, place.n, jnp.full_like(place.n, D2), guess)
-    return jnp.where(place.I3 > 0, end, 0.0)
+    end = zero_between(rest, place.n, jnp.full_like(place.n, D2), guess)
+    left = zero_between(rest_within, place.within, jnp.zeros_like(end), jnp.minimum(D2 - end, place.within))
+    low = end < D2 / 2
+    end, left = jnp.where(low, end, D2 - left), jnp.where(low, D2 - end, left)
+    moves = place.I3 > 0
+    return Swing(jnp.where(moves, end, 0.0), jnp.where(moves, left, D2))
 
 
-def vertical(G: Scalar, D2: Any, m: Any, place: Place, end: Any, count: int) -> tuple[Any, Any]:
-    """4 ∫ p_n dn from 0 to the largest n = `end`, which is ∮ p_n dn across the plane and back, and its rounding."""
+def swing_parameter(D2: Any, swing: Swing) -> Any:
+    """The complementary parameter m₁ of the functions by which `along_swing` goes: 1 where n stays away from Δ²."""
     import jax.numpy as jnp
 
-    def term(half_turn: Any, _: Any) -> tuple[Any]:
-        # nodes u = −cos θ of θ in (0, π): sin²(θ/2) = (1 + u)/2
-        n = end * (1 + half_turn) / 2
-        rest = jnp.maximum(place.I3 - n * (G(n) + place.E + place.I2 / (D2 - n)), 0.0)
-        return (jnp.sqrt((1 - half_turn) / 2) * jnp.sqrt(2 * m * end * rest / (D2 - n)),)
+    return jnp.where(swing.left < AXIS * D2, swing.left / D2, 1.0)
 
-    (sums,) = quadrature(term, -jnp.ones_like(end), jnp.ones_like(end), count)
-    stiffness = G(jnp.zeros_like(end)) + place.E + place.I2 / D2
-    return 2 * sums, 2.0**-47 * 2 * sums * (1 + place.size / jnp.abs(stiffness))
+
+def along_swing(D2: Any, swing: Swing, term: Callable[[Any, Any, Any], tuple[Any, ...]]) -> Scalars:
+    """Functions `term`(n, Δ² − n, (end − n)/end) times dψ, n = end sin² ψ, as ones of −cos θ and sin θ of nodes in θ.
+
+    sin ψ = sn w and w = Kθ/π, with a parameter of 0, or of end/Δ² where n comes near to Δ². There the orbit passes by
+    the axis, and the nodes are as dense as in a logarithm: 64 are enough where Δ² − n is 10⁻¹⁰ Δ² at the end. Nodes
+    that are even in ψ would pass over it.
+    """
+    import jax.numpy as jnp
+    from jax import lax
+
+    m1 = swing_parameter(D2, swing)
+    K = complete_k(m1)
+    even = jnp.all(m1 == 1)
+
+    def of_nodes(half_turn: Any, sine: Any) -> tuple[Any, ...]:
+        half = jnp.arctan2(sine, -half_turn) / 2
+        sn, cn, dn = lax.cond(
+            even,
+            lambda: (jnp.sin(half) + 0 * m1, jnp.cos(half) + 0 * m1, jnp.ones_like(m1)),
+            lambda: sn_cn_dn(2 / jnp.pi * half * K, m1),
+        )
+        values = term(swing.end * sn * sn, swing.left + swing.end * cn * cn, cn * cn)
+        return tuple(K / jnp.pi * dn * value for value in values)
+
+    return of_nodes
+
+
+def vertical_slope(G: Scalar, D2: Any, place: Place, swing: Swing, n: Any, within: Any, part: Any) -> Any:
+    """[I₃ − n (G(n) + E + I₂/(Δ² − n))]/(end − n), with `within` for Δ² − n and `part` for (end − n)/end."""
+    import jax.numpy as jnp
+
+    close = mean_slope(lambda t: t * G(t), n, swing.end) + place.E + place.I2 * D2 / (within * swing.left)
+    rest = place.I3 - n * (G(n) + place.E + place.I2 / within)
+    far = (part > CLOSE) & (swing.end > 0)
+    return jnp.where(far, rest / jnp.where(far, part * swing.end, 1.0), close)
+
+
+def vertical(G: Scalar, D2: Any, m: Any, place: Place, swing: Swing, count: int) -> tuple[Any, Any]:
+    """4 ∫ p_n dn from 0 to the largest n, which is ∮ p_n dn across the plane and back, and its rounding."""
+    import jax.numpy as jnp
+
+    def term(n: Any, within: Any, part: Any) -> tuple[Any]:
+        rest = jnp.maximum(place.I3 - n * (G(n) + place.E + place.I2 / within), 0.0)
+        return (jnp.sqrt(2 * m * swing.end * part * rest / within),)
+
+    ones = jnp.ones_like(swing.end)
+    (sums,) = quadrature(along_swing(D2, swing, term), -ones, ones, count)
+    stiffness = G(jnp.zeros_like(ones)) + place.E + place.I2 / D2
+    return 4 * sums, 2.0**-47 * 4 * sums * (1 + place.size / jnp.abs(stiffness))
+
+
+def mean_slope(f: Scalar, start: Any, end: Any) -> Any:
+    """[f(end) − f(start)]/(end − start), by Gauss's rule for the derivative: no difference is taken."""
+    import jax
+    import jax.numpy as jnp
+
+    places = start + (end - start) * (_NODES[:, None] + 1) / 2
+    slopes = jax.jvp(f, (places,), (jnp.ones_like(places),))[1]
+    return jnp.tensordot(_WEIGHTS / 2, slopes, axes=1)

@@ -16,16 +16,10 @@ import numpy as np
 from canon.numeric.actions import staeckel
 from canon.numeric.actions.orbit_blocks import orbits_of
 from canon.numeric.actions.oscillation import NARROW_NODES, Narrow, Scalar, partial_quadrature, quadrature
+from canon.numeric.actions.staeckel import CLOSE, mean_slope
 from canon.numeric.actions.staeckel_orbits import NAMES, Parts, sums_of
-from canon.numeric.actions.staeckel_rates import (
-    CLOSE,
-    ROUNDING,
-    mean_slope,
-    narrow_rate,
-    vertical_rate,
-    vertical_slope,
-    wide_rate,
-)
+from canon.numeric.actions.staeckel_rates import ROUNDING, narrow_rate, vertical_rate, wide_rate
+from canon.numeric.exact.carlson import carlson_rf, complete_k
 
 
 class StaeckelAngles(NamedTuple):
@@ -126,20 +120,26 @@ def _wide(G: Scalar, D2: Any, m: Any, place: staeckel.Place, low: Any, high: Any
     return *sums, shift, 2.0**-51 * half * off
 
 
-def _across(G: Scalar, D2: Any, m: Any, place: staeckel.Place, end: Any, count: int) -> tuple[Any, ...]:
+def _across(G: Scalar, D2: Any, m: Any, place: staeckel.Place, swing: staeckel.Swing, count: int) -> tuple[Any, ...]:
     import jax.numpy as jnp
 
+    end = jnp.where(swing.end > 0, swing.end, 1.0)
     kinetic = 2 * place.within * place.across**2 / m  # what is left of I₃ at this n
-    slope = vertical_slope(G, D2, place, end, place.n)
-    phase = _turned(2 * jnp.arctan2(jnp.sqrt(place.n), jnp.sqrt(kinetic / slope)), place.across)
+    here = jnp.clip((swing.end - place.n) / end, 0.0, 1.0)
+    slope = staeckel.vertical_slope(G, D2, place, swing, place.n, place.within, here)
+    rest = kinetic / slope  # end − n, by what the state has digits of
+    total = jnp.where(place.n + rest > 0, place.n + rest, 1.0)
+    m1 = staeckel.swing_parameter(D2, swing)
+    w = jnp.sqrt(place.n / total) * carlson_rf(rest / total, jnp.where(m1 < 1, place.within / D2, 1.0), 1.0)
+    phase = _turned(jnp.pi * w / complete_k(m1), place.across)
     phase = jnp.where(place.side < 0, phase + 2 * np.pi, phase)  # n grows and falls twice while z does once
-    rate, stiffness = vertical_rate(G, D2, m, place, end)
+    rate, off = vertical_rate(G, D2, m, place, swing)
     ends = -jnp.ones_like(end), jnp.ones_like(end)
     whole = quadrature(rate, *ends, count)
     part = partial_quadrature(rate, *ends, phase, 2 * count)
-    size = place.across_size * jnp.sqrt(2 * place.within / (m * slope * jnp.where(end > 0, end, 1.0)))
-    return *whole, *part, ROUNDING * (1 + size), ROUNDING * whole[0] * (1 + place.size / jnp.abs(stiffness))
+    size = place.across_size * jnp.sqrt(2 * place.within / (m * slope * end))
+    return *whole, *part, ROUNDING * (1 + size), off * whole[0]
 
 
-PARTS = Parts(_near, _wide, _across)
+PARTS = Parts(_near, _wide, _across, 3)
 """Three sums over a whole oscillation, three up to the phase, the rounding of the phase, and that of the first sum."""

@@ -73,14 +73,14 @@ def _narrow_sums(G: Scalar, D2: Any, orbit: Narrow, m: Any, place: staeckel.Plac
     return first, *others, ROUNDING * first
 
 
-def _vertical_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, end: Any, count: int) -> tuple[Any, ...]:
+def _vertical_sums(G: Scalar, D2: Any, m: Any, place: staeckel.Place, swing: staeckel.Swing, count: int) -> Any:
     """∫ dn/p_n over (Δ² − n) n, over Δ² − n and over its square, up to the largest n; the rounding of the first."""
     import jax.numpy as jnp
 
-    rate, stiffness = vertical_rate(G, D2, m, place, end)
-    first, second, third = quadrature(rate, -jnp.ones_like(end), jnp.ones_like(end), count)
-    return first, second, third, ROUNDING * first * (1 + place.size / jnp.abs(stiffness))
+    rate, off = vertical_rate(G, D2, m, place, swing)
+    first, second, third = quadrature(rate, -jnp.ones_like(swing.end), jnp.ones_like(swing.end), count)
+    return first, second, third, off * first
 
 
-PARTS = Parts(_narrow_sums, _wide_sums, _vertical_sums)
+PARTS = Parts(_narrow_sums, _wide_sums, _vertical_sums, 3)
 """The derivatives of the actions by the constants, up to factors."""

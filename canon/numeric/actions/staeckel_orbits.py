@@ -30,15 +30,16 @@ Sums = Callable[..., tuple[Any, ...]]
 
 
 class Parts(NamedTuple):
-    """What is summed: tuples whose first entry tells when there are nodes enough, and whose last is a rounding.
+    """What is summed: tuples whose first entries tell when there are nodes enough, and whose last is a rounding.
 
     `near`(G, Δ², orbit, m, place) of an orbit whose l hardly changes; `wide`(G, Δ², m, place, low, high, count) of any
-    other, between the turning points in ln(l − Δ²); `across`(G, Δ², m, place, end, count), up to the largest n.
+    other, between the turning points in ln(l − Δ²); `across`(G, Δ², m, place, swing, count), up to the largest n.
     """
 
     near: Sums
     wide: Sums
     across: Sums
+    watched: int
 
 
 class Orbits(NamedTuple):
@@ -90,14 +91,14 @@ def sums_of(
     kernels = _kernels(formula, symbol, float(delta), float(m), parts)
     with double():
         wide, ends = sorted_out(kernels, state, along, _stacked)
-        tops = (on_block(kernels.top, block, state)[0] for block in blocks(np.arange(count)))
-        top = np.concatenate([np.empty(0), *tops])
-        lost = ~np.isfinite(top)
+        tops = [np.stack(on_block(kernels.top, block, state)) for block in blocks(np.arange(count))]
+        top = np.concatenate([np.empty((2, 0)), *tops], axis=1)
+        lost = ~np.isfinite(top).all(axis=0)
         lost[wide] |= ~np.isfinite(ends).all(axis=0)
         if lost.any():
             raise InputError(NOT_BOUND.format(int(np.argmax(lost))), "E")
-        doubled(kernels.wide, wide, [*state, *spread(ends, wide, count)], along, _stacked)
-        doubled(kernels.across, np.arange(count), [*state, top], across, _stacked)
+        doubled(kernels.wide, wide, [*state, *spread(ends, wide, count)], along, _stacked, parts.watched)
+        doubled(kernels.across, np.arange(count), [*state, *top], across, _stacked, parts.watched)
     return Orbits(shape, state, along, across)
 
 
@@ -130,9 +131,9 @@ def _kernels(formula: Any, symbol: Any, delta: float, m: float, parts: Parts) ->
 
     @lru_cache(maxsize=8)
     def across(count: int) -> Any:
-        return jax.jit(lambda *row: parts.across(G, D2, m, place(*row[:5]), row[5], count))
+        return jax.jit(lambda *row: parts.across(G, D2, m, place(*row[:5]), staeckel.Swing(*row[5:]), count))
 
     guess = jax.jit(lambda *state: (staeckel.amplitude(G, D2, place(*state)),))
     ends = jax.jit(lambda *state: staeckel.wide_ends(G, D2, place(*state)))
-    top = jax.jit(lambda *state: (staeckel.vertical_end(G, D2, place(*state)),))
+    top = jax.jit(lambda *state: staeckel.vertical_end(G, D2, place(*state)))
     return _Kernels(guess, near, ends, wide, top, across)

@@ -10,26 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Final
 
-import numpy as np
-
 from canon.numeric.actions import staeckel
 from canon.numeric.actions.oscillation import Narrow, Scalar
 
 ROUNDING: Final = 2.0**-46
-CLOSE: Final = 0.1
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 Rate = Callable[[Any, Any], tuple[Any, ...]]
-
-
-def mean_slope(f: Scalar, start: Any, end: Any) -> Any:
-    """[f(end) − f(start)]/(end − start), by Gauss's rule for the derivative: no difference is taken."""
-    import jax
-    import jax.numpy as jnp
-
-    places = start + (end - start) * (_NODES[:, None] + 1) / 2
-    slopes = jax.jvp(f, (places,), (jnp.ones_like(places),))[1]
-    return jnp.tensordot(_WEIGHTS / 2, slopes, axes=1)
 
 
 def wide_rate(G: Scalar, D2: Any, m: Any, place: staeckel.Place) -> Rate:
@@ -59,23 +45,15 @@ def narrow_rate(orbit: Narrow, m: Any, place: staeckel.Place) -> Rate:
     return term
 
 
-def vertical_slope(G: Scalar, D2: Any, place: staeckel.Place, end: Any, n: Any) -> Any:
-    """[I₃ − n (G(n) + E + I₂/(Δ² − n))]/(end − n): I₃ is the value of that at the end."""
+def vertical_rate(G: Scalar, D2: Any, m: Any, place: staeckel.Place, swing: staeckel.Swing) -> tuple[Rate, Any]:
+    """The rates of n in θ, as of `along_swing`, for I₃, E and I₂; and the rounding of the first as a part of it."""
     import jax.numpy as jnp
 
-    rest = end - n
-    close = mean_slope(lambda t: t * G(t), n, end) + place.E + place.I2 * D2 / ((D2 - n) * (D2 - end))
-    apart = (place.I3 - n * (G(n) + place.E + place.I2 / (D2 - n))) / jnp.where(rest > 0, rest, 1.0)
-    return jnp.where(rest > CLOSE * end, apart, close)
+    def term(n: Any, within: Any, part: Any) -> tuple[Any, ...]:
+        slope = staeckel.vertical_slope(G, D2, place, swing, n, within, part)
+        rate = 2 * jnp.sqrt(2 / (m * within * slope))
+        return rate, rate * n, rate * n / within
 
-
-def vertical_rate(G: Scalar, D2: Any, m: Any, place: staeckel.Place, end: Any) -> tuple[Rate, Any]:
-    """The rates of n in −cos θ, n = end sin²(θ/2), for I₃, E and I₂; and the stiffness at the plane."""
-    import jax.numpy as jnp
-
-    def term(half_turn: Any, _: Any) -> tuple[Any, ...]:
-        n = end * (1 + half_turn) / 2  # dn / √(n (end − n)) = dθ
-        rate = jnp.sqrt(2 / (m * (D2 - n) * vertical_slope(G, D2, place, end, n)))
-        return rate, rate * n, rate * n / (D2 - n)
-
-    return term, G(jnp.zeros_like(end)) + place.E + place.I2 / D2
+    stiffness = G(jnp.zeros_like(swing.end)) + place.E + place.I2 / D2
+    off = ROUNDING * (1 + place.size / jnp.abs(stiffness) + place.size * swing.left / place.I2)
+    return staeckel.along_swing(D2, swing, term), off

@@ -125,3 +125,17 @@ def test_frequencies_in_the_plane() -> None:
     found = staeckel_frequencies(KUZMIN_KUTUZOV, DELTA, 1.0, heights, 0.2, 0.0, -0.7, m=M, parameters={"c": C, "k": 1})
     assert found.vertical[0] == pytest.approx(found.vertical[1], rel=1e-13)
     assert np.all(found.azimuthal < 0)
+
+
+@pytest.mark.parametrize("L", [1e-3, 1e-6, 1e-12])
+def test_orbits_that_pass_by_the_axis_beyond_the_foci(L: float) -> None:
+    """Each passage adds π to φ, however close: ν_φ tends to ν_ν, and J_ν + 2πL to what J_ν is in a plane through it."""
+    state, options = ([0.3, 1.5], [1.2, 0.0], [0.35, 0.1], [-0.1, 0.55]), {"c": C, "k": 1}
+    found = staeckel_frequencies(KUZMIN_KUTUZOV, DELTA, *state, L, m=M, parameters=options)
+    assert np.all(np.abs(found.azimuthal / found.vertical - 1) < L + found.relative_bound)
+    assert np.all(found.relative_bound < 1e-10)
+    near = staeckel_actions(KUZMIN_KUTUZOV, DELTA, *state, L, m=M, parameters=options)
+    limit = staeckel_actions(KUZMIN_KUTUZOV, DELTA, *state, 1e-13, m=M, parameters=options)
+    change = near.vertical - limit.vertical + 2 * np.pi * (L - 1e-13)
+    assert np.all(np.abs(change) < 100 * L * L + near.vertical_bound + limit.vertical_bound)
+    assert np.all(near.vertical_bound < 1e-12)

@@ -17,7 +17,7 @@ G = "k/(c + sqrt(t + c**2))"
 MORE: Any = {"m": M, "parameters": {"c": C, "k": 1}}
 STATES = np.array([
     [1.0, 0.2, 0.3, 0.15, -0.1, 0.7], [0.7, -0.4, 5.0, -0.2, 0.1, -0.5], [1.3, 0.01, 1.0, 0.05, 0.2, 0.9],
-    [1.1, 0.0, 0.0, 0.1, -0.05, 0.8],
+    [1.1, 0.0, 0.0, 0.1, -0.05, 0.8], [0.3, 1.2, 0.3, 0.35, -0.1, 0.01],
 ]).T  # fmt: skip
 
 
@@ -57,18 +57,18 @@ def force(_: float, x: Any) -> Any:
     return [p_R / M, p_z / M, L / (M * R * R), L * L / (M * R**3) - slope_R, -slope_z, 0.0]
 
 
-@pytest.mark.parametrize("k", [0, 1])
+@pytest.mark.parametrize("k", [0, 1, 4])
 def test_angles_grow_evenly(k: int) -> None:
-    """Over some ten oscillations, on both sides of the plane and of the turning points."""
+    """Over some ten oscillations, on both sides of the plane and of the turning points, the last by the axis."""
     times = np.linspace(0, 60, 25)
-    orbit = solve_ivp(force, (0, 60), STATES[:, k], "DOP853", times, rtol=1e-12, atol=1e-12).y
+    orbit = solve_ivp(force, (0, 60), STATES[:, k], "DOP853", times, rtol=1e-12, atol=1e-13).y
     w, bound = angles(orbit)
     w = np.unwrap(w, period=1)
     for row in w:
         rate, start = np.polyfit(times, row, 1)
         assert np.abs(row - start - rate * times).max() < 1e-9
         assert abs(rate) > 0.03
-    assert bound.max() < 1e-9
+    assert bound.max() < (1e-7 if k == 4 else 1e-9)
 
 
 def test_symmetries() -> None:

@@ -93,6 +93,14 @@ def _deflection(V: Potential, slope: Potential, E: float, b: float, begin: float
     return Deflection(angle, 2 * ratio * float(weights @ (root_A / root_B)), nearest)
 
 
+def beyond_barriers(V: Potential, E: float, b: float, begin: float) -> float:
+    """`begin`, or a place further out than where the particle is kept away last, if it is kept away from there."""
+    with np.errstate(all="ignore"):
+        out = np.geomspace(begin, FARTHEST * begin, 1200)
+        kept = np.flatnonzero(~(1 - V(out) / E - (b / out) ** 2 > 0))
+    return float(10 * out[kept[-1]]) if kept.size else begin
+
+
 def turning_point(V: Potential, E: float, b: float, begin: float) -> float | None:
     """r₀, the largest distance from which the particle is kept away; None where there is none, or it can't leave."""
     if not E > 0:

@@ -13,7 +13,13 @@ from sympy.core.function import AppliedUndef
 from canon.errors import InputError
 from canon.expected import finite_number, instance_of, table
 from canon.mechanics.formulas import as_expression
-from canon.numeric.deflection import cross_section, deflection, rutherford, rutherford_cross_section
+from canon.numeric.deflection import (
+    beyond_barriers,
+    cross_section,
+    deflection,
+    rutherford,
+    rutherford_cross_section,
+)
 from canon.numeric.lower import lower
 from canon.numeric.precision import UNIT, double
 
@@ -54,7 +60,8 @@ def scattering(
     Mechanics, eq. 18.4 and 18.8; Goldstein, Poole and Safko, eq. 3.96).
 
     **Arguments:** `V`, a formula of r and of `parameters`, whose values are given; `energy`, mv²/2 far away;
-    `impact_parameter`, b ≥ 0; `begin`, a distance from which it comes, beyond all barriers (10³ times b, or 10³).
+    `impact_parameter`, b ≥ 0; `begin`, a distance from which it comes, beyond all barriers (10³ times b, or 10³; ten
+    times as far as the last barrier, where that is farther out).
 
     **Returns** None where it falls into the centre, or can't come from there. **Raises:** `InputError`.
     """
@@ -84,6 +91,8 @@ def scattering(
         value, slope = (_function(formula, r) for formula in (potential, sp.diff(potential, r)))
         if _stays(value, E, far):
             raise InputError("V vanishes far away, where mv²/2 is the whole energy: this one doesn't", "V")
+        if begin is None:
+            far = beyond_barriers(value, E, b, far)
         of = lambda parameter: deflection(value, slope, E, parameter, far)
         found = of(b)
         if found is None:

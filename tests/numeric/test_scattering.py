@@ -27,6 +27,15 @@ def test_an_inverse_square_in_closed_form():
     assert isclose(found.angle + found.backward, pi, rel_tol=1e-14)
 
 
+@pytest.mark.parametrize("b", [0.0, 1e-5, 1e-3])
+def test_almost_head_on_it_is_sent_back(b: float):
+    """A thousand times b is still inside of what keeps it away: None was the answer, as of a fall into the centre."""
+    found = scattering(a / r**2, r, energy=0.3, impact_parameter=b, parameters={a: 3})
+    assert isclose(found.backward, pi * b / sqrt(b * b + 10), rel_tol=1e-12)
+    assert isclose(found.nearest, sqrt(b * b + 10), rel_tol=1e-14)
+    assert scattering(sp.exp(-r) / r, r, energy=0.3, impact_parameter=b).angle > 3.1
+
+
 @pytest.mark.parametrize("V", [r ** sp.Rational(-1, 50), sp.exp(-r), 1 / sp.log(2 + r), sp.sin(r) / r])
 def test_what_vanishes_however_it_does(V: sp.Expr):
     assert scattering(V, r, energy=5.0, impact_parameter=1.0) is not None

@@ -93,7 +93,7 @@ def sums_of(
         wide, ends = sorted_out(kernels, state, along, _stacked)
         tops = [np.stack(on_block(kernels.top, block, state)) for block in blocks(np.arange(count))]
         top = np.concatenate([np.empty((2, 0)), *tops], axis=1)
-        lost = ~np.isfinite(top).all(axis=0)
+        lost = ~(np.isfinite(top[0]) & np.isfinite(top[1]))
         lost[wide] |= ~np.isfinite(ends).all(axis=0)
         if lost.any():
             raise InputError(NOT_BOUND.format(int(np.argmax(lost))), "E")

@@ -70,15 +70,18 @@ def isochrone_actions(r: Any, p_r: Any, L: Any, *, m: Any = 1.0, a: Any = 1.0, b
 def isochrone_angle(r: Any, p_r: Any, L: Any, *, m: Any = 1.0, a: Any = 1.0, b: Any = 0.0) -> Any:
     """The radial angle w_r in [0, 1), 0 at the least radius, elementwise: 2πw_r = η − r p_r √β/k.
 
-    The eccentric anomaly has tan η = r p_r √β/(k − βs), and with g = (λ² − ks)/r, k − βs = s p_r² + g (kr + sg)/λ²,
-    which is small on a nearly circular orbit because g and p_r are. Binney and Tremaine (2008), (3.226).
+    The eccentric anomaly has tan η = r p_r √β/(k − βs), and with g = (λ² − ks)/r, k − βs = s p_r² + g (r/(b + s) +
+    bL/λr), which is small on a nearly circular orbit because g and p_r are: λ² = Lλ + kb. Binney and Tremaine (2008),
+    (3.226).
     """
     import jax.numpy as jnp
 
     r, p_r, L, m, a, b = doubles(r=r, p_r=p_r, L=L, m=m, a=a, b=b)
     k, s, beta, lam, gap, _ = _scales(r, p_r, L, m, a, b)
     across = r * p_r * jnp.sqrt(beta)
-    along = s * p_r * p_r + gap * (k * r + s * gap) / (lam * lam)
+    # not (k r + s g)/λ², which for Kepler's problem with a small L is a difference over what is smaller
+    share = jnp.where(lam > 0, L / jnp.where(lam > 0, lam, 1.0), 1.0)
+    along = s * p_r * p_r + gap * (r / (b + s) + b * share / r)
     w = (jnp.arctan2(across, along) - across / k) / (2 * jnp.pi)
     return w - jnp.floor(w)
 

@@ -21,7 +21,8 @@ _UNIT: Final = 2.0**-53
 class CentralActions(NamedTuple):
     """Of each orbit: J_r and J_φ = 2πL, their frequencies in cycles, and a bound of the error of J_r.
 
-    The inputs are taken as exact. J_φ and the frequencies are right to a few units in the last place.
+    The inputs are taken as exact. J_φ and the frequencies of a closed form are right to a few units in the last place;
+    frequencies by quadrature have no bound: far inside of a core, where V hardly differs from V(0), digits are lost.
     """
 
     radial: Any

@@ -10,23 +10,41 @@ if __package__:
     from canon.checker import (
         alone,
         alone_algebras,
+        alone_averages,
         alone_complex,
+        alone_constraints,
         alone_generated,
+        alone_groups,
         alone_integrals,
         alone_lie,
         alone_limits,
+        alone_normal_forms,
+        alone_paths,
+        alone_powers,
+        alone_regular,
+        alone_series,
         alone_signs,
+        alone_units,
         alone_wider,
     )
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_algebras  # type: ignore
+    import alone_averages  # type: ignore
     import alone_complex  # type: ignore
+    import alone_constraints  # type: ignore
     import alone_generated  # type: ignore
+    import alone_groups  # type: ignore
     import alone_integrals  # type: ignore
     import alone_lie  # type: ignore
     import alone_limits  # type: ignore
+    import alone_normal_forms  # type: ignore
+    import alone_paths  # type: ignore
+    import alone_powers  # type: ignore
+    import alone_regular  # type: ignore
+    import alone_series  # type: ignore
     import alone_signs  # type: ignore
+    import alone_units  # type: ignore
     import alone_wider  # type: ignore
 
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
@@ -38,6 +56,18 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "matrix_algebra": (alone_lie,),
     "canonical": (alone_generated,),
     "new_hamiltonian": (alone_generated,),
+    "independent": (alone_regular,),
+    "euler_lagrange": (alone_regular, alone_powers),
+    "noether": (alone_powers,),
+    "legendre": (alone_regular,),
+    "solves": (alone_powers,),
+    "constraint": (alone_constraints,),
+    "stationary": (alone_paths,),
+    "group": (alone_groups,),
+    "lie_series": (alone_series,),
+    "average": (alone_averages,),
+    "normal_form": (alone_normal_forms,),
+    "dimension": (alone_units,),
 }
 """Those that know a kind of claims, besides the table."""
 

@@ -68,6 +68,7 @@ class Constraint(alone_wider.Wider):
         self.check_keys(answers)
         claim = {key: x for key, x in self.said.items() if key not in answers} | {"kind": tables["claim"]["kind"]}
         super().__init__({**tables, "claim": claim}, FORM)
+        self.texts["__H"] = tables.get("hamiltonian", {}).get("H", "0")
         self.q, self.v, self.t = tables["phase_space"]["q"], claim["velocities"], self.names[-1]
         self.functions, self.qddot = self.listed("functions"), self.listed("qddot")
         self.lines = [f"({self.rate(f)})" for f in self.functions] or self.listed("forms")
@@ -225,6 +226,7 @@ class Surface:
             with suppress(Open, ZeroDivisionError):
                 first = Place(claim, of, Arithmetic(BITS))
                 point = Place(claim, of | {x: first.at(g) for x, g in self.put.items()}, first.real)
+                _ = point.text(claim.texts["__H"])  # it has values in all of the domain
                 if not self.solved and any(point.text(f) != NONE for f in claim.functions):
                     continue
                 for name in names:

@@ -53,6 +53,7 @@ Formula, Stop = alone.Formula, alone.Stop
 FORM = {"keys": "L velocities path from to", "may": "field conjugate", "names": "velocities",
     "of": {"L": "q velocities t", "path field": "t", "from to conjugate": ""},
     "besides": ["velocities_i - velocities_i"]}  # fmt: skip
+WITH_H = FORM | {"besides": ["velocities_i - velocities_i", "H - H"]}
 SIGNS = {"minimum": (1,), "maximum": (-1,), "neither": (1, -1)}
 TURNS = (
     {},
@@ -76,8 +77,8 @@ class Path(alone_wider.Wider):
             raise Stop("not shown", "a path beside a map, or another extremum")
         if (self.extremum is None and "field" in said) or (self.extremum == "neither") != ("conjugate" in said):
             raise Stop("not shown", "a field that says nothing, or none")
-        alone_claim = {**said, "kind": tables["claim"]["kind"]}
-        super().__init__({key: x for key, x in tables.items() if key != "hamiltonian"} | {"claim": alone_claim}, FORM)
+        has = "hamiltonian" in tables
+        super().__init__({**tables, "claim": {**said, "kind": tables["claim"]["kind"]}}, WITH_H if has else FORM)
         self.q, self.v, self.t = tables["phase_space"]["q"], said["velocities"], self.names[-1]
         self.write, self.own, n = Writer(self), alone_regular.itself(self), len(self.q)
         if len(self.v) != n or any({*self.words.get(x, ())} - {"real"} for x in (*self.q, *self.v)):
@@ -94,6 +95,7 @@ class Path(alone_wider.Wider):
             raise Stop("not shown", "other numbers of functions")
         self.put = dict(zip((*self.q, *self.v), (*self.path, *map(self.steep, self.path)), strict=True))
         self.L = self.along("__L")
+        self.demanded = [self.along("__H")] if has else []  # it has values in all of the domain
         self.fields = self.fields_of(said.get("field", []))
         self.conjugate = [self.plain(f"__conjugate_{k}") for k in range(len(said.get("conjugate", ())))]
 
@@ -150,7 +152,7 @@ class Range(alone_integrals.Integral):
         super().__init__({**kept, "claim": claim}, "0")
         if any(isinstance(end, int) for end in self.ends):
             raise Stop("not shown", "a path without an end")
-        formulas = [path.L, *path.path, *(x for field in path.fields for x in field)]
+        formulas = [path.L, *path.path, *path.demanded, *(x for field in path.fields for x in field)]
         self.calls |= {self.structure(self.bare(g)) for f in formulas for g in self.parts(f) if self.is_called(g)}
         self.between = alone_integrals.Between(self)
         self.positive = self.is_positive(Formula(".", (self.x,)))

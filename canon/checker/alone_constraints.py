@@ -6,8 +6,8 @@ as forms. What vanishes is seen at random points modulo primes. Displacements an
 are looked at for all coordinates and velocities; where each function is linear in a coordinate, with a number for its
 slope, on the surface, which q → q − f/slope gives. A determinant without a zero has a sign (`alone_regular.py`).
 
-The coefficients a are independent nearly everywhere, whatever the parameters are; and there is a real point at which
-the functions vanish, in the domain, and at which they are independent: one of small whole numbers.
+The coefficients a are independent nearly everywhere, whatever the parameters are; and there is a real point of the
+domain, of small numbers, at which the functions vanish, and the coefficients are independent.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ else:  # as a program, beside the other files
     from counterexample_functions import Place  # type: ignore
 
 Formula, Stop = alone.Formula, alone.Stop
-MOST_FORMS, MOST_NAMES, MOST_POINTS, SMALL, BITS = 3, 8, 3000, (0, 1, 2, -1, -2), 64
+MOST_FORMS, MOST_POINTS, SMALL, BITS = 3, 600, (0, 1, 2, -1, -2), 64
 ANSWERS, ASKED = ("holonomic", "stationary", "determined"), ("integrals", "possible", "virtual", "multipliers")
 FORM = {"keys": "velocities", "may": "forms functions integrals possible virtual multipliers L qddot forces",
     "of": {"functions integrals": "q t", "forms possible virtual multipliers L qddot forces": "q velocities t"},
@@ -75,6 +75,9 @@ class Constraint(alone_wider.Wider):
         if len(self.v) != len(self.q) or not 1 <= len(self.lines) <= min(MOST_FORMS, len(self.q)):
             raise Stop("not shown", "other numbers of velocities, or of forms")
         self.rows = [self.row_of(line) for line in self.lines]
+        written = {*re.findall(r"\w+", str(self.domain))}
+        if written & ({*self.v} - {*tables.get("symbols", {})}):
+            raise Stop("not shown", "a condition on names of the claim's own")
         write, own = Writer(self), alone_regular.itself(self)
         slopes = [write.written(self.read(a, own)) for row in self.rows for a in row[:-1]]
         if any(inner_names(f, self) & {*self.v} for f in slopes):
@@ -282,10 +285,9 @@ def shown(data: Any) -> tuple[str, str]:
         raise Stop("not shown", "no claim about constraints")
     claim = Constraint(data["tables"])
     surface = Surface(claim)
-    if claim.functions:
-        if claim.none and not surface.solved:
-            raise Stop("not shown", "a surface of such functions")
-        surface.check_place()
+    if claim.none and not surface.solved:
+        raise Stop("not shown", "a surface of such functions")
+    surface.check_place()
     displaced = [surface.text(text, free=claim.v) for text in claim.displaced]
     return alone.tried(sample, claim, [*claim.none, *displaced, *map(surface.text, claim.on)])
 

@@ -84,7 +84,8 @@ class Independent(alone_algebras.Independent):
         if claim.chosen:
             self.check_apart(minor(claim.chosen))
             return
-        routes, reason = [(v,) for v in claim.variables], Stop("not shown", "that the functions are independent")
+        routes: list[alone_algebras.Route] = [(v,) for v in claim.variables]
+        reason = Stop("not shown", "that the functions are independent")
         rows, other = [self.row(route) for route in routes], Independent(claim, self.p)
         other.free = {key: x for key, x in self.free.items() if len(key) == 1 or key[0] in ("circle", "exp")}
         called = {

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ast
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 if __package__:
@@ -23,6 +24,7 @@ else:  # as a program, beside the other files
     from counterexample_formulas import is_nought  # type: ignore
 
 Stop, LONGEST = alone.Stop, 200
+USUAL = ["L", "M", "T", "I", "Theta", "N", "J"]
 FORM = {"keys": "functions", "of": {"functions": "q p Q P t"}, "besides": ["functions_i - functions_i"]}
 Dimension = dict[str, Fraction]
 """{unit: its exponent}."""
@@ -131,6 +133,11 @@ def shown(data: Any) -> tuple[str, str]:
     if {"transformation", "generating_function"} & {*tables}:
         raise Stop("not shown", "units beside a map")
     claim = alone_wider.Wider({**tables, "claim": {"kind": "dimension", "functions": said["functions"]}}, FORM)
+    base, listed = said.get("base", USUAL), [said["equals"], *alone_wider.flat([*said["dimensions"].values()])]
+    if not isinstance(base, list) or not {*map(str.isidentifier, base)} <= {True} or len({*base}) < len(base):
+        raise Stop("not shown", "a base of another form")
+    if {*chain(*map(dimension_of, listed))} - {*base}:
+        raise Stop("not shown", "units that aren't in the base")
     units, wanted, own = Units(claim, said["dimensions"]), dimension_of(said["equals"]), itself(claim)
     if not said["functions"]:
         raise Stop("not shown", "no functions")

@@ -37,7 +37,7 @@ else:  # as a program, beside the other files
 Formula, Stop = alone.Formula, alone.Stop
 MOST_FORMS, MOST_POINTS, SMALL, BITS = 3, 600, (0, 1, 2, -1, -2), 64
 ANSWERS, ASKED = ("holonomic", "stationary", "determined"), ("integrals", "possible", "virtual", "multipliers")
-FORM = {"keys": "velocities", "may": "forms functions integrals possible virtual multipliers L qddot forces",
+FORM: Any = {"keys": "velocities", "may": "forms functions integrals possible virtual multipliers L qddot forces",
     "of": {"functions integrals": "q t", "forms possible virtual multipliers L qddot forces": "q velocities t"},
     "names": "velocities", "besides": ["velocities_i - velocities_i"]}  # fmt: skip
 
@@ -96,6 +96,7 @@ class Constraint(alone_wider.Wider):
         said, moved = {*self.said}, {"multipliers": {"L", "qddot"}, "determined": {"L"}}
         needed = set[str]().union(*(keys for word, keys in moved.items() if word in said))
         extra = {"L", "qddot", "forces"} & (said - needed - ({"forces"} if "multipliers" in said else set()))
+        extra |= said - {*ANSWERS, *f"{FORM['keys']} {FORM['may']}".split()}
         if len({"forms", "functions"} & said) != 1 or not {*ANSWERS, *ASKED} & said or needed - said or extra:
             raise Stop("not shown", "keys that say nothing, or are missing")
         if answers.get("determined") is False and (len({*ANSWERS, *ASKED} & said) > 1 or "forms" in said):

@@ -50,7 +50,7 @@ else:  # as a program, beside the other files
     )
 
 Formula, Stop = alone.Formula, alone.Stop
-FORM = {"keys": "L velocities path from to", "may": "field conjugate", "names": "velocities",
+FORM: Any = {"keys": "L velocities path from to", "may": "field conjugate", "names": "velocities",
     "of": {"L": "q velocities t", "path field": "t", "from to conjugate": ""},
     "besides": ["velocities_i - velocities_i"]}  # fmt: skip
 WITH_H = FORM | {"besides": ["velocities_i - velocities_i", "H - H"]}
@@ -73,8 +73,13 @@ class Path(alone_wider.Wider):
     def __init__(self, tables: Any) -> None:
         said = {key: x for key, x in tables["claim"].items() if key not in alone.UNASKED}
         self.extremum = said.pop("extremum", None)
-        if {"transformation", "generating_function"} & {*tables} or self.extremum not in (*SIGNS, None):
-            raise Stop("not shown", "a path beside a map, or another extremum")
+        keys = {*f"{FORM['keys']} {FORM['may']}".split()}
+        if (
+            {"transformation", "generating_function"} & {*tables}
+            or self.extremum not in (*SIGNS, None)
+            or {*said} - keys
+        ):
+            raise Stop("not shown", "a path beside a map, another extremum, or with other keys")
         if (self.extremum is None and "field" in said) or (self.extremum == "neither") != ("conjugate" in said):
             raise Stop("not shown", "a field that says nothing, or none")
         has = "hamiltonian" in tables

@@ -19,7 +19,7 @@ else:  # as a program, beside the other files
     from counterexample_formulas import Writer, degree  # type: ignore
 
 Stop, MOST_ORDER = alone.Stop, 40
-FORM = {"keys": "generator parameter f equals", "names": "parameter", "among": "t", "germ": "parameter",
+FORM: Any = {"keys": "generator parameter f equals", "names": "parameter", "among": "t", "germ": "parameter",
     "of": {"equals": "q p t parameter", "generator f": "q p t"},
     "let": {"rest": "D(equals, parameter) - bracket(equals, generator)"},
     "besides": ["with(equals, parameter, 0) - f"]}  # fmt: skip
@@ -31,8 +31,8 @@ class Series(alone_wider.Wider):
     def __init__(self, tables: Any) -> None:
         claim = {key: x for key, x in tables["claim"].items() if key not in alone.UNASKED}
         self.order = claim.pop("order", None)
-        if type(self.order) is not int or not 1 <= self.order <= MOST_ORDER:
-            raise Stop("not shown", "a series without an order, or of such a one")
+        if type(self.order) is not int or not 1 <= self.order <= MOST_ORDER or {*claim} != {*FORM["keys"].split()}:
+            raise Stop("not shown", "a series without an order, of such a one, or with other keys")
         if "generating_function" in tables or {*"qp"} & {*tables.get("transformation", {})}:
             raise Stop("not shown", "a series beside a map whose image is all that there is")
         super().__init__({**tables, "claim": {**claim, "kind": tables["claim"]["kind"]}}, FORM)

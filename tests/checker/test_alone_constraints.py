@@ -89,7 +89,7 @@ def test_what_is_false_isnt_shown(keys: Any) -> None:
     {"forms": ["u"], "functions": ["x"], "holonomic": True}, {"functions": ["u"], "holonomic": True},
     {"forms": ["px*u"], "holonomic": True}, {"forms": ["u"]}, {"forms": ["u"], "holonomic": "true"},
     {"forms": ["u"], "holonomic": True, "qddot": ["0", "0", "0"]}, {"forms": ["u"], "determined": True},
-    {"forms": ["u"], "holonomic": True, "L": "u"}, {"forms": ["u"], "virtual": ["0", "1"]},
+    {"forms": ["u"], "holonomic": True, "L": "u"}, {"forms": ["u"], "holonomic": True, "order": 2}, {"forms": ["u"], "virtual": ["0", "1"]},
     {"forms": ["u"], "velocities": ["u", "v"], "holonomic": True}, {"forms": ["u"], "holonomic": 1},
     {"forms": ["u"], "velocities": ["x", "v", "w"], "holonomic": True}, {"forms": "u", "holonomic": True},
     {"forms": ["u"], "velocities": ["u", "u", "w"], "holonomic": True},

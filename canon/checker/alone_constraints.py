@@ -35,7 +35,7 @@ else:  # as a program, beside the other files
     from counterexample_functions import Place  # type: ignore
 
 Formula, Stop = alone.Formula, alone.Stop
-MOST_FORMS, MOST_POINTS, SMALL, BITS = 3, 600, (0, 1, 2, -1, -2), 64
+MOST_FORMS, MOST_NAMES, MOST_POINTS, SMALL, BITS = 3, 8, 600, (0, 1, 2, -1, -2), 64
 ANSWERS, ASKED = ("holonomic", "stationary", "determined"), ("integrals", "possible", "virtual", "multipliers")
 FORM: Any = {"keys": "velocities", "may": "forms functions integrals possible virtual multipliers L qddot forces",
     "of": {"functions integrals": "q t", "forms possible virtual multipliers L qddot forces": "q velocities t"},
@@ -72,7 +72,11 @@ class Constraint(alone_wider.Wider):
         self.q, self.v, self.t = tables["phase_space"]["q"], claim["velocities"], self.names[-1]
         self.functions, self.qddot = self.listed("functions"), self.listed("qddot")
         self.lines = [f"({self.rate(f)})" for f in self.functions] or self.listed("forms")
-        if len(self.v) != len(self.q) or not 1 <= len(self.lines) <= min(MOST_FORMS, len(self.q)):
+        if (
+            len(self.v) != len(self.q)
+            or not 1 <= len(self.lines) <= min(MOST_FORMS, len(self.q))
+            or len(self.q) > MOST_NAMES
+        ):
             raise Stop("not shown", "other numbers of velocities, or of forms")
         self.rows = [self.row_of(line) for line in self.lines]
         written = {*re.findall(r"\w+", str(self.domain))}

@@ -21,7 +21,7 @@ else:  # as a program, beside the other files
     from counterexample_formulas import NOUGHT, UNIT, Writer, is_nought, times, total  # type: ignore
 
 Formula, Stop, RANDOM = alone.Formula, alone.Stop, alone.RANDOM
-TRIES, MOST_ANGLES = 12, 3
+TRIES, MOST_ANGLES, MOST_ROWS = 12, 3, 7
 INDEPENDENT = {"keys": "functions", "vary": "x", "besides": ["functions_i - functions_i"]}
 """Time is a parameter: functions are independent at each time. What is 0 says only that they have values."""
 
@@ -37,6 +37,8 @@ def negative(claim: Any, f: Any) -> Any:
 
 def determinant(claim: Any, rows: list[list[Any]]) -> Any:
     """Of formulas without derivatives, by the first row."""
+    if len(rows) > MOST_ROWS:
+        raise Stop("not shown", "a determinant that is so large")
     if not rows:
         return UNIT
     found = NOUGHT

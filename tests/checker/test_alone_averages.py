@@ -54,7 +54,8 @@ def test_motions_that_end_or_leave_the_domain() -> None:
 
 
 @pytest.mark.parametrize("changed", [
-    {"equals": "A**2"}, {"equals": "x**2"}, {"f": "x"}, {"to": "pi/w/3"}, {"antiderivative": "A**2*t/2"}, {"from": "-A"},
+    {"equals": "A**2"}, {"equals": "x**2"}, {"f": "x"}, {"to": "pi/w/3"}, {"antiderivative": "A**2*t/2"},
+    {"from": "-A"},
     {"from": "2*pi/w", "to": "0"}, {"motion": {**MOTION, "x": "A*sin(w*t)"}}, {"motion": {"x": "A*cos(w*t)"}},
     {"motion": {**MOTION, "p": "m*w*A*sin(w*t)"}}, {"motion": {**MOTION, "t": "2*t"}}, {"to": "infinity"},
     {"motion": {**MOTION, "y": "0"}}, {"motion": {**MOTION, "x": "A*cos(w*t) + 0*p"}}, {"f": "x**2 + 0*sqrt(x)"},

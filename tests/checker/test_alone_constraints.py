@@ -39,6 +39,7 @@ def answer(keys: Any, **sections: Any) -> str:
     {"forms": [SKATE], "holonomic": False}, {"forms": [SKATE], "virtual": ["cos(z)", "sin(z)", "k"]},
     {"forms": [SKATE], **BLADE},
     {"forms": [SKATE], "L": KINETIC, "determined": True}, {"forms": [SKATE], "stationary": True},
+    {"forms": ["t*u - v"], "stationary": False}, {"forms": ["u - 1"], "stationary": False},
     {"forms": ["y*u - x*v"], "holonomic": True, "integrals": ["y/x"]},
     {"forms": ["u - v", "v - w"], "holonomic": True, "integrals": ["x - y", "(y - z)**3"]},
     {"forms": ["w - y*u"], "holonomic": False}, {"forms": ["w - y*u", "v"], "holonomic": True},
@@ -55,11 +56,13 @@ def test_a_claim_is_shown(keys: Any) -> None:
     {"functions": ["x - y"], "virtual": ["x", "-y", "0"]}, {"functions": ["x - y"], "virtual": ["u", "v", "0"]},
     {"functions": ["z"], **FALL, "multipliers": ["-m*g"]}, {"functions": ["z"], **FALL, "qddot": ["0", "0", "-g"]},
     {"functions": ["z"], **FALL, "forces": ["0", "0", "z + 1"]},
+    {"functions": ["z"], "L": KINETIC, "qddot": ["0", "0", "1"], "multipliers": ["m"]},
     {"functions": ["2*z - 2"], **FALL}, {"functions": ["z"], **FALL, "determined": False},
     {"functions": ["z", "z + x*y"], "L": KINETIC, "determined": False},
     {"functions": ["z"], "L": "m*u**2/2", "determined": True}, {"functions": ["z"], "L": "z", "determined": True},
     {"functions": ["z"], "L": f"{KINETIC} + k*u*v", "determined": True},
     {"forms": [SKATE], "holonomic": True}, {"forms": [SKATE], "stationary": False},
+    {"forms": ["t*u - v"], "stationary": True}, {"forms": ["u - 1"], "stationary": True},
     {"forms": [SKATE], "virtual": ["sin(z)", "cos(z)", "0"]},
     {"forms": [SKATE], **BLADE, "multipliers": [f"m*w*{ALONG}"]}, {"forms": [SKATE], **BLADE, "qddot": ["0", "0", "0"]},
     {"forms": ["w - k*y*u"], "holonomic": False}, {"forms": ["w - (sqrt(y**2) + y)*u"], "holonomic": False},
@@ -89,7 +92,8 @@ def test_what_is_false_isnt_shown(keys: Any) -> None:
     {"forms": ["u"], "functions": ["x"], "holonomic": True}, {"functions": ["u"], "holonomic": True},
     {"forms": ["px*u"], "holonomic": True}, {"forms": ["u"]}, {"forms": ["u"], "holonomic": "true"},
     {"forms": ["u"], "holonomic": True, "qddot": ["0", "0", "0"]}, {"forms": ["u"], "determined": True},
-    {"forms": ["u"], "holonomic": True, "L": "u"}, {"forms": ["u"], "holonomic": True, "order": 2}, {"forms": ["u"], "virtual": ["0", "1"]},
+    {"forms": ["u"], "holonomic": True, "L": "u"}, {"forms": ["u"], "holonomic": True, "order": 2},
+    {"forms": ["u"], "virtual": ["0", "1"]},
     {"forms": ["u"], "velocities": ["u", "v"], "holonomic": True}, {"forms": ["u"], "holonomic": 1},
     {"forms": ["u"], "velocities": ["x", "v", "w"], "holonomic": True}, {"forms": "u", "holonomic": True},
     {"forms": ["u"], "velocities": ["u", "u", "w"], "holonomic": True},
@@ -106,7 +110,8 @@ def test_what_no_file_could_state_isnt_shown(keys: Any) -> None:
 
 def test_it_is_asked_of_a_certificate_of_several_cases() -> None:
     data = certified('[phase_space]\nq = ["x", "y"]\np = ["px", "py"]\n',
-        'kind = "constraint"\nvelocities = ["u", "v"]\nforms = ["u - y*v"]\nholonomic = true\nstationary = true')  # fmt: skip
+        'kind = "constraint"\nvelocities = ["u", "v"]\nforms = ["u - y*v"]\n'
+        'holonomic = true\nstationary = true')  # fmt: skip
     assert len(data["cases"]) > 1
     assert alone_together.checked(data) == ("shown", "")
     data["tables"]["claim"]["stationary"] = False

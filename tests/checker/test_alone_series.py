@@ -35,7 +35,8 @@ def test_series_are_shown(given: Any) -> None:
     ("p**2/2 + V(q)", "q", 2, "q + s*p + s**2*D(V(q), q)/2"), ("q*p", "q", 2, "q*(1 + s + s**2)"),
     ("q*p", "q", 2, "q*exp(s)"), ("q*p", "q", 2, "q*(1 + s + s**2/2) + 0/s"), ("q*p", "q", 2, "q*(1 + s)"),
     ("q*p", "q", 2, "q*(1 + s + s**2/2)*V(s)/V(s)"), ("q*p", "q", 2, "q*(1 + s + s**2/2) + sqrt(s**2) - s"),
-    ("q*p", "q", 0, "q"), ("q*p", "q", 2, "1 + q*(1 + s + s**2/2)"), ("s*p", "q", 2, "q + s**2"), ("p", "q*s", 1, "q*s"),
+    ("q*p", "q", 0, "q"), ("q*p", "q", 2, "1 + q*(1 + s + s**2/2)"), ("s*p", "q", 2, "q + s**2"),
+    ("p", "q*s", 1, "q*s"),
     ("p", "q", True, "q + s"), ("p", "q", "1", "q + s"), ("p", "q", 41, "q + s"), ("p", "q", 1, "q + s", "q"),
     ("p", "q", 1, "q + t", "t"), ("1j*p", "q", 1, "q + 1j*s"), ("p", "q", 1, "q + m*s", "m"),
 ])  # fmt: skip
@@ -78,7 +79,8 @@ def test_dimensions_are_shown(function: str, equals: str) -> None:
 @pytest.mark.parametrize(("function", "equals"), [
     ("p**2/(2*m)", "M*L**2/T"), ("q + p", "L"), ("q + 1", "L"), ("sin(q)", "1"), ("q**k", "L"), ("log(q)", "1"),
     ("V(p)", "M*L**2/T**2"), ("V(q)", "M*L**2"), ("D(V(q), q)", "M*L**2/T**2"), ("W(q)", "1"), ("D(V(2), q)", "1"),
-    ("atan2(q, p)", "1"), ("S(q)", "M*L**2/T"), ("q", "L/T*T*T"), ("q", "2*L"), ("q", "L + L"), ("q", "L**k"), ("q", "1"),
+    ("atan2(q, p)", "1"), ("S(q)", "M*L**2/T"), ("q", "L/T*T*T"), ("q", "2*L"), ("q", "L + L"), ("q", "L**k"),
+    ("q", "1"),
     ("sqrt(q)", "L"), ("exp(q)*q", "L"), ("V(q) + S(q, t)", "M*L**2/T**2"), ("q", "Q"), ("q", "l"), ("q", ""),
 ])  # fmt: skip
 def test_other_dimensions_arent_shown(function: str, equals: str) -> None:

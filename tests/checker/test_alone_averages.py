@@ -31,7 +31,11 @@ def test_averages_are_shown() -> None:
     assert answer(KEPLER, **positive) == "shown"
 
 
+FAR = "5*(p**2/(2*m) + m*w**2*x**2/2)/w"
+
+
 @pytest.mark.parametrize("changed", [
+    {"virial": f"x*p/2 + {FAR}"}, {"virial": f"x*p/2 - {FAR}"},
     {"equals": "p**2/m + m*w**2*x**2"}, {"f": "m*w**2*x**2"}, {"virial": "-x*p/2"}, {"virial": "x*p"},
     {"bound": "(p**2/(2*m) + m*w**2*x**2/2)/(3*w)"}, {"bound": "0"}, {"bound": "-(p**2/(2*m) + m*w**2*x**2/2)/w"},
     {"bound": "x**2*w*m + p**2"}, {"equals": "p**2/m", "virial": "0", "bound": "1"}, {"virial": "x*p/2 + t"},
@@ -75,6 +79,17 @@ def test_another_motion_shows_nothing(changed: Any) -> None:
 ])  # fmt: skip
 def test_time_grows_along_the_motion(changed: Any) -> None:
     assert answer({**KEPLER, **changed}) == "not shown"
+
+
+def test_each_of_hamiltons_equations_and_the_clock() -> None:
+    unit = {"parameter": "t", "from": "0", "to": "1"}
+    line = {**unit, "f": "x", "antiderivative": "t**2/2", "equals": "1/2", "motion": {"x": "t", "p": "1"}}
+    fall = {**unit, "f": "p", "antiderivative": "-t**2/2", "equals": "-1/2", "motion": {"x": "1", "p": "-t"}}
+    assert answer(line, hamiltonian={"H": "p"}) == answer(fall, hamiltonian={"H": "x"}) == "shown"
+    assert answer(line, hamiltonian={"H": "2*p"}) == answer(fall, hamiltonian={"H": "2*x"}) == "not shown"
+    assert answer(line, hamiltonian={"H": "p + x"}) == answer(fall, hamiltonian={"H": "x + p"}) == "not shown"
+    back = {**KEPLER, "motion": {"x": "1 - e*cos(u)", "t": "e*sin(u) - u"}, "antiderivative": "-u"}
+    assert answer(back) == "not shown"
 
 
 def test_names_that_may_be_0_or_have_a_sign() -> None:

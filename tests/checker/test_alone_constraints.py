@@ -66,6 +66,7 @@ def test_a_claim_is_shown(keys: Any) -> None:
     {"forms": [SKATE], "virtual": ["sin(z)", "cos(z)", "0"]},
     {"forms": [SKATE], **BLADE, "multipliers": [f"m*w*{ALONG}"]}, {"forms": [SKATE], **BLADE, "qddot": ["0", "0", "0"]},
     {"forms": ["w - k*y*u"], "holonomic": False}, {"forms": ["w - (sqrt(y**2) + y)*u"], "holonomic": False},
+    *({"forms": [f"w - (sqrt((y - {n})**2) + y)*u"], "holonomic": False} for n in range(4)),
     {"forms": ["w - S(y)*u"], "holonomic": False}, {"forms": ["w - S(y)*u"], "holonomic": True},
     {"forms": ["y*u - x*v"], "holonomic": True, "integrals": ["x*y"]},
     {"forms": ["y*u - x*v"], "integrals": ["3"]}, {"forms": ["y*u - x*v"], "integrals": ["y/x", "y/x"]},

@@ -38,6 +38,7 @@ def test_series_are_shown(given: Any) -> None:
     ("q*p", "q", 0, "q"), ("q*p", "q", 2, "1 + q*(1 + s + s**2/2)"), ("s*p", "q", 2, "q + s**2"),
     ("p", "q*s", 1, "q*s"),
     ("p", "q", True, "q + s"), ("p", "q", "1", "q + s"), ("p", "q", 41, "q + s"), ("p", "q", 1, "q + s", "q"),
+    ("t*p", "q", 2, "q + t**2/2", "t"), ("p", "q + t", 2, "q + 2*t", "t"),
     ("p", "q", 1, "q + t", "t"), ("1j*p", "q", 1, "q + 1j*s"), ("p", "q", 1, "q + m*s", "m"),
 ])  # fmt: skip
 def test_other_series_arent_shown(given: Any) -> None:

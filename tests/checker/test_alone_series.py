@@ -49,7 +49,7 @@ def test_series_beside_other_sections() -> None:
     given = ("p", "q", 1, "q + s")
     assert series(*given, domain={"where": ["s > 0"]}, symbols={"s": "real"}) == "not shown"
     assert series(*given, symbols={"s": "positive"}) == "not shown"
-    both = {"phase_space": {"q": ["q"], "p": ["p"], "Q": ["Q"], "P": ["P"]}}
+    both: Any = {"phase_space": {"q": ["q"], "p": ["p"], "Q": ["Q"], "P": ["P"]}}
     assert series(*given, **both, transformation={"Q": ["q"], "P": ["p"]}) == "shown"
     assert series(*given, **both, transformation={"q": ["Q"], "p": ["Q"]}) == "not shown"
     assert series(*given, definitions={"s": "1"}) == "not shown"

@@ -16,6 +16,7 @@ if __package__:
         alone_lie,
         alone_limits,
         alone_signs,
+        alone_tending,
         alone_wider,
     )
 else:  # as a program, beside the other files
@@ -27,13 +28,14 @@ else:  # as a program, beside the other files
     import alone_lie  # type: ignore
     import alone_limits  # type: ignore
     import alone_signs  # type: ignore
+    import alone_tending  # type: ignore
     import alone_wider  # type: ignore
 
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 BESIDES: dict[str, tuple[Any, ...]] = {
     "inequality": (alone_signs,),
     "integral": (alone_integrals,),
-    "limit": (alone_limits,),
+    "limit": (alone_limits, alone_tending),
     "algebra": (alone_algebras,),
     "matrix_algebra": (alone_lie,),
     "canonical": (alone_generated,),

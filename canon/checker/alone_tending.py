@@ -13,25 +13,22 @@ x = a ± y², so that √(2 a y² + y⁴) = y √(2 a + y²).
 from __future__ import annotations
 
 from fractions import Fraction
-from math import factorial, gcd, lcm
+from math import gcd, lcm
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_integrals, alone_limits
+    from canon.checker import alone, alone_edges, alone_limits, alone_signs
     from canon.checker import alone_polynomials as of
     from canon.checker.counterexample_formulas import Writer, put
 else:  # as a program, beside the other files
     import alone  # type: ignore
-    import alone_integrals  # type: ignore
+    import alone_edges  # type: ignore
     import alone_limits  # type: ignore
     import alone_polynomials as of  # type: ignore
+    import alone_signs  # type: ignore
     from counterexample_formulas import Writer, put  # type: ignore
 
 Formula, Stop, ONE = alone.Formula, alone.Stop, alone_limits.ONE
-HIGHEST, REMOVED = 6, "/0"
-EDGES = {"asin": ("1 - a", "1 + a"), "acos": ("1 - a", "1 + a"), "acosh": ("a - 1",)}
-"""Orders of derivatives; the kind of a quotient N/D at whose limit both vanish, D in the order that is stated;
-what isn't negative where a function is continuous, but not smooth."""
 
 
 def inverse(f: Any) -> Any:
@@ -51,7 +48,7 @@ class Tending(alone_limits.Limit):
 
     def prepare(self) -> None:
         self.vanishing = list[tuple[Any, int]]()  # formulas that vanish at the limit in so high an order
-        self.at_end, self.writer = Edge(self), Writer(self)
+        self.at_end, self.writer = alone_edges.Edge(self), Writer(self)
         self.growing: Any = None  # u
         self.step: Any = None  # a ± y²
         if self.way:
@@ -61,7 +58,7 @@ class Tending(alone_limits.Limit):
             self.start, self.ends = self.ends[0], [alone.number(0)] * 2
             square = product(alone.number(self.side), Formula("^", (y, alone.number(2))))
             self.step = Formula("+", (self.start, square))
-            self.at_end, self.side = Edge(self), 1
+            self.at_end, self.side = alone_edges.Edge(self), 1
 
     def made(self, kind: str, *given: Any) -> Any:
         free = kind == "elliptic_k" and kind not in {*self.names, *self.words, *self.texts} and len(given) == 1
@@ -86,7 +83,7 @@ class Tending(alone_limits.Limit):
     def base(self) -> Any:
         """The polynomial u, with a denominator, of which all exponents are whole multiples, and that grows beyond all
         bounds; None where there is none."""
-        signs = alone_integrals.alone_signs.Signs(self)
+        signs = alone_signs.Signs(self)
         signs.everywhere = True
         exponents, only = self.inside(self.plain(self.f))
         if not exponents or not only:
@@ -121,7 +118,7 @@ class Tending(alone_limits.Limit):
         if self.growing:
             if not self.inside(self.plain(f))[1]:
                 raise Stop("not shown", "a variable within exponents and elsewhere")
-            signs = alone_integrals.alone_signs.Signs(self)
+            signs = alone_signs.Signs(self)
             signs.everywhere = True
 
             def power(g: Any) -> Any:
@@ -154,7 +151,7 @@ class Tending(alone_limits.Limit):
         if g.kind != "^" or not self.is_half(g) or not self.has(g):
             return None
         radicand = put(g.of[0], self.put_radicand)
-        signs = alone_integrals.alone_signs.Signs(self)
+        signs = alone_signs.Signs(self)
         signs.everywhere = True
         n, d = signs.quotient(radicand)
         powers = of.by_powers(n, self.x)
@@ -205,10 +202,10 @@ class Tending(alone_limits.Limit):
         order, _ = self.at_end.first(bottom)
         if order == 0:
             return product(top, inverse(bottom))
-        if any(g.kind == REMOVED for f in (top, bottom) for g in self.parts(f)):
+        if any(g.kind == alone_edges.REMOVED for f in (top, bottom) for g in self.parts(f)):
             raise Stop("not shown", "limits within limits within limits")
         self.vanishing.append((top, order))
-        return Formula(REMOVED, (top, bottom), (order,))
+        return Formula(alone_edges.REMOVED, (top, bottom), (order,))
 
     def value_of(self, f: Any) -> of.Quotient:
         n, d = self.at_end.quotient(f)
@@ -222,82 +219,11 @@ class Tending(alone_limits.Limit):
         return found
 
 
-class Edge(alone_limits.Beside):
-    """What is so at the limit, of quotients too that have one there."""
-
-    of: Tending
-
-    def quotient(self, f: Any) -> of.Quotient:
-        if f.kind != REMOVED:
-            return super().quotient(f)
-        (n, a), (m, b) = (self.quotient(self.of.derivative(g, f.orders[0])) for g in f.of)
-        sign = 1 if self.shown(m, True) else -1
-        if sign < 0 and not self.shown(of.minus(m), True):
-            raise Stop("not shown", "the limit of a denominator's derivative")
-        return of.times(of.times(of.number(sign), n), b), of.times(of.times(of.number(sign), m), a)
-
-    def first(self, f: Any) -> tuple[int, int]:
-        """The order in which a formula vanishes at the limit, and the sign of its derivative there."""
-        try:
-            return super().first(f)
-        except Stop:
-            pass
-        self.check(f, strict=True)
-        for order in range(HIGHEST + 1):
-            p = self.plain(self.quotient(self.of.derivative(f, order))[0])
-            for sign in (1, -1):
-                if p and self.shown(of.times(of.number(sign), p), True):
-                    return order, sign
-            if p:
-                break
-        raise Stop("not shown", "in which order a denominator vanishes")
-
-    def check(self, f: Any, strict: bool = False) -> None:
-        """See that a formula is smooth at the limit; without `strict`, that it is continuous on its side."""
-        if f.kind == REMOVED:
-            return  # it was looked at
-        root = f.kind == "^" and f.of[1].kind == "#" and f.of[1].of[0] > 0 and f.of[1].of[0].denominator > 1
-        if strict or not self.of.has(f) or not (root or f.kind in EDGES):
-            return super().check(f, strict)
-        try:
-            return super().check(f, True)
-        except Stop:
-            super().check(f, False)
-        sides = [f.of[0]] if root else [self.of.read(text, {"a": f.of[0]}) for text in EDGES[f.kind]]
-        if any(self.of.tends(*self.of.split(g))[1] != 1 for g in sides):
-            raise Stop("not shown", f"that {f.kind} has values beside the limit")
-
-
-class Coming(alone_integrals.Along):
-    """A random point, at the limit."""
-
-    def at(self, f: Any, *by: str) -> int:
-        """The derivative of N/D from those of N and D."""
-        if f.kind != REMOVED:
-            return super().at(f, *by)
-        n, x = f.orders[0], self.of.x
-        if {*by} - {x}:
-            raise Stop("not shown", "a derivative of a limit")
-        top, bottom = ([self.at(g, *(x,) * (n + j)) * pow(factorial(n + j), -1, self.p) for j in range(len(by) + 1)]
-                       for g in f.of)  # fmt: skip
-        found = list[int]()
-        for j, a in enumerate(top):
-            known = sum(c * bottom[j - i] for i, c in enumerate(found))
-            found.append((a - known) * pow(bottom[0], -1, self.p) % self.p)
-        return found[-1] * factorial(len(by)) % self.p
-
-    def value(self, f: Any) -> int:
-        return self.at(f) if f.kind == REMOVED else super().value(f)
-
-    def terms(self, f: Any) -> dict[int, Fraction]:
-        return {v: r for v, r in super().terms(f).items() if v}
-
-
 def sample(claim: Tending, order: int, prime: int) -> int:
     """See at one point what the derivatives are."""
-    point = Coming(claim, prime)
+    point = alone_edges.Coming(claim, prime)
     point.check_domain()
-    end = Coming(claim, prime, point, claim.ends[0])
+    end = alone_edges.Coming(claim, prime, point, claim.ends[0])
     along = lambda k: (claim.x,) * k
     rest = [end.at(f, *along(k)) for f, n in (*claim.vanishing, (claim.top, order)) for k in range(n)]
     last = end.at(claim.top, *along(order)) - point.at(claim.equals) * end.at(claim.bottom, *along(order))

@@ -11,6 +11,7 @@ if __package__:
         alone,
         alone_algebras,
         alone_complex,
+        alone_covers,
         alone_generated,
         alone_integrals,
         alone_lie,
@@ -23,6 +24,7 @@ else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_algebras  # type: ignore
     import alone_complex  # type: ignore
+    import alone_covers  # type: ignore
     import alone_generated  # type: ignore
     import alone_integrals  # type: ignore
     import alone_lie  # type: ignore
@@ -33,7 +35,7 @@ else:  # as a program, beside the other files
 
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 BESIDES: dict[str, tuple[Any, ...]] = {
-    "inequality": (alone_signs,),
+    "inequality": (alone_signs, alone_covers),
     "integral": (alone_integrals,),
     "limit": (alone_limits, alone_tending),
     "algebra": (alone_algebras,),

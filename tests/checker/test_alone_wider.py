@@ -413,7 +413,8 @@ def test_a_kernel_does_not_choose_the_points(name: str, kernel: Any) -> None:
 def test_its_files_are_short_and_need_nothing_but_python(tmp_path: Path) -> None:
     """Copies of the files, elsewhere, by a Python that sees no packages."""
     folder = Path(alone.__file__).parent
-    files = [*folder.glob("alone*.py"), folder / "counterexample.py", folder / "alone_kinds.toml"]
+    of_ours = ("counterexample.py", "counterexample_formulas.py", "alone_kinds.toml")
+    files = [*folder.glob("alone*.py"), *(folder / name for name in of_ours)]
     names = {file.stem for file in files}
     assert {alone_table.__name__.rpartition(".")[2], alone_wider.__name__.rpartition(".")[2], "alone_lie"} < names
     for file in files:

@@ -12,10 +12,12 @@ if __package__:
         alone_algebras,
         alone_complex,
         alone_covers,
+        alone_gauss,
         alone_generated,
         alone_integrals,
         alone_lie,
         alone_limits,
+        alone_radicands,
         alone_signs,
         alone_tending,
         alone_wider,
@@ -25,10 +27,12 @@ else:  # as a program, beside the other files
     import alone_algebras  # type: ignore
     import alone_complex  # type: ignore
     import alone_covers  # type: ignore
+    import alone_gauss  # type: ignore
     import alone_generated  # type: ignore
     import alone_integrals  # type: ignore
     import alone_lie  # type: ignore
     import alone_limits  # type: ignore
+    import alone_radicands  # type: ignore
     import alone_signs  # type: ignore
     import alone_tending  # type: ignore
     import alone_wider  # type: ignore
@@ -36,7 +40,7 @@ else:  # as a program, beside the other files
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 BESIDES: dict[str, tuple[Any, ...]] = {
     "inequality": (alone_signs, alone_covers),
-    "integral": (alone_integrals,),
+    "integral": (alone_integrals, alone_radicands, alone_gauss),
     "limit": (alone_limits, alone_tending),
     "algebra": (alone_algebras,),
     "matrix_algebra": (alone_lie,),

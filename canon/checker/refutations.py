@@ -14,7 +14,9 @@ if __package__:
         counterexample_algebras,
         counterexample_angles,
         counterexample_complex,
+        counterexample_endless,
         counterexample_groups,
+        counterexample_hamilton_jacobi,
         counterexample_integrals,
         counterexample_kinds,
         counterexample_limits,
@@ -30,7 +32,9 @@ else:  # as a program, beside the other files
     import counterexample_algebras  # type: ignore
     import counterexample_angles  # type: ignore
     import counterexample_complex  # type: ignore
+    import counterexample_endless  # type: ignore
     import counterexample_groups  # type: ignore
+    import counterexample_hamilton_jacobi  # type: ignore
     import counterexample_integrals  # type: ignore
     import counterexample_kinds  # type: ignore
     import counterexample_limits  # type: ignore
@@ -51,6 +55,8 @@ FILES = (
     counterexample_complex,
     counterexample_limits,
     counterexample_normal_forms,
+    counterexample_hamilton_jacobi,
+    counterexample_endless,
 )
 
 

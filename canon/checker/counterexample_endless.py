@@ -1,7 +1,7 @@
 """Refutations of integrals to infinity, beside `counterexample.py`: what the integral is isn't what the claim says.
 
 The integral is Gauss's (`alone_gauss.py`), or there is an antiderivative F, in the claim or the certificate, that is
-smooth along the range and has limits at infinity, as `alone_integrals.py` sees them for all values of the parameters. At
+smooth along the range and has limits at infinity, as `alone_integrals.py` sees them for all parameters. At
 the certificate's point, in the claim's domain, F(b) − F(a) and the claim's value lie in intervals that are apart.
 """
 

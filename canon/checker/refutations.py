@@ -14,6 +14,7 @@ if __package__:
         counterexample_algebras,
         counterexample_angles,
         counterexample_complex,
+        counterexample_cycles,
         counterexample_endless,
         counterexample_groups,
         counterexample_hamilton_jacobi,
@@ -32,6 +33,7 @@ else:  # as a program, beside the other files
     import counterexample_algebras  # type: ignore
     import counterexample_angles  # type: ignore
     import counterexample_complex  # type: ignore
+    import counterexample_cycles  # type: ignore
     import counterexample_endless  # type: ignore
     import counterexample_groups  # type: ignore
     import counterexample_hamilton_jacobi  # type: ignore
@@ -57,6 +59,7 @@ FILES = (
     counterexample_normal_forms,
     counterexample_hamilton_jacobi,
     counterexample_endless,
+    counterexample_cycles,
 )
 
 

@@ -10,6 +10,7 @@ if __package__:
     from canon.checker import (
         alone,
         alone_algebras,
+        alone_averages,
         alone_complex,
         alone_covers,
         alone_gauss,
@@ -25,6 +26,7 @@ if __package__:
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_algebras  # type: ignore
+    import alone_averages  # type: ignore
     import alone_complex  # type: ignore
     import alone_covers  # type: ignore
     import alone_gauss  # type: ignore
@@ -42,6 +44,7 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "inequality": (alone_signs, alone_covers),
     "integral": (alone_integrals, alone_radicands, alone_gauss),
     "limit": (alone_limits, alone_tending),
+    "average": (alone_averages,),
     "algebra": (alone_algebras,),
     "matrix_algebra": (alone_lie,),
     "canonical": (alone_generated,),

@@ -3,8 +3,8 @@
 With a virial G: f − dG/dt is what the claim says, a constant of the motion as the bound is, and |G| isn't larger than
 that. H is a polynomial of degree 2, so that all motions go on for ever, and all formulas are polynomials of what moves.
 With a motion: it solves Hamilton's equations, time grows with its parameter u, and ∫ (f − equals) (dt/du) du is 0 by
-the certificate's antiderivative less `equals` · t (`alone_integrals.py`). A sine or a cosine is 2z/(1 + z²) there, z real,
-and e with 0 ≤ e < U is U y²/(1 + y²).
+the certificate's antiderivative less `equals` · t (`alone_integrals.py`). A sine, or a cosine, is 2z/(1 + z²) there, z
+real, and e with 0 ≤ e < U is U y²/(1 + y²).
 """
 
 from __future__ import annotations

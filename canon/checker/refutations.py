@@ -16,6 +16,7 @@ if __package__:
         counterexample_complex,
         counterexample_cycles,
         counterexample_endless,
+        counterexample_fields,
         counterexample_groups,
         counterexample_hamilton_jacobi,
         counterexample_integrals,
@@ -35,6 +36,7 @@ else:  # as a program, beside the other files
     import counterexample_complex  # type: ignore
     import counterexample_cycles  # type: ignore
     import counterexample_endless  # type: ignore
+    import counterexample_fields  # type: ignore
     import counterexample_groups  # type: ignore
     import counterexample_hamilton_jacobi  # type: ignore
     import counterexample_integrals  # type: ignore
@@ -60,6 +62,7 @@ FILES = (
     counterexample_hamilton_jacobi,
     counterexample_endless,
     counterexample_cycles,
+    counterexample_fields,
 )
 
 

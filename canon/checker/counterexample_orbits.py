@@ -166,7 +166,7 @@ class Orbits:
         box = self.box(x)
         if box.at(self.d)[0] <= 0:
             raise Open("that the motion goes on")
-        return self.real.times(box.at(f), (x[1] - x[0],) * 2)
+        return self.real.times(box.at(f), (x[1] - x[0], x[1] - x[0]))
 
     def part(self, f: Formula, x: Interval) -> Interval:
         """∫ f over a piece that lies in the domain, where D > 0."""

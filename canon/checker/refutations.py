@@ -23,6 +23,7 @@ if __package__:
         counterexample_kinds,
         counterexample_limits,
         counterexample_normal_forms,
+        counterexample_open_paths,
         counterexample_orbits,
         counterexample_vanishing,
     )
@@ -43,12 +44,14 @@ else:  # as a program, beside the other files
     import counterexample_kinds  # type: ignore
     import counterexample_limits  # type: ignore
     import counterexample_normal_forms  # type: ignore
+    import counterexample_open_paths  # type: ignore
     import counterexample_orbits  # type: ignore
     import counterexample_vanishing  # type: ignore
     from alone import Stop  # type: ignore
     from counterexample import Open  # type: ignore
 
 FILES = (
+    counterexample_open_paths,
     counterexample_kinds,
     counterexample_integrals,
     counterexample_orbits,

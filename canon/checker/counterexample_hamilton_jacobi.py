@@ -41,7 +41,7 @@ else:  # as a program's part, beside the other files
     from counterexample_kinds import SHARED, Table, image  # type: ignore
     from counterexample_maps import determinant, plain  # type: ignore
 
-BITS, TRIES, MORE = 96, 24, 150
+BITS, TRIES, MORE = 64, 3, 150
 FACTORS = tuple(Fraction(n, 8) for n in (1, 2, 4, 6, 8, 10, 12, 16, 24, 64, -8, -4))
 
 

@@ -1,8 +1,8 @@
 """Refutations of paths whose ends no formula has a value at, beside `counterexample_kinds.py`.
 
-A path with a vertical tangent, or a Lagrangian with a pole at an end, can't be covered by boxes. Between the ends all of
-L along the path is seen to be smooth by signs, for all values of the parameters (`alone_integrals.py`); then Lagrange's
-equations fail at a point between them.
+A path with a vertical tangent, or a Lagrangian with a pole at an end, can't be covered by boxes. Between the ends all
+of L along the path is seen to be smooth by signs, for all values of the parameters (`alone_integrals.py`); then
+Lagrange's equations fail at a point between them.
 """
 
 from __future__ import annotations

@@ -51,6 +51,7 @@ else:  # as a program, beside the other files
     from counterexample import Open  # type: ignore
 
 FILES = (
+    counterexample_hamilton_jacobi,
     counterexample_open_paths,
     counterexample_kinds,
     counterexample_integrals,
@@ -62,7 +63,6 @@ FILES = (
     counterexample_complex,
     counterexample_limits,
     counterexample_normal_forms,
-    counterexample_hamilton_jacobi,
     counterexample_endless,
     counterexample_cycles,
     counterexample_fields,

@@ -152,3 +152,10 @@ def test_they_are_asked_of_a_certificate() -> None:
         data = {"certificate": 1, "tables": {**tables, "claim": claim}, "verdict": "refuted", "known": {}, "cases": []}
         witness = None if kind == "action_angle" else {"J": "2"}
         assert refutations.checked(resealed({**data, "witness": witness}))[0] == "shown"
+
+
+def test_an_antiderivative_that_jumps_says_nothing() -> None:
+    """−atan(1/(x − 1)) falls by π at 1; without that the integral would be −π/4."""
+    claim = {**RANGE, "f": "1/(1 + (x - 1)**2)", "from": "0", "antiderivative": "-atan(1/(x - 1))"}
+    for value in ("3*pi/4", "-pi/4"):
+        assert ask(counterexample_endless, LINE, {**claim, "equals": value}, {"a": "1", "k": "1"}) == "not shown"

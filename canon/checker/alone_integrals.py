@@ -224,28 +224,28 @@ class Along(alone.Point):
         return ((c, s), (-s, c), (-c, -s), (s, -c))[int(quarters) % 4]
 
 
-def sample(claim: Integral, prime: int) -> int:
+def sample(claim: Integral, prime: int, kind: Any = Along) -> int:
     """See at one point that the derivative is the integrand, and what the antiderivative is at the ends."""
-    point = Along(claim, prime)
+    point = kind(claim, prime)
     point.check_domain()
     point.start()
     if point.text(f"D(_rhs, {claim.x}) - _lhs"):
         raise Stop("not shown", "that the antiderivative is one")
     values = []
     for end, limit in zip(claim.ends, claim.limits, strict=True):
-        at = point if isinstance(end, int) else Along(claim, prime, point, end)
+        at = point if isinstance(end, int) else kind(claim, prime, point, end)
         values.append(at.at(limit))
     if (values[1] - values[0] - point.at(claim.equals)) % prime:
         raise Stop("not shown", "that this is the integral's value")
     return len(point.roots)
 
 
-def shown(data: Any) -> tuple[str, str]:
+def shown(data: Any, by: Any = sample, of_kind: Any = Between) -> tuple[str, str]:
     """The answer about the claim, by the certificate's antiderivative."""
     if data["tables"]["claim"]["kind"] != "integral" or "antiderivative" not in data["known"]:
         raise Stop("not shown", "no integral, or without an antiderivative")
     claim = Integral(data["tables"], data["known"]["antiderivative"])
-    between = Between(claim)
+    between = of_kind(claim)
     claim.positive = between.is_positive(between.at(of.named(claim.x)))
     if claim.signed and not claim.positive:
         raise Stop("not shown", "that what is assumed of the variable holds along the range")
@@ -255,8 +255,8 @@ def shown(data: Any) -> tuple[str, str]:
         if isinstance(end, int):
             claim.limits[n] = alone_endless.Endless(claim, end).limit(claim.antiderivative)
         else:
-            Between(claim, n).check(claim.antiderivative)
-    return alone.tried(sample, claim)
+            of_kind(claim, n).check(claim.antiderivative)
+    return alone.tried(by, claim)
 
 
 def checked(data: Any) -> tuple[str, str]:

@@ -52,13 +52,21 @@ class Limit(alone_integrals.Integral):
         super().__init__({**tables, "claim": {**claim, "equals": equals}}, said["f"])
         self.value, self.side = value, 1 if way else {"+": 1, "-": -1}.get(said.get("side", ""), 0)
         self.way, self.at_end = way, Beside(self)
-        self.top, self.bottom = self.split(self.turned(self.f, way) if way else self.f)
-        demanded = ["0 < " + said["variable"]] if self.signed else []
+        self.prepare()
+        self.top, self.bottom = self.split(self.moved(self.f))
+        demanded = ["0 < " + said["variable"]] if self.signed and way != 1 else []
         for words in (re.split(r"(<=|>=|<|>)", text) for text in (*demanded, *(t for t in where if t not in free))):
             for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
                 g = self.read(f"({b}) - ({a})" if "<" in sign else f"({a}) - ({b})")
-                if self.tends(*self.split(self.turned(g, way) if way else g))[1] != 1:
+                if self.tends(*self.split(self.moved(g)))[1] != 1:
                     raise Stop("not shown", "that the domain comes up to the limit")
+
+    def prepare(self) -> None:
+        """What has to be known of f before it is moved."""
+
+    def moved(self, f: Any) -> Any:
+        """A formula in the distance to the limit, or its inverse."""
+        return self.turned(f, self.way) if self.way else f
 
     def tends(self, top: Any, bottom: Any) -> tuple[int, int]:
         """The order in which a quotient vanishes at the limit, and its sign beside it, where this is one."""
@@ -67,6 +75,7 @@ class Limit(alone_integrals.Integral):
             try:
                 each.append(self.at_end.first(f))
             except Stop:  # no polynomial
+                self.at_end.check(f, strict=True)  # the sign at the limit is that beside it where f is continuous
                 each.append((0, self.at_end.sign(f)))
         order, sides = each[0][0] - each[1][0], {self.side} if self.side else {-1, 1}
         signs = {each[0][1] * each[1][1] * side ** abs(order) for side in sides}

@@ -268,9 +268,9 @@ def claim_of(tables: Any) -> tuple[alone.Claim, str]:
 
 
 def in_numbers(claim: alone.Claim, f: Any) -> bool:
-    """Whether a number is seen to be positive in intervals."""
+    """Whether a number is seen to be positive in intervals. A value of a function that is declared may be any."""
     try:
-        return Point(claim, {}, Arithmetic(256)).at(f)[0] > 0
+        return Point(claim, {name: name for name in claim.words}, Arithmetic(256)).at(f)[0] > 0
     except (Open, Stop):
         return False
 

@@ -13,6 +13,8 @@ if __package__:
         alone_averages,
         alone_complex,
         alone_constraints,
+        alone_covers,
+        alone_gauss,
         alone_generated,
         alone_groups,
         alone_integrals,
@@ -21,9 +23,11 @@ if __package__:
         alone_normal_forms,
         alone_paths,
         alone_powers,
+        alone_radicands,
         alone_regular,
         alone_series,
         alone_signs,
+        alone_tending,
         alone_units,
         alone_wider,
     )
@@ -33,6 +37,8 @@ else:  # as a program, beside the other files
     import alone_averages  # type: ignore
     import alone_complex  # type: ignore
     import alone_constraints  # type: ignore
+    import alone_covers  # type: ignore
+    import alone_gauss  # type: ignore
     import alone_generated  # type: ignore
     import alone_groups  # type: ignore
     import alone_integrals  # type: ignore
@@ -41,17 +47,20 @@ else:  # as a program, beside the other files
     import alone_normal_forms  # type: ignore
     import alone_paths  # type: ignore
     import alone_powers  # type: ignore
+    import alone_radicands  # type: ignore
     import alone_regular  # type: ignore
     import alone_series  # type: ignore
     import alone_signs  # type: ignore
+    import alone_tending  # type: ignore
     import alone_units  # type: ignore
     import alone_wider  # type: ignore
 
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 BESIDES: dict[str, tuple[Any, ...]] = {
-    "inequality": (alone_signs,),
-    "integral": (alone_integrals,),
-    "limit": (alone_limits,),
+    "inequality": (alone_signs, alone_covers),
+    "integral": (alone_integrals, alone_radicands, alone_gauss),
+    "limit": (alone_limits, alone_tending),
+    "average": (alone_averages,),
     "algebra": (alone_algebras,),
     "matrix_algebra": (alone_lie,),
     "canonical": (alone_generated,),
@@ -65,7 +74,6 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "stationary": (alone_paths,),
     "group": (alone_groups,),
     "lie_series": (alone_series,),
-    "average": (alone_averages,),
     "normal_form": (alone_normal_forms,),
     "dimension": (alone_units,),
 }

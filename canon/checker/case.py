@@ -24,7 +24,8 @@ class Case:
     is measured: one without 0 in it refutes the claim. All that is `somewhere` is positive at a point of the domain:
     what the claim takes for granted is so at least there. `algebra` has the brackets of what is independent, where
     they are numbers; whatever they are, the algebra may be known to be simple. A point that is `elsewhere` than the
-    witness may refute it, too: the witness may lie beside the image of a map.
+    witness may refute it, too: the witness may lie beside the image of a map. What is `granted_by_all` is no part of
+    the claim: where it fails there is none, so that a refutation without a point needs it as a proof does.
     """
 
     zeros: list[int]
@@ -46,6 +47,7 @@ class Case:
     algebra: Any = None
     is_simple: bool = False
     elsewhere: bool = False
+    granted_by_all: bool = False
 
     @property
     def fails_alone(self) -> bool:

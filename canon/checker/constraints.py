@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import chain, combinations
 
 from canon.checker.case import Case
 from canon.checker.everywhere import is_nearly
@@ -37,7 +37,8 @@ def constraint(s: Statement) -> list[Case]:
     if "holonomic" in asked or "integrals" in asked:
         minors = _minors(s, forms)
         sure = is_nearly(s, minors, (*m.q, m.t))
-        found.append(Case([], [minors], trusted="" if sure else "that the forms are independent nearly everywhere"))
+        trusted = "" if sure else "that the forms are independent nearly everywhere"
+        found.append(Case([], [minors], trusted=trusted, granted_by_all=True))
     if "determined" in asked:
         found.append(_determined(s, m, forms))
     for word in (w for w in ON_MOTIONS if w in asked):
@@ -46,7 +47,10 @@ def constraint(s: Statement) -> list[Case]:
         # it is a claim of states that the constraints allow; a determinant without a zero has none there, either
         if len(asked) > 1:
             raise Unknown("several claims about constraints at once")
-        s.surface += [s.pull(a) for a in (*functions, *lines) if s.f.value(a) != 0]
+        whole = [a for case in found[-1:] for a in (*case.zeros, *chain(*case.nonzeros))]
+        moving = {*names_in(s, whole)} & {*m.v} or any(s.f.value(form[-1]) != 0 for form in forms)
+        rates = lines if moving or s.verdict == "proved" else []  # at rest they hold, and velocities don't matter
+        s.surface += [s.pull(a) for a in (*functions, *rates) if s.f.value(a) != 0]
     formal = functions and {*ON_FORMS} & {*asked} and not {*ON_MOTIONS} & {*asked}
     if formal and s.verdict == "proved" and not _hold_somewhere(s, functions):
         found[0].trusted = "that the constraints hold somewhere, and say something there"

@@ -87,6 +87,8 @@ class Place(Point):
             return ONE
         if f.kind in EXACTLY and self.at(f.of[0]) == EXACTLY[f.kind][0]:
             return EXACTLY[f.kind][1]
+        if f.kind in ("sin", "cos"):
+            return wave(self.real, self.at(f.of[0]), f.kind == "cos")
         if f.kind not in ARITIES:
             return super().value(f)
         a = [self.at(x) for x in f.of]
@@ -120,6 +122,17 @@ class Place(Point):
         where = lambda x: type(self)(self.claim, {**names, "#s": x}, self.real)
         found = integral(lambda x: piece(where, f, "#s", x), (Fraction(0), Fraction(1)), lambda x: x[1] - x[0] < SMALL)
         return known.setdefault(key, found)
+
+
+def wave(real: Arithmetic, x: Interval, quarters: int) -> Interval:
+    """sin(x + quarters · π/2): in the middle of x, and as far away as x is wide times the steepest slope there."""
+    found, middle = real.sine(x, quarters), (x[0] + x[1]) / 2
+    if x[0] == x[1]:
+        return found
+    near, steep = real.sine((middle, middle), quarters), real.sine(x, quarters + 1)
+    far = (x[1] - x[0]) / 2 * max(map(abs, steep))
+    low, high = real.held(near[0] - far, near[1] + far)
+    return max(low, found[0]), min(high, found[1])
 
 
 def complete(real: Arithmetic, m: Fraction) -> tuple[Interval, Interval]:

@@ -27,6 +27,7 @@ else:  # as a program's part, beside the other files
     from counterexample_integrals import claim_with, sides_of  # type: ignore
 
 BITS, HALVINGS, STEPS, MOST_TERMS, FINE = 192, 400, 8, 1000, Fraction(1, 10**22)
+SHARES = (Fraction(1, 3), *(Fraction(1, 10**k) for k in (2, 3, 5)))
 
 
 class Orbits:
@@ -113,27 +114,59 @@ class Orbits:
         sides = [self.side(q) for q in line]
         return [q for q, s, before in zip(line, sides, [0, *sides], strict=False) if s > 0 and before <= 0]
 
+    def left_out(self, inside: Fraction, outside: Fraction, inverse: bool) -> Interval:
+        """What ∫ f is at most, and at least, between an end and a place up to which D grows. Raises Open."""
+        box, width = self.box((min(inside, outside), max(inside, outside))), abs(inside - outside)
+        steep = box.at(self.d, self.q)
+        if not fails(steep, ""):
+            raise Open("that the end is the only one")
+        if inverse:  # D ≥ |D'| (distance)
+            return Fraction(0), 4 * self.real.root(width / min(map(abs, steep)))[1]
+        top = self.real.root(max(Fraction(0), box.at(self.d)[1]) + FINE**9)[1]
+        most = self.real.times((Fraction(0), 2 * width * top), self.real.power(box.at(self.a), -1))
+        return min(most[0], Fraction(0)), max(most[1], Fraction(0))
+
     def over(self, f: Formula, ends: list[tuple[Fraction, Fraction]], value: Interval, inverse: bool) -> Interval:
         """∫ f between the ends, exactly enough to leave out the value, or nearly so."""
-        (left, _), (right, _) = ends
-        low = high = Fraction(0)
+        found = (value[0], value[1])
+        for share in SHARES:
+            small = (abs(value[0]) + abs(value[1])) * share
+            found = self.nearly(f, ends, value, inverse, small)
+            if apart(found, value):
+                break
+        return found
+
+    def nearly(self, f: Formula, ends: Any, value: Interval, inverse: bool, small: Fraction) -> Interval:
+        """The same, in an interval that is about so small; what is left out at the ends is as large as it may be."""
+        places, low, high, far = list[Fraction](), Fraction(0), Fraction(0), abs(ends[1][0] - ends[0][0]) / 3
         for inside, outside in ends:
-            width = abs(inside - outside)
-            box = self.box((min(inside, outside), max(inside, outside)))
-            if inverse:  # D ≥ |D'| (distance)
-                steep = min(map(abs, box.at(self.d, self.q)))
-                high += 4 * self.real.root(width / steep)[1]
-            else:
-                top = self.real.root(max(Fraction(0), box.at(self.d)[1]) + FINE**9)[1]
-                most = self.real.times((Fraction(0), 2 * width * top), self.real.power(box.at(self.a), -1))
-                low, high = low + min(most[0], Fraction(0)), high + max(most[1], Fraction(0))
-        small = (abs(value[0]) + abs(value[1])) / 10**5
+            width, sign, best = abs(inside - outside), 1 if inside > outside else -1, inside
+            rest = self.left_out(inside, outside, inverse)
+            while (width := 4 * width) < far:
+                place = outside + sign * width
+                with suppress(Open):
+                    more = self.left_out(place, outside, inverse)
+                    if more[1] - more[0] < small / 4:
+                        best, rest = place, more
+                        continue
+                break
+            places.append(best)
+            low, high = low + rest[0], high + rest[1]
 
         def done(x: Interval) -> bool:
             return x[1] + high < value[0] or value[1] < x[0] + low or x[1] - x[0] < small
 
-        found = integral(lambda x: self.part(f, x), (left, right), done)
+        coarse = small * 100 > abs(value[0]) + abs(value[1])
+        of = (lambda x: self.coarse(f, x)) if coarse else (lambda x: self.part(f, x))
+        found = integral(of, (places[0], places[1]), done)
         return found[0] + low, found[1] + high
+
+    def coarse(self, f: Formula, x: Interval) -> Interval:
+        """∫ f over such a piece, by its values there."""
+        box = self.box(x)
+        if box.at(self.d)[0] <= 0:
+            raise Open("that the motion goes on")
+        return self.real.times(box.at(f), (x[1] - x[0], x[1] - x[0]))
 
     def part(self, f: Formula, x: Interval) -> Interval:
         """∫ f over a piece that lies in the domain, where D > 0."""

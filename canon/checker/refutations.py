@@ -14,11 +14,16 @@ if __package__:
         counterexample_algebras,
         counterexample_angles,
         counterexample_complex,
+        counterexample_cycles,
+        counterexample_endless,
+        counterexample_fields,
         counterexample_groups,
+        counterexample_hamilton_jacobi,
         counterexample_integrals,
         counterexample_kinds,
         counterexample_limits,
         counterexample_normal_forms,
+        counterexample_open_paths,
         counterexample_orbits,
         counterexample_vanishing,
     )
@@ -30,17 +35,24 @@ else:  # as a program, beside the other files
     import counterexample_algebras  # type: ignore
     import counterexample_angles  # type: ignore
     import counterexample_complex  # type: ignore
+    import counterexample_cycles  # type: ignore
+    import counterexample_endless  # type: ignore
+    import counterexample_fields  # type: ignore
     import counterexample_groups  # type: ignore
+    import counterexample_hamilton_jacobi  # type: ignore
     import counterexample_integrals  # type: ignore
     import counterexample_kinds  # type: ignore
     import counterexample_limits  # type: ignore
     import counterexample_normal_forms  # type: ignore
+    import counterexample_open_paths  # type: ignore
     import counterexample_orbits  # type: ignore
     import counterexample_vanishing  # type: ignore
     from alone import Stop  # type: ignore
     from counterexample import Open  # type: ignore
 
 FILES = (
+    counterexample_hamilton_jacobi,
+    counterexample_open_paths,
     counterexample_kinds,
     counterexample_integrals,
     counterexample_orbits,
@@ -51,6 +63,9 @@ FILES = (
     counterexample_complex,
     counterexample_limits,
     counterexample_normal_forms,
+    counterexample_endless,
+    counterexample_cycles,
+    counterexample_fields,
 )
 
 

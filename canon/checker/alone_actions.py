@@ -22,14 +22,12 @@ from typing import Any
 if __package__:
     from canon.checker import alone, alone_charts, alone_orbits, counterexample
     from canon.checker import alone_polynomials as of
-    from canon.checker.counterexample_functions import Place
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_charts  # type: ignore
     import alone_orbits  # type: ignore
     import alone_polynomials as of  # type: ignore
     import counterexample  # type: ignore
-    from counterexample_functions import Place  # type: ignore
 
 Stop, RANDOM, U = alone.Stop, alone.RANDOM, alone_orbits.U
 HALF, HIGHEST, SEARCHED, BITS = Fraction(1, 2), 12, 600, 128
@@ -42,6 +40,20 @@ class Residues(alone.Point):
     def __init__(self, level: Any, prime: int) -> None:
         super().__init__(level.motion, prime)
         self.level, self.held, self.orders = level, dict[str, int](), 0
+
+    def check_domain(self) -> None:
+        """Choose names between the bounds that the domain gives them, and see that it is so."""
+        claim = self.level.motion
+        for words in (re.split(r"(<=|>=|<|>)", text) for text in claim.domain.get("where", [])):
+            for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
+                low, high = (x.strip() for x in ((a, b) if "<" in sign else (b, a)))
+                for x, other, side in ((high, low, 1), (low, high, -1)):
+                    if (x,) not in self.free and claim.words.get(x) == ["real"] and x not in claim.texts:
+                        if x not in claim.inner(claim.known(other)):
+                            distance = side * RANDOM.randrange(2, self.p) ** 2
+                            self.free[(x,)] = (self.text(other) + distance) % self.p
+                        break
+        super().check_domain()
 
     def name(self, name: str) -> int:
         """The value of what a polynomial has as a name."""
@@ -203,6 +215,17 @@ def sample(level: Any, prime: int) -> int:
     return len(point.roots)
 
 
+class Values(counterexample.Point):
+    """What a claim's formulas are at a point, where elliptic integrals have values."""
+
+    def value(self, f: Any) -> Any:
+        if f.kind not in alone_orbits.ELLIPTIC:
+            return super().value(f)
+        if any(self.at(x)[1] >= 1 for x in f.of):
+            raise counterexample.Open("an elliptic integral's value")
+        return counterexample.ONE
+
+
 def is_somewhere(level: Any) -> bool:
     """Whether there is an orbit for some values in the domain, that are tried."""
     motion = level.motion
@@ -233,7 +256,7 @@ def orbit(level: Any, at: dict[str, Any]) -> bool:
     for name in motion.words:
         if name != motion.q and "function" not in motion.words[name]:
             counterexample.check(point.at(alone.Formula(".", (name,))), motion.words[name])
-    Place(motion, at, real).text("_equals")
+    Values(motion, at, real).text("_equals")
     asked = [level.flat.written(of.times(level.delta, level.below))]
     asked += [level.flat.written(of.times(*level.allowed))] if level.allowed else []
     low, high = (None if end is None else point.at(end)[0] for end in (level.chart.low, level.chart.high))
@@ -243,7 +266,7 @@ def orbit(level: Any, at: dict[str, Any]) -> bool:
         values = [box.at(f) for f in asked]
         sign = 1 if all(low > 0 for low, _ in values) else -1 if any(high < 0 for _, high in values) else 0
         if sign > 0:
-            Place(motion, {**at, U: (u, u), motion.p: (Fraction(0),) * 2}, real).at(level.chart.put(motion.known("_H")))
+            counterexample.Point(motion, {**at, U: (u, u), motion.p: (Fraction(0),) * 2}, real).at(level.chart.put(motion.known("_H")))
         signs += [sign] if sign and signs[-1:] != [sign] else []
     return bool(re.search(level.pattern, "".join("+" if s > 0 else "-" for s in signs)))
 

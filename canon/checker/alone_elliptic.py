@@ -22,7 +22,7 @@ from math import inf
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_actions, alone_charts, alone_orbits
+    from canon.checker import alone, alone_actions, alone_charts, alone_orbits, alone_signs
     from canon.checker import alone_polynomials as of
 else:  # as a program, beside the other files
     import alone  # type: ignore
@@ -30,6 +30,7 @@ else:  # as a program, beside the other files
     import alone_charts  # type: ignore
     import alone_orbits  # type: ignore
     import alone_polynomials as of  # type: ignore
+    import alone_signs  # type: ignore
 
 Formula, Stop, RANDOM, U = alone.Formula, alone.Stop, alone.RANDOM, alone_orbits.U
 HALF, MOST_CANDIDATES, LONGEST = Fraction(1, 2), 60, 24
@@ -83,6 +84,10 @@ class Curve(alone_actions.Residues):
         left = [z for z in odd if z not in ends]
         if len({*ends}) != 2 or not {*ends} <= {*odd} or len(left) != 2 or any(found[z] not in (1, -1) for z in ends):
             raise Stop("not shown", "two ends of an orbit and two other places")
+        walls = [(self.at(end), side) for end, side in ((level.chart.low, 1), (level.chart.high, -1)) if end]
+        for z in (z for z in ends if all(z != wall for wall, _ in walls)):  # in the range, where the orbit exists
+            for wall, side in walls:
+                self.square(side * (z - wall) % self.p)
         for (e, o), (g, third) in ((a, b) for a in permutations(ends) for b in permutations(left)):
             if self.is_so(found, lead, (e, o, g, third), claimed):
                 return
@@ -245,10 +250,33 @@ class Ends:
         return sum(c * pow(z, k, point.p) for k, c in enumerate(point.listed(p))) % point.p == 0
 
     def sign(self, f: Any) -> int:
-        """1, or −1, where a formula is seen to be positive, or negative; 0 else."""
-        signs = self.level.range_signs()
-        n, _ = signs.quotient(f)
-        return 1 if signs.shown(n, True) else -1 if signs.shown(of.minus(n), True) else 0
+        """1, or −1, where a formula without u is seen to be positive, or negative; 0 else."""
+        both = self.flat.reduced(self.flat.quotient(f))
+        return self.side(both[0]) * self.side(both[1])
+
+    def side(self, p: Any) -> int:
+        """The same of a polynomial: by the domain's conditions, or by all but one of them."""
+        motion, where = self.motion, self.motion.domain.get("where", [])
+        f = self.flat.written(p)
+        for text in where:
+            words = alone_orbits.re.split(r"(<=|>=|!=|<|>)", text)
+            for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
+                n, d = self.flat.quotient(motion.read(f"({b}) - ({a})" if sign == "<" else f"({a}) - ({b})"))
+                if sign in "<>" and d == of.ONE and n and {*n} == {*p}:
+                    ratios = {p[m] / c for m, c in n.items()}
+                    if len(ratios) == 1:
+                        return 1 if ratios.pop() > 0 else -1
+        try:
+            for n in range(-1, len(where) if len(where) > 1 else 0):
+                motion.domain = {"where": [x for k, x in enumerate(where) if k != n]}
+                signs = alone_signs.Signs(motion)
+                q = signs.quotient(f)[0]
+                for sign, g in ((1, q), (-1, of.minus(q))):
+                    if signs.shown(g, True):
+                        return sign
+        finally:
+            motion.domain = {"where": where}
+        return 0
 
     def minus(self, f: Any, g: Any) -> Any:
         return self.make("+", f, alone_charts.times_minus(self.motion, g))

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 if __package__:
@@ -42,7 +43,7 @@ class Motion(alone.Claim):
             tables = renamed(tables)
         said = {key: x for key, x in tables["claim"].items() if key not in (*alone.UNASKED, "kind")}
         space, symbols, fixed = tables["phase_space"], tables.get("symbols", {}), said.get("fixed", {})
-        self.q, self.energy, self.count = said["coordinate"], said["energy"], 0
+        self.q, self.energy, self.inner = said["coordinate"], said["energy"], cache(self.inner)
         sections = {"phase_space", "symbols", "domain", "definitions", "hamiltonian", "claim", "title", "source"}
         if {*tables} - sections or {*said} - KEYS or {*space} - {"q", "p", "time"} or {*tables["hamiltonian"]} != {"H"}:
             raise Stop("not shown", "an orbit beside a map, or with other keys")
@@ -73,6 +74,7 @@ class Motion(alone.Claim):
             raise Stop("not shown", "a value that moves")
         self.texts |= fixed
         self.known.cache_clear()
+        self.inner.cache_clear()  # type: ignore
         self.fixed, self.branch, self.said = fixed, said.get("branch"), said
         self.bounds = [text for text in self.domain.get("where", []) if self.q in self.named_in(text)]
         self.domain = {"where": [text for text in self.domain.get("where", []) if text not in self.bounds]}
@@ -94,11 +96,10 @@ class Motion(alone.Claim):
 
     def inner(self, f: Any) -> set[str]:
         """The names in a formula, of what definitions say."""
-        found, left = set[str](), [f]
+        found, left, count = set[str](), [f], 0
         while left:
-            g = left.pop()
-            self.count += 1
-            if g.kind == "D" or self.count > MOST_PARTS:
+            g, count = left.pop(), count + 1
+            if g.kind == "D" or count > MOST_PARTS:
                 raise Stop("not shown", "derivatives, or formulas that are so long")
             if g.kind == ".":
                 found |= {*g.of}

@@ -2,7 +2,8 @@
 
 Where Δ has two zeros in the range of u (`alone_charts.py`) and R = κ P Π (u − c)²ᵏ with P = −(u² + β u + γ), the
 places c being ends of the range, an orbit that exists runs from one zero of P to the other: it is the only one, κ > 0,
-and W² = −P is positive at all c. With W ~ u at infinity, S = Π (±(u − c))ᵏ, positive in the range, Cauchy's theorem says
+and W² = −P is positive at all c. With W ~ u at infinity, S = Π (±(u − c))ᵏ, positive in the range, Cauchy's theorem
+says
 
     ∫ S √P du = π (Σ Res_c S W − [u⁻¹] S W),  ∫ S/√P du = π ([u⁻¹] S/W − Σ Res_c S/W),
 
@@ -14,24 +15,21 @@ That there is such an orbit for some values in the domain is seen in intervals (
 from __future__ import annotations
 
 import re
-from contextlib import suppress
 from fractions import Fraction
-from itertools import product
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_charts, alone_orbits, counterexample
+    from canon.checker import alone, alone_charts, alone_orbits, alone_somewhere
     from canon.checker import alone_polynomials as of
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_charts  # type: ignore
     import alone_orbits  # type: ignore
     import alone_polynomials as of  # type: ignore
-    import counterexample  # type: ignore
+    import alone_somewhere  # type: ignore
 
 Stop, RANDOM, U = alone.Stop, alone.RANDOM, alone_orbits.U
-HALF, HIGHEST, SEARCHED, BITS = Fraction(1, 2), 12, 600, 128
-SIZES = [Fraction(n, 8) for n in (1, 2, 4, 6, 7, 8, 9, 12, 16, 24, 40, 64, 160)]
+HALF, HIGHEST = Fraction(1, 2), 12
 
 
 class Residues(alone.Point):
@@ -197,7 +195,9 @@ class Residues(alone.Point):
         for other in (self.listed(self.level.d), self.listed(self.level.n2)):  # which are 0 nowhere in the range
             while (less := self.lowest(left, other)[0]) and len(less) < len(left):
                 left = less
-        for c in [end for end in (self.level.chart.low, self.level.chart.high) if end] + [c for c, _ in self.level.others]:
+        for c in [end for end in (self.level.chart.low, self.level.chart.high) if end] + [
+            c for c, _ in self.level.others
+        ]:
             left, _ = self.without(left, self.at(c))
         if self.level.chart.kind == "root":
             left, _ = self.without(left, -self.at(self.level.chart.low) % self.p)
@@ -215,72 +215,6 @@ def sample(level: Any, prime: int) -> int:
     return len(point.roots)
 
 
-class Values(counterexample.Point):
-    """What a claim's formulas are at a point, where elliptic integrals have values."""
-
-    def value(self, f: Any) -> Any:
-        if f.kind not in alone_orbits.ELLIPTIC:
-            return super().value(f)
-        if any(self.at(x)[1] >= 1 for x in f.of):
-            raise counterexample.Open("an elliptic integral's value")
-        return counterexample.ONE
-
-
-def is_somewhere(level: Any) -> bool:
-    """Whether there is an orbit for some values in the domain, that are tried."""
-    motion = level.motion
-    names = sorted(
-        {*motion.words, *motion.names} | {motion.energy} - {*motion.texts}
-    )
-    free = [n for n in names if n not in motion.texts and "function" not in motion.words.get(n, ())]
-    for _ in range(SEARCHED):
-        at = dict[str, Any]()
-        for name in free:
-            words, size = {*motion.words.get(name, ())}, RANDOM.choice(SIZES)
-            sign = 1 if words & {"positive", "nonnegative"} else -1 if "negative" in words else RANDOM.choice((1, -1))
-            at[name] = (sign * size,) * 2
-        with suppress(counterexample.Open, ZeroDivisionError):
-            if orbit(level, at):
-                return True
-    return False
-
-
-def orbit(level: Any, at: dict[str, Any]) -> bool:
-    """Whether Δ is negative, positive, and negative again at places of the range."""
-    motion, real = level.motion, counterexample.Arithmetic(BITS)
-    point = counterexample.Point(motion, at, real)
-    for words in (re.split(r"(<=|>=|!=|<|>)", text) for text in motion.domain.get("where", [])):
-        for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
-            a, b = (a, b) if "<" in sign else (b, a)
-            counterexample.check(point.text(f"({b}) - ({a})"), ["nonzero" if sign == "!=" else "positive"])
-    for name in motion.words:
-        if name != motion.q and "function" not in motion.words[name]:
-            counterexample.check(point.at(alone.Formula(".", (name,))), motion.words[name])
-    Values(motion, at, real).text("_equals")
-    asked = [level.flat.written(of.times(level.delta, level.below))]
-    asked += [level.flat.written(of.times(*level.allowed))] if level.allowed else []
-    low, high = (None if end is None else point.at(end)[0] for end in (level.chart.low, level.chart.high))
-    signs = list[int]()
-    for u in places(low, high):
-        box = counterexample.Point(motion, {**at, U: (u, u)}, real)
-        values = [box.at(f) for f in asked]
-        sign = 1 if all(low > 0 for low, _ in values) else -1 if any(high < 0 for _, high in values) else 0
-        if sign > 0:
-            counterexample.Point(motion, {**at, U: (u, u), motion.p: (Fraction(0),) * 2}, real).at(level.chart.put(motion.known("_H")))
-        signs += [sign] if sign and signs[-1:] != [sign] else []
-    return bool(re.search(level.pattern, "".join("+" if s > 0 else "-" for s in signs)))
-
-
-def places(low: Any, high: Any) -> list[Fraction]:
-    """Places in a range, from below."""
-    out = [Fraction(2) ** (k // 4) * (4 + k % 4) / 4 for k in range(-24, 28)]
-    if low is not None and high is not None:
-        return [low + (high - low) * Fraction(k, 48) for k in range(1, 48)]
-    if low is not None or high is not None:
-        return [low + x for x in out] if low is not None else [high - x for x in reversed(out)]
-    return [*(-x for x in reversed(out)), Fraction(0), *out]
-
-
 def shown(data: Any) -> tuple[str, str]:
     """The answer about the claim."""
     tables = data["tables"]
@@ -293,7 +227,7 @@ def shown(data: Any) -> tuple[str, str]:
     for chart in alone_charts.charts(motion):
         try:
             level = alone_charts.Level(motion, chart)
-            level.is_time, level.others, level.pattern = kind == "frequency", [], "-[+]-"
+            level.is_time = kind == "frequency"
             if level.is_time and not level.plain:
                 raise Stop("not shown", "a period where the momentum is in a root")
             level.check()
@@ -301,7 +235,7 @@ def shown(data: Any) -> tuple[str, str]:
                 raise Stop("not shown", "that the energy is large enough throughout the range")
             level.others = [(alone.number(x), 1) for x in {"exp": (-1,), "root": (0,)}.get(chart.kind, ())]
             answer = alone.tried(sample, level)
-            if not is_somewhere(level):
+            if not alone_somewhere.is_somewhere(level):
                 raise Stop("not shown", "that there is such an orbit")
             return answer
         except Stop as stop:

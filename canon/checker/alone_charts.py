@@ -8,7 +8,6 @@ same sign changes in u as in q.
 from __future__ import annotations
 
 from fractions import Fraction
-from math import lcm
 from typing import Any
 
 if __package__:
@@ -20,24 +19,29 @@ else:  # as a program, beside the other files
     import alone_polynomials as of  # type: ignore
     import alone_signs  # type: ignore
 
-Formula, Stop, ONE, named, number, times, plus = (
-    alone.Formula,
-    alone.Stop,
-    of.ONE,
-    of.named,
-    of.number,
-    of.times,
-    of.plus,
-)
+Formula, Stop, ONE = alone.Formula, alone.Stop, of.ONE
+named, number, times, plus = of.named, of.number, of.times, of.plus
 U = alone_orbits.U
 ARCS = {"cos": (0, 1), "sin": (Fraction(-1, 2), Fraction(1, 2)), "sin2": (0, Fraction(1, 2))}
 """Between which multiples of π the angle is."""
-PUT = {"circle": {"cos": "u", "sin": "(1 - u**2)**(1/2)"}, "cos": {"cos": "u", "sin": "(1 - u**2)**(1/2)"}, "sin": {"sin": "u", "cos": "(1 - u**2)**(1/2)"},
+PUT = {"circle": {"cos": "u", "sin": "(1 - u**2)**(1/2)"},
+    "cos": {"cos": "u", "sin": "(1 - u**2)**(1/2)"},
+    "sin": {"sin": "u", "cos": "(1 - u**2)**(1/2)"},
     "sin2": {"sin": "u**(1/2)", "cos": "(1 - u)**(1/2)"}}  # fmt: skip
-SLOPES = {"circle": "c**2*(1 - u**2)", "cos": "c**2*(1 - u**2)", "sin": "c**2*(1 - u**2)", "sin2": "4*c**2*u*(1 - u)", "exp": "c**2*u**2",
+SLOPES = {"circle": "c**2*(1 - u**2)",
+    "cos": "c**2*(1 - u**2)", "sin": "c**2*(1 - u**2)", "sin2": "4*c**2*u*(1 - u)",
+    "exp": "c**2*u**2",
     "line": "1", "square": "4*u", "even": "4*u", "root": "(u**2 - b)/u**2"}  # fmt: skip
 """u'²."""
-PLACES = {"circle": (-1, 1), "even": (0, None), "cos": (-1, 1), "sin": (-1, 1), "sin2": (0, 1), "exp": (0, None), "square": (0, None)}
+PLACES = {
+    "circle": (-1, 1),
+    "even": (0, None),
+    "cos": (-1, 1),
+    "sin": (-1, 1),
+    "sin2": (0, 1),
+    "exp": (0, None),
+    "square": (0, None),
+}
 """The ends of the range of u."""
 
 
@@ -152,7 +156,14 @@ def bounds(motion: Any) -> tuple[Any, Any]:
                 raise Stop("not shown", "a condition of that form on the coordinate")
             slope, rest = (flat.written(powers.get(k, {})) for k in (1, 0))
             over = motion.made("/", slope, flat.written(d))
-            side = next((s for s in (1, -1) if signs.shown(signs.quotient(times_minus(motion, over) if s < 0 else over)[0], True)), 0)
+            side = next(
+                (
+                    s
+                    for s in (1, -1)
+                    if signs.shown(signs.quotient(times_minus(motion, over) if s < 0 else over)[0], True)
+                ),
+                0,
+            )
             if not side or ends[side < 0] is not None:
                 raise Stop("not shown", "which side a condition on the coordinate is of")
             ends[side < 0] = motion.made("*", alone.number(-1), motion.made("/", rest, slope))
@@ -184,7 +195,10 @@ def charts(motion: Any) -> Any:
         for rate in rates(motion, ("sin", "cos")):
             for kind, arc in ARCS.items():
                 turns = [motion.made("*", rate, end) for end in (low, high)]
-                if all(same(flat, f, motion.made("*", alone.number(r), motion.read("pi"))) for f, r in zip(turns, arc, strict=True)):
+                if all(
+                    same(flat, f, motion.made("*", alone.number(r), motion.read("pi")))
+                    for f, r in zip(turns, arc, strict=True)
+                ):
                     yield Chart(motion, kind, rate)
     line = Chart(motion, "line")
     line.low, line.high = low, high
@@ -205,6 +219,8 @@ class Level:
         p, (n, d) = motion.p, self.reduced(motion.known("_H"))
         e, below = self.flat.reduced(self.flat.quotient(Formula(".", (motion.energy,))))
         inside = [w for w, (up, down) in self.flat.roots.items() if p in of.names_in(up) + of.names_in(down)]
+        self.is_time, self.pattern, self.times = False, "-[+]-", 2
+        self.others, self.zeros, self.ends = list[Any](), list[Any](), list[Any]()
         self.allowed: Any = None  # what has to be positive where p is real, besides Δ
         self.positive, self.plain, kappa = list[Any](), not inside, (times(e, d), below)
         if inside:  # α √X + ρ = E d: X = ((E d − ρ)/α)²
@@ -221,10 +237,12 @@ class Level:
         powers = of.by_powers(n, p)
         if p in of.names_in(d) or not {*powers} <= {0, 1, 2} or 2 not in powers:
             raise Stop("not shown", "a Hamiltonian that isn't quadratic in the momentum")
-        n0, n1, self.n2 = (powers.get(k, {}) for k in (0, 1, 2))
+        n0, self.n1, self.n2 = (powers.get(k, {}) for k in (0, 1, 2))
         # times what κ is divided by: κ = kappa[0]/kappa[1]
         square = times(number(4), self.n2)
-        delta = plus(times(plus(times(n1, n1), of.minus(times(square, n0))), kappa[1]), times(square, kappa[0]))
+        delta = plus(
+            times(plus(times(self.n1, self.n1), of.minus(times(square, n0))), kappa[1]), times(square, kappa[0])
+        )
         self.below, self.d = kappa[1], d
         self.delta, more = self.flat.reduced((delta, ONE))
         self.below = times(self.below, more)

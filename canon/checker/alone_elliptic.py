@@ -1,8 +1,8 @@
 """Actions and frequencies by complete elliptic integrals: `python alone_elliptic.py CERTIFICATE.json …`
 
-R of `alone_orbits.py` has odd powers of four factors u − z, one with z = ∞ where these are three: of the two ends of the
-motion, e and o, and two others that lie outside. t = (u − e)(o − g)/((u − g)(o − e)), g being one of the others, is 0
-and 1 at the ends and infinite at g, and with 1/m for the other one
+R of `alone_orbits.py` has odd powers of four factors u − z, one with z = ∞ where these are three: of the two ends of
+the motion, e and o, and two others that lie outside. t = (u − e)(o − g)/((u − g)(o − e)), g being one of the others, is
+0 and 1 at the ends and infinite at g, and with 1/m for the other one
 
     √R du = √ρ tᵃ (1 − t)ᵇ (1 − m t)ᶜ Π (1 − n t)ᵏ dt/√Y, Y = t (1 − t)(1 − m t), ρ > 0,
 
@@ -17,23 +17,21 @@ values in the domain in intervals.
 from __future__ import annotations
 
 from fractions import Fraction
-from itertools import permutations
-from math import inf
+from itertools import permutations, zip_longest
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_actions, alone_charts, alone_orbits, alone_signs
-    from canon.checker import alone_polynomials as of
+    from canon.checker import alone, alone_actions, alone_charts, alone_ends, alone_orbits, alone_somewhere
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_actions  # type: ignore
     import alone_charts  # type: ignore
+    import alone_ends  # type: ignore
     import alone_orbits  # type: ignore
-    import alone_polynomials as of  # type: ignore
-    import alone_signs  # type: ignore
+    import alone_somewhere  # type: ignore
 
-Formula, Stop, RANDOM, U = alone.Formula, alone.Stop, alone.RANDOM, alone_orbits.U
-HALF, MOST_CANDIDATES, LONGEST = Fraction(1, 2), 60, 24
+Stop, RANDOM = alone.Stop, alone.RANDOM
+LONGEST = 24
 
 
 class Curve(alone_actions.Residues):
@@ -146,7 +144,7 @@ class Curve(alone_actions.Residues):
         for (kind, *of_it), c in claimed.items():
             rest = both if kind != "elliptic_pi" else self.divided(both, [1, -of_it[0]])[0]
             one = self.times([-c * inverse(2) % p], rest, *[[1, -m]] * (kind == "elliptic_e"))
-            main = [sum(x) % p for x in zip(*(a + [0] * (max(len(main), len(one)) - len(a)) for a in (main, one)))]
+            main = [(a + b) % p for a, b in zip_longest(main, one, fillvalue=0)]
         return self.is_exact(self.trimmed(main), m, both, poles)
 
     def is_exact(self, top: list[int], m: int, both: list[int], poles: dict[int, int]) -> bool:
@@ -176,164 +174,6 @@ class Curve(alone_actions.Residues):
         return (f * value(slope) * inverse + steep * value(y) - value(top) * pow(value(both), -1, p)) % p == 0
 
 
-class Ends:
-    """The zeros of Δ and what H divides by, and which of them are the ends of an orbit."""
-
-    def __init__(self, level: Any) -> None:
-        self.level, self.motion, self.flat = level, level.motion, level.flat
-        self.chart, self.make = level.chart, level.motion.made
-        found = [f for f in (self.chart.low, self.chart.high) if f]
-        for p in (level.n2, level.d):
-            found += self.linear(p)
-        found = self.apart([*found, *self.candidates()])
-        powers = of.by_powers(level.delta, U)
-        least = min(powers)
-        zeros = [f for f in found if self.is_zero(level.delta, f)]
-        own = [f for f in zeros if least == 0 or self.flat.quotient(f)[0]]
-        if len(own) == max(powers) - least - 1:  # the last one by the sum of all
-            lead, next_one = (self.flat.written(powers.get(k, {})) for k in (max(powers), max(powers) - 1))
-            last = self.make("*", alone.number(-1), self.make("/", next_one, lead))
-            for f in own:
-                last = self.make("+", last, alone_charts.times_minus(self.motion, f))
-            zeros.append(last)
-        self.zeros, level.zeros = zeros, self.apart([*found, *zeros])
-
-    def linear(self, p: Any) -> list[Any]:
-        """The zero of a linear polynomial."""
-        powers = of.by_powers(p, U)
-        if {*powers} != {0, 1}:
-            return []
-        one = self.make("/", self.flat.written(powers[0]), self.flat.written(powers[1]))
-        return [self.make("*", alone.number(-1), one)]
-
-    def candidates(self) -> list[Any]:
-        """What the claim has names for, or is made of."""
-        motion, found = self.motion, list[Any]()
-        names = [*motion.words, *(n for n in motion.texts if n[0] != "_" and n not in motion.names)]
-        left = [Formula(".", (n,)) for n in names if n != motion.energy and "function" not in motion.words.get(n, ())]
-        left += [motion.known("_equals")]
-        while left and len(found) < MOST_CANDIDATES:
-            f = left.pop(0)
-            left += [g for g in f.of if isinstance(g, Formula)]
-            if f.kind in ("+", "*", "."):
-                if not motion.inner(f) & {motion.q, motion.p} and not has_elliptic(f):
-                    found.append(f)
-        return found
-
-    def apart(self, each: list[Any]) -> list[Any]:
-        """Without those that are the same."""
-        found = dict[Any, Any]()
-        point = self.point()
-        for f in each:
-            found.setdefault(point.at(f), f)
-        return [*found.values()]
-
-    def point(self) -> Curve:
-        """One point, at which places are compared that are tested later on."""
-        if not hasattr(self, "first"):
-            for _ in range(alone.MOST_TRIED):
-                try:
-                    self.first = Curve(self.level, alone.random_prime())
-                    self.first.check_domain()
-                    self.first.squared()
-                    self.first.text("_equals")
-                    for f in self.candidates():
-                        self.first.at(f)
-                    break
-                except alone.Elsewhere:
-                    continue
-        return self.first
-
-    def is_zero(self, p: Any, f: Any) -> bool:
-        point = self.point()
-        z = point.at(f)
-        return sum(c * pow(z, k, point.p) for k, c in enumerate(point.listed(p))) % point.p == 0
-
-    def sign(self, f: Any) -> int:
-        """1, or −1, where a formula without u is seen to be positive, or negative; 0 else."""
-        both = self.flat.reduced(self.flat.quotient(f))
-        return self.side(both[0]) * self.side(both[1])
-
-    def side(self, p: Any) -> int:
-        """The same of a polynomial: by the domain's conditions, or by all but one of them."""
-        motion, where = self.motion, self.motion.domain.get("where", [])
-        f = self.flat.written(p)
-        for text in where:
-            words = alone_orbits.re.split(r"(<=|>=|!=|<|>)", text)
-            for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
-                n, d = self.flat.quotient(motion.read(f"({b}) - ({a})" if sign == "<" else f"({a}) - ({b})"))
-                if sign in "<>" and d == of.ONE and n and {*n} == {*p}:
-                    ratios = {p[m] / c for m, c in n.items()}
-                    if len(ratios) == 1:
-                        return 1 if ratios.pop() > 0 else -1
-        try:
-            for n in range(-1, len(where) if len(where) > 1 else 0):
-                motion.domain = {"where": [x for k, x in enumerate(where) if k != n]}
-                signs = alone_signs.Signs(motion)
-                q = signs.quotient(f)[0]
-                for sign, g in ((1, q), (-1, of.minus(q))):
-                    if signs.shown(g, True):
-                        return sign
-        finally:
-            motion.domain = {"where": where}
-        return 0
-
-    def minus(self, f: Any, g: Any) -> Any:
-        return self.make("+", f, alone_charts.times_minus(self.motion, g))
-
-    def is_outside(self, f: Any) -> bool:
-        """Whether a zero is seen to be no end of an orbit."""
-        low, high = self.chart.low, self.chart.high
-        for end, side in ((low, 1), (high, -1)):
-            if end is not None:
-                n = self.flat.reduced(self.flat.quotient(self.minus(f, end)))[0]
-                if not n or self.sign(self.minus(f, end)) == -side:
-                    return True
-        if self.level.allowed:
-            top, bottom = self.level.allowed
-            rest = self.make("/", self.flat.written(top), self.flat.written(bottom))
-            return self.sign(put(self.motion, rest, f)) < 0
-        return False
-
-    def choose(self, rotates: bool) -> None:
-        """Which places the ends are, how often the motion runs from one to the other, and what Δ does in between."""
-        level, chart = self.level, self.chart
-        inside = [f for f in self.zeros if not self.is_outside(f)]
-        powers = of.by_powers(level.delta, U)
-        if chart.kind == "circle":
-            slope = self.sign(self.flat.written(powers.get(1, {}))) if {*powers} <= {0, 1} else 0
-            if not slope or len(inside) != 1 or of.by_powers(level.n2, U).keys() - {0}:
-                raise Stop("not shown", "a motion on the circle with one cosine")
-            level.ends = [chart.low, chart.high] if rotates else [inside[0], chart.high if slope > 0 else chart.low]
-            level.times, level.pattern = (2, "^[+]$") if rotates else (4, "-[+]$" if slope > 0 else "^[+]-")
-        elif rotates:
-            raise Stop("not shown", "a rotation of such an H")
-        elif chart.kind == "even" and len(inside) == 1:
-            level.ends, level.times, level.pattern = [chart.low, inside[0]], 4, "^[+]-"
-        elif chart.kind != "even" and len(inside) == 2:
-            level.ends, level.times, level.pattern = inside, 2, "-[+]-"
-        elif chart.kind == "line" and len(inside) == 3 and max(powers) == 3 and not level.allowed:
-            level.times, level.pattern = 2, "-[+]-"
-            rows = [x for x in permutations(inside) if all(self.sign(self.minus(x[k + 1], x[k])) > 0 for k in (0, 1))]
-            lead = self.sign(self.flat.written(powers[3]))
-            if not rows or not lead:
-                raise Stop("not shown", "the order of three zeros")
-            level.ends = [*rows[0][:2]] if lead > 0 else [*rows[0][1:]]
-        else:
-            raise Stop("not shown", "which zeros are the ends of an orbit")
-
-
-def has_elliptic(f: Any) -> bool:
-    return f.kind in alone_orbits.ELLIPTIC or any(has_elliptic(g) for g in f.of if isinstance(g, Formula))
-
-
-def put(motion: Any, f: Any, place: Any) -> Any:
-    """A formula with a place for u."""
-    if f.kind == ".":
-        return place if f.of[0] == U else f
-    return f if f.kind == "#" else motion.made(f.kind, *(put(motion, g, place) for g in f.of))
-
-
 def sample(level: Any, prime: int) -> int:
     """Compare at one point."""
     point = Curve(level, prime)
@@ -355,13 +195,13 @@ def shown(data: Any) -> tuple[str, str]:
             if (chart.kind == "circle") != (motion.branch is not None):
                 raise Stop("not shown", "a branch of another motion, or none")
             level = alone_charts.Level(motion, chart)
-            level.is_time, level.others = kind == "frequency", []
+            level.is_time = kind == "frequency"
             if level.is_time and not level.plain:
                 raise Stop("not shown", "a period where the momentum is in a root")
             level.check()
-            Ends(level).choose(motion.branch == "rotation")
+            alone_ends.Ends(level).choose(motion.branch == "rotation")
             answer = alone.tried(sample, level)
-            if not alone_actions.is_somewhere(level):
+            if not alone_somewhere.is_somewhere(level):
                 raise Stop("not shown", "that there is such an orbit")
             return answer
         except Stop as stop:

@@ -22,15 +22,8 @@ else:  # as a program, beside the other files
     import alone_polynomials as of  # type: ignore
     import alone_signs  # type: ignore
 
-Formula, Stop, ONE, named, number, times, plus = (
-    alone.Formula,
-    alone.Stop,
-    of.ONE,
-    of.named,
-    of.number,
-    of.times,
-    of.plus,
-)
+Formula, Stop, ONE = alone.Formula, alone.Stop, of.ONE
+named, number, times, plus = of.named, of.number, of.times, of.plus
 KEYS, WORDS, U = {"coordinate", "energy", "equals", "fixed", "branch", "well", "period"}, {"real", "positive"}, "_u"
 MOST_PARTS, ELLIPTIC = 20_000, {"elliptic_k": 1, "elliptic_e": 1, "elliptic_pi": 2}
 
@@ -51,7 +44,11 @@ class Motion(alone.Claim):
         words = symbols.get(self.energy, "real")
         if self.energy in usual or words not in WORDS or not re.fullmatch(r"[^\W\d_]\w*", self.energy):
             raise Stop("not shown", "such an energy")
-        claim = {"kind": "identity", "lhs": said["equals"], "rhs": str([said.get(key) for key in ("fixed", "well", "period")])}
+        claim = {
+            "kind": "identity",
+            "lhs": said["equals"],
+            "rhs": str([said.get(key) for key in ("fixed", "well", "period")]),
+        }
         super().__init__({**tables, "symbols": {**symbols, self.energy: words}, "claim": claim})
         self.p = space["p"][space["q"].index(self.q)]
         still = {*space["q"], self.p, self.names[-1]}
@@ -70,7 +67,7 @@ class Motion(alone.Claim):
                 raise Stop("not shown", "what is fixed to such a value")
             if name in self.texts or {*self.words.get(name, ())} - WORDS:
                 raise Stop("not shown", "a name that is fixed with such words")
-        if self.inner(self.known("_equals")) & still or {*said} & {"well", "period"} and self.has_moving(still):
+        if self.inner(self.known("_equals")) & still or self.has_moving(still):
             raise Stop("not shown", "a value that moves")
         self.texts |= fixed
         self.known.cache_clear()
@@ -90,9 +87,7 @@ class Motion(alone.Claim):
 
     def named_in(self, text: str) -> set[str]:
         """The names in a condition."""
-        return {*self.names}.union(*()) & {
-            name for side in re.split("<=|>=|!=|<|>", text) for name in self.inner(self.known(side))
-        }
+        return {name for side in re.split("<=|>=|!=|<|>", text) for name in self.inner(self.known(side))}
 
     def inner(self, f: Any) -> set[str]:
         """The names in a formula, of what definitions say."""
@@ -107,17 +102,18 @@ class Motion(alone.Claim):
             left += [x for x in g.of if isinstance(x, Formula)]
         return found
 
-    def made(self, kind: str, *of: Any) -> Any:
+    def made(self, kind: str, *x: Any) -> Any:
         """A modulus is the positive root of a square."""
-        if kind == "abs" and len(of) == 1 and kind not in {*self.names, *self.words, *self.texts}:
-            return self.read("(a**2)**(1/2)", {"a": of[0]})
-        if ELLIPTIC.get(kind) == len(of) and kind not in {*self.names, *self.words, *self.texts}:
-            return Formula(kind, of)
-        if kind == "^" and of[0].kind == "^" and of[1].kind == "#" and of[0].of[1].of == (Fraction(1, 2),):
-            inside, n = of[0].of[0], of[1].of[0]
+        base, *power = x
+        if kind == "abs" and len(x) == 1 and kind not in {*self.names, *self.words, *self.texts}:
+            return self.read("(a**2)**(1/2)", {"a": base})
+        if ELLIPTIC.get(kind) == len(x) and kind not in {*self.names, *self.words, *self.texts}:
+            return Formula(kind, x)
+        if kind == "^" and base.kind == "^" and power[0].kind == "#" and base.of[1].of == (Fraction(1, 2),):
+            inside, n = base.of[0], power[0].of[0]
             if inside.kind == "^" and inside.of[1].of == (2,) and n > 0 and n % 2 == 0:  # |a|ⁿ with an even n
-                return super().made("^", inside.of[0], of[1])
-        return super().made(kind, *of)
+                return super().made("^", inside.of[0], *power)
+        return super().made(kind, *x)
 
 
 def renamed(tables: Any) -> Any:

@@ -9,8 +9,10 @@ from typing import Any
 if __package__:
     from canon.checker import (
         alone,
+        alone_actions,
         alone_algebras,
         alone_complex,
+        alone_elliptic,
         alone_generated,
         alone_integrals,
         alone_lie,
@@ -20,8 +22,10 @@ if __package__:
     )
 else:  # as a program, beside the other files
     import alone  # type: ignore
+    import alone_actions  # type: ignore
     import alone_algebras  # type: ignore
     import alone_complex  # type: ignore
+    import alone_elliptic  # type: ignore
     import alone_generated  # type: ignore
     import alone_integrals  # type: ignore
     import alone_lie  # type: ignore
@@ -38,6 +42,8 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "matrix_algebra": (alone_lie,),
     "canonical": (alone_generated,),
     "new_hamiltonian": (alone_generated,),
+    "action": (alone_actions, alone_elliptic),
+    "frequency": (alone_actions, alone_elliptic),
 }
 """Those that know a kind of claims, besides the table."""
 

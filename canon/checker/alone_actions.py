@@ -9,6 +9,7 @@ says
 
 where W(c) is −√W² below the range and √W² above it, and [u⁻¹] is the coefficient at infinity. This is compared with
 the claim at random points modulo random primes (`alone.py`), at which κ and W² are squares, as they are positive.
+Where H doesn't contain the coordinate a rotation's momentum is the same at all places.
 That there is such an orbit for some values in the domain is seen in intervals (`counterexample.py`).
 """
 
@@ -19,13 +20,14 @@ from fractions import Fraction
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_charts, alone_orbits, alone_somewhere
+    from canon.checker import alone, alone_charts, alone_orbits, alone_signs, alone_somewhere
     from canon.checker import alone_polynomials as of
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_charts  # type: ignore
     import alone_orbits  # type: ignore
     import alone_polynomials as of  # type: ignore
+    import alone_signs  # type: ignore
     import alone_somewhere  # type: ignore
 
 Stop, RANDOM, U = alone.Stop, alone.RANDOM, alone_orbits.U
@@ -204,12 +206,33 @@ class Residues(alone.Point):
         if rest or len(left) != 1:
             raise Stop("not shown", "that there is no other end of an orbit")
 
+    def turn(self) -> int:
+        """The same of a rotation over a period, where the momentum is √Δ/2n₂ at all places."""
+        delta, n2, d, below = map(self.constant, (self.level.delta, self.level.n2, self.level.d, self.level.below))
+        root = self.own_root(delta * pow(below, -1, self.p) % self.p)
+        a, b = (d, root) if self.level.is_time else (root, 2 * n2)
+        return self.text("_period") * a * pow(b, -1, self.p) % self.p
+
+
+def turns(motion: Any, level: Any) -> bool:
+    """Whether the claim is about a rotation of which H doesn't contain the coordinate, over a period."""
+    if motion.branch != "rotation" or motion.q in motion.inner(motion.known("_H")):
+        return False
+    free = alone_charts.bounds(motion) == (None, None) and not motion.bounds and not level.allowed
+    signs, period = alone_signs.Signs(motion), motion.known("_period")
+    if not free or level.n1 or motion.energy in motion.inner(period) or motion.energy in motion.fixed:
+        raise Stop("not shown", "a rotation all the way, with one positive momentum")
+    if not signs.shown(signs.quotient(period)[0], True):
+        raise Stop("not shown", "that a period is positive")
+    level.pattern = "^[+]$"
+    return True
+
 
 def sample(level: Any, prime: int) -> int:
     """Compare at one point."""
     point = Residues(level, prime)
     point.check_domain()
-    equals, found = point.text("_equals"), point.integral()
+    equals, found = point.text("_equals"), point.turn() if level.turns else point.integral()
     if (equals * found - 1 if level.is_time else equals - found) % prime:
         raise Stop("not shown", "that this is the value")
     return len(point.roots)
@@ -221,8 +244,8 @@ def shown(data: Any) -> tuple[str, str]:
     if (kind := tables["claim"]["kind"]) not in ("action", "frequency"):
         raise Stop("not shown", "no action and no frequency")
     motion = alone_orbits.Motion(tables)
-    if motion.branch not in (None, "libration") or {*motion.said} & {"well", "period"}:
-        raise Stop("not shown", "a rotation, or one of several wells")
+    if "well" in motion.said or (motion.branch == "rotation") != ("period" in motion.said):
+        raise Stop("not shown", "one of several wells, or another rotation")
     reasons = list[str]()
     for chart in alone_charts.charts(motion):
         try:
@@ -231,6 +254,9 @@ def shown(data: Any) -> tuple[str, str]:
             if level.is_time and not level.plain:
                 raise Stop("not shown", "a period where the momentum is in a root")
             level.check()
+            level.turns = turns(motion, level)
+            if motion.branch not in (None, "rotation" if level.turns else "libration"):
+                raise Stop("not shown", "a motion of another branch")
             if level.allowed and not level.is_positive(*level.allowed):
                 raise Stop("not shown", "that the energy is large enough throughout the range")
             level.others = [(alone.number(x), 1) for x in {"exp": (-1,), "root": (0,)}.get(chart.kind, ())]

@@ -219,7 +219,7 @@ class Level:
         p, (n, d) = motion.p, self.reduced(motion.known("_H"))
         e, below = self.flat.reduced(self.flat.quotient(Formula(".", (motion.energy,))))
         inside = [w for w, (up, down) in self.flat.roots.items() if p in of.names_in(up) + of.names_in(down)]
-        self.is_time, self.pattern, self.times = False, "-[+]-", 2
+        self.is_time, self.turns, self.pattern, self.times = False, False, "-[+]-", 2
         self.others, self.zeros, self.ends = list[Any](), list[Any](), list[Any]()
         self.allowed: Any = None  # what has to be positive where p is real, besides Δ
         self.positive, self.plain, kappa = list[Any](), not inside, (times(e, d), below)

@@ -35,6 +35,7 @@ CUBIC = "p**2/2 - q**3/2 + q**2*(x + y + z)/2 - q*(x*y + y*z + x*z)/2"
 ORDER: Any = {"symbols": {"x": "real", "y": "real", "z": "real"}, "domain": {"where": ["x < y", "y < z"]},
     "fixed": {"E": "-x*y*z/2"}}  # fmt: skip
 TURN: Any = {"branch": "rotation"}
+ROUND: Any = {"branch": "rotation", "period": "2*pi"}
 SWING: Any = {"branch": "libration"}
 PERIOD = "sqrt(z - x)/(4*elliptic_k((y - x)/(z - x)))"
 LIBRATION, ROTATION = (
@@ -54,6 +55,7 @@ LIBRATION, ROTATION = (
     ("sqrt(p**2 + 1) + k*q**2/2",
      "8/3*sqrt(2*(E + 1)/k)*(E*elliptic_e((E - 1)/(E + 1)) - elliptic_k((E - 1)/(E + 1)))", {}),
     (SQUARE, ROOTS, BOTTOM), (CUBIC, PERIOD, {**ORDER, "kind": "frequency"}),
+    ("p**2/(2*m)", "2*pi*sqrt(2*m*E)", ROUND), ("p**2/(2*m)", "sqrt(2*E/m)/(2*pi)", {**ROUND, "kind": "frequency"}),
     ("p**2/2 - cos(q)", LIBRATION, SWING), ("p**2/2 - cos(q)", ROTATION, TURN),
     ("p**2/2 - cos(q)", "1/(4*elliptic_k((E + 1)/2))", {**SWING, "kind": "frequency"}),
 ])  # fmt: skip
@@ -114,6 +116,15 @@ def test_another_value_is_not(H: str, equals: str, more: Any) -> None:
     ("p**2/2 - cos(q)", ROTATION, {**TURN, "symbols": {"q": "positive"}}),
     (SQUARE, ROOTS, {**BOTTOM, "symbols": {"s": "real"}}),
     (SQUARE, ROOTS, {**BOTTOM, "domain": {"where": ["s > 1"]}}),
+    ("p**2/2", "2*pi*sqrt(2*E)", TURN), ("p**2/2", "2*pi*sqrt(2*E)", {"period": "2*pi"}),
+    ("p**2/2", "2*pi*sqrt(2*E)", {}),
+    ("p**2/2", "-2*pi*sqrt(2*E)", {**TURN, "period": "-2*pi"}), ("p**2/2", "E*sqrt(2*E)", {**TURN, "period": "E"}),
+    ("p**2/2", "c*sqrt(2*E)", {**TURN, "period": "c", "symbols": {"c": "real"}}),
+    ("(p - 3)**2/2", "2*pi*(sqrt(2*E) + 3)", ROUND), ("-p**2/2", "2*pi*sqrt(-2*E)", ROUND),
+    ("p**2/2", "2*pi*sqrt(2*E)", {**ROUND, "symbols": {"q": "positive"}}),
+    ("p**2/2", "2*pi*sqrt(2*E)", {**ROUND, "domain": {"where": ["q < 1"]}}),
+    ("p**2/2 + 0*q", "2*pi*sqrt(2*E)", ROUND), ("p**2/2", "4*pi*sqrt(2*E)", ROUND),
+    ("p**2/2", "2*pi", {**ROUND, "fixed": {"E": "1/2"}}),
     # what is fixed
     ("p**2/2 + k*q**2/2", "2*pi*E/sqrt(k)", {"fixed": {"k": "-1"}}), (ATOM, "2*pi*(a*sqrt(m/(-2*E)) - M)",
      {**RADIUS, "fixed": {"p_theta": "r"}}), (OSCILLATOR, "2*pi*E/w", {"fixed": {"q": "1"}}),

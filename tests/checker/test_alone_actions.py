@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from canon.checker import alone_actions, alone_elliptic, alone_together
+from canon.checker import alone_actions, alone_elliptic, alone_somewhere, alone_together
 from tests.checker.certified import certified, resealed
 
 NAMES = dict.fromkeys(("m", "w", "k", "a", "b", "M", "U", "A"), "positive")
@@ -131,7 +131,10 @@ def test_another_value_is_not(H: str, equals: str, more: Any) -> None:
     (ATOM, "sqrt(-2*E)**3/(2*pi*a*sqrt(m))", {**RADIUS, "kind": "frequency", "fixed": {"p_theta": "sqrt(-E)"}}),
     (CUBIC, PERIOD, {**ORDER, "kind": "frequency", "domain": {"where": ["x < z", "z < y"]}}),
 ])  # fmt: skip
-def test_a_claim_about_no_orbit_or_another_one_is_not(H: str, equals: str, more: Any) -> None:
+def test_a_claim_about_no_orbit_or_another_one_is_not(
+    H: str, equals: str, more: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(alone_somewhere, "SEARCHED", 100)
     assert answer(H, equals, **more) == "not shown"
 
 

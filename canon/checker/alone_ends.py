@@ -108,16 +108,14 @@ class Ends:
         """The same of a polynomial: by the domain's conditions, or by two that follow."""
         motion, where = self.motion, self.motion.domain.get("where", [])
         f = self.flat.written(p)
-        for text in where:
-            words = alone_orbits.re.split(r"(<=|>=|!=|<|>)", text)
-            for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
-                n, d = self.flat.quotient(motion.read(f"({b}) - ({a})" if sign == "<" else f"({a}) - ({b})"))
-                if sign in "<>" and d == of.ONE and n and {*n} == {*p}:
-                    ratios = {p[m] / c for m, c in n.items()}
-                    if len(ratios) == 1:
-                        return 1 if ratios.pop() > 0 else -1
+        pairs = chained(where)
+        for a, b in pairs:
+            n, d = self.flat.quotient(motion.read(f"({b}) - ({a})"))
+            if d == of.ONE and n and {*n} == {*p}:
+                ratios = {p[m] / c for m, c in n.items()}
+                if len(ratios) == 1:
+                    return 1 if ratios.pop() > 0 else -1
         try:
-            pairs = chained(where)
             for kept in (where, *([f"({a}) < ({b})" for a, b in two] for two in combinations(pairs, 2))):
                 motion.domain = {"where": [*kept]}
                 signs = alone_signs.Signs(motion)

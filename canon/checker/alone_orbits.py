@@ -25,6 +25,7 @@ else:  # as a program, beside the other files
 Formula, Stop, ONE = alone.Formula, alone.Stop, of.ONE
 named, number, times, plus = of.named, of.number, of.times, of.plus
 KEYS, WORDS, U = {"coordinate", "energy", "equals", "fixed", "branch", "well", "period"}, {"real", "positive"}, "_u"
+OTHER = "D0_of_the_file"
 MOST_PARTS, ELLIPTIC = 20_000, {"elliptic_k": 1, "elliptic_e": 1, "elliptic_pi": 2}
 
 
@@ -32,7 +33,8 @@ class Motion(alone.Claim):
     """The formulas of a claim: `_H`, `_equals`; with what is fixed in the place of its names."""
 
     def __init__(self, tables: Any) -> None:
-        if "D" in tables.get("symbols", {}) and "D(" not in re.sub(r"\s", "", alone.formulas(tables)):
+        whole = re.sub(r"\s", "", alone.formulas(tables))
+        if "D" in tables.get("symbols", {}) and "D(" not in whole and OTHER not in whole:
             tables = renamed(tables)
         said = {key: x for key, x in tables["claim"].items() if key not in (*alone.UNASKED, "kind")}
         space, symbols, fixed = tables["phase_space"], tables.get("symbols", {}), said.get("fixed", {})
@@ -122,7 +124,7 @@ def renamed(tables: Any) -> Any:
         return {renamed(key): renamed(x) for key, x in tables.items()}
     if isinstance(tables, list):
         return [renamed(x) for x in tables]
-    return re.sub(r"(?<!\w)D(?!\w)", "D0_of_the_file", tables) if isinstance(tables, str) else tables
+    return re.sub(r"(?<!\w)D(?!\w)", OTHER, tables) if isinstance(tables, str) else tables
 
 
 class Flat:

@@ -144,6 +144,12 @@ def test_a_symbol_may_have_the_name_of_the_derivative() -> None:
     assert answer(MORSE.replace("A", "D"), equals, symbols={"D": "function"}) == "not shown"
 
 
+def test_the_name_that_it_gets_is_no_other_one() -> None:
+    equals = "2*pi*sqrt(2*m)*(sqrt(D) - sqrt(D0_of_the_file - E))/a"
+    names = {"D": "positive", "D0_of_the_file": "positive"}
+    assert answer(MORSE.replace("A", "D"), equals, symbols=names) == "not shown"
+
+
 def test_it_is_asked_of_a_certificate() -> None:
     text = '[phase_space]\nq = ["q"]\np = ["p"]\n[hamiltonian]\nH = "p**2/2 + 2*q**2"\n'
     data = certified(text, "kind = 'frequency'\ncoordinate = 'q'\nenergy = 'E'\nequals = '1/pi'")

@@ -9,11 +9,13 @@ from typing import Any
 if __package__:
     from canon.checker import (
         alone,
+        alone_actions,
         alone_algebras,
         alone_averages,
         alone_complex,
         alone_constraints,
         alone_covers,
+        alone_elliptic,
         alone_gauss,
         alone_generated,
         alone_groups,
@@ -33,11 +35,13 @@ if __package__:
     )
 else:  # as a program, beside the other files
     import alone  # type: ignore
+    import alone_actions  # type: ignore
     import alone_algebras  # type: ignore
     import alone_averages  # type: ignore
     import alone_complex  # type: ignore
     import alone_constraints  # type: ignore
     import alone_covers  # type: ignore
+    import alone_elliptic  # type: ignore
     import alone_gauss  # type: ignore
     import alone_generated  # type: ignore
     import alone_groups  # type: ignore
@@ -76,6 +80,8 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "lie_series": (alone_series,),
     "normal_form": (alone_normal_forms,),
     "dimension": (alone_units,),
+    "action": (alone_actions, alone_elliptic),
+    "frequency": (alone_actions, alone_elliptic),
 }
 """Those that know a kind of claims, besides the table."""
 

@@ -1,10 +1,10 @@
-"""What a claim's own formulas are seen to be positive by `alone_signs.py`: points at which they aren't are thrown away.
+"""Which of a claim's own formulas are positive, by `alone_signs.py`: points at which they aren't are thrown away.
 
-√(x²) is x or −x, and with `alone.py` both occur: so √((u² + v²)²) is not u² + v². Here it is, as u² + v² is a part of the
-claim that is positive for all u and v. Such a fact holds wherever the claim's formulas have values, in the domain; a
-point modulo a prime at which it isn't a square is like no real one. What is looked at: all sums in the claim; sines
-and cosines of angles that the domain holds in two right angles, cosh a ± cos b for a that isn't 0. And arcs of sines,
-of angles that are there, are these up to a multiple of π.
+√(x²) is x or −x, and with `alone.py` both occur: so √((u² + v²)²) is not u² + v². Here it is, as u² + v² is a part of
+the claim that is positive for all u and v. Such a fact holds wherever the claim's formulas have values, in the domain;
+a point modulo a prime at which it isn't a square is like no real one. What is looked at: sums in radicands and in what
+is divided by; sines and cosines of angles that the domain holds in two right angles; cosh a ± cos b for a that isn't 0;
+1 − m of a modulus. And arcs of sines, of angles that are there, are these up to a multiple of π.
 """
 
 from __future__ import annotations
@@ -148,10 +148,9 @@ class Facts:
         for f in dict.fromkeys(f for f in looked if f.kind == "+"):
             signs = Everywhere(self.claim)
             try:
-                p, q = signs.quotient(f)
+                names = alone_polynomials.names_in(signs.quotient(f)[0])
             except Stop:
                 continue
-            names = alone_polynomials.names_in(p)
             key = (signs.structure(f), f in apart)
             if names and key not in seen:
                 seen.add(key)

@@ -1,8 +1,8 @@
 """What `alone.py` leaves free among functions: right angles, arcs, logarithms, Jacobi's functions, names in exponents.
 
-A random point modulo a prime, for the files that ask for identities. The cosine of arctan2(y, x) is x/√(x² + y²), that of
-half of it the positive root of half of 1 + cos; exp(log x) is x. sn, cn and dn of an argument and a modulus are a random
-point of the curve sn² + cn² = 1, dn² + m sn² = 1. x^n with a name in n is a positive number for each n where x is one.
+A random point modulo a prime, for the files that ask for identities. The cosine of arctan2(y, x) is x/√(x² + y²), that
+of half of it the positive root of half of 1 + cos; exp(log x) is x. sn, cn and dn of an argument and a modulus are a
+random point of the curve sn² + cn² = 1, dn² + m sn² = 1. x^n with a name in n is a positive number where x is one.
 What is said of positive here is what `alone.py` says: a square. Products of squares aren't counted as roots that may go
 wrong, as they are squares for certain. What the domain's conditions say of a name alone is used to choose it.
 """
@@ -23,14 +23,14 @@ else:  # as a program, beside the other files
 
 Formula, Stop, Elsewhere = alone.Formula, alone.Stop, alone.Elsewhere
 SN, CN, DN = (f"jacobi_{x}" for x in ("sn", "cn", "dn"))
-EPSILON = "the integral of dn squared"
+EPSILON, LEFT = "the integral of dn squared", "((1 - b)*a - e)"
 JACOBI = {
-    SN: (f"{CN}(a, b)*{DN}(a, b)", f"(((1 - b)*a - e)*{CN}(a, b)*{DN}(a, b)/b + {SN}(a, b)*{CN}(a, b)**2)/(2*(1 - b))"),
-    CN: (f"-{SN}(a, b)*{DN}(a, b)", f"-(((1 - b)*a - e)*{SN}(a, b)*{DN}(a, b)/b + {SN}(a, b)**2*{CN}(a, b))/(2*(1 - b))"),
-    DN: (f"-b*{SN}(a, b)*{CN}(a, b)", f"-(((1 - b)*a - e)*{SN}(a, b)*{CN}(a, b) + {SN}(a, b)**2*{DN}(a, b))/(2*(1 - b))"),
+    SN: (f"{CN}(a, b)*{DN}(a, b)", f"({LEFT}*{CN}(a, b)*{DN}(a, b)/b + {SN}(a, b)*{CN}(a, b)**2)/(2*(1 - b))"),
+    CN: (f"-{SN}(a, b)*{DN}(a, b)", f"-({LEFT}*{SN}(a, b)*{DN}(a, b)/b + {SN}(a, b)**2*{CN}(a, b))/(2*(1 - b))"),
+    DN: (f"-b*{SN}(a, b)*{CN}(a, b)", f"-({LEFT}*{SN}(a, b)*{CN}(a, b) + {SN}(a, b)**2*{DN}(a, b))/(2*(1 - b))"),
     EPSILON: (
         f"{DN}(a, b)**2",
-        f"(e - a)/(2*b) + {DN}(a, b)*(((1 - b)*a - e)*{DN}(a, b)/b + {SN}(a, b)*{CN}(a, b))/(2*(1 - b))",
+        f"(e - a)/(2*b) + {DN}(a, b)*({LEFT}*{DN}(a, b)/b + {SN}(a, b)*{CN}(a, b))/(2*(1 - b))",
     ),
 }  # fmt: skip
 """Their derivatives by the argument a and the parameter b = m = k², with e = ∫ dn² da from 0."""
@@ -109,6 +109,10 @@ class Wide(Calls, alone_wider.Wider):
 class Functions(alone_wider.Placed):
     """A random point; some names may be `held` at a value."""
 
+    roots: set[int]
+    sure: set[int]
+    free: dict[Any, int]
+
     def __init__(self, claim: Any, prime: int, held: Any = None) -> None:
         super().__init__(claim, prime)
         self.held, self.arcs, self.logs = dict[str, int](held or {}), dict[int, Any](), dict[int, Any]()
@@ -117,15 +121,16 @@ class Functions(alone_wider.Placed):
     # -- names
 
     def named(self, name: str) -> int:
-        """The value of a name: one that is held, or that of what gives it, which has the sign that the name has."""
-        said = {*self.claim.words.get(name, ())}
+        """The value of a name: one that is held, or that of what gives it."""
         if name in self.held:
-            value = self.held[name]
-        elif name in self.asked.given:  # type: ignore[attr-defined]
-            value = self.at(self.asked.given[name])  # type: ignore[attr-defined]
-        else:
+            return self.held[name]
+        if name not in self.asked.given:  # type: ignore[attr-defined]
             return super().named(name)
-        if said & {"positive", "nonnegative", "negative"}:
+        return self.signed(name, self.at(self.asked.given[name]))  # type: ignore[attr-defined]
+
+    def signed(self, name: str, value: int) -> int:
+        """A value, which has the sign that the name has."""
+        if (said := {*self.claim.words.get(name, ())}) & {"positive", "nonnegative", "negative"}:
             self.square(value * (-1 if "negative" in said else 1) % self.p)
             self.sure.add(value)
         return value
@@ -227,7 +232,8 @@ class Functions(alone_wider.Placed):
         given: Any = self.asked.given if f.kind == "." and f.of[0] not in self.held else {}  # type: ignore
         if f in self.asked.branches:  # type: ignore[attr-defined]
             return self.terms(self.asked.branches[f])  # type: ignore[attr-defined]
-        return self.terms(given[f.of[0]]) if f.of[0] in given else super().terms(f)
+        found = self.terms(given[f.of[0]]) if f.of[0] in given else super().terms(f)
+        return {v: r for v, r in found.items() if v}
 
     # -- angles
 

@@ -1,4 +1,4 @@
-"""Identities of old and new variables, with derivatives by either, and on a surface: `python alone_related.py CERTIFICATE…`
+"""Identities of old and new variables, with derivatives by either, and on surfaces: `python alone_related.py FILE…`
 
 Old and new variables are names that are independent of each other wherever something is differentiated; then those that
 a map gives have its formulas' values. A map is given forward (to as many variables, or to fewer), backward, or by a
@@ -15,7 +15,7 @@ from itertools import chain, count, permutations
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_facts, alone_table, alone_wider
+    from canon.checker import alone, alone_facts, alone_table
     from canon.checker.alone_functions import Small, Wide, names_of
     from canon.checker.alone_functions import sample as sampled
     from canon.checker.alone_surfaces import On, Surface
@@ -23,7 +23,6 @@ else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_facts  # type: ignore
     import alone_table  # type: ignore
-    import alone_wider  # type: ignore
     from alone_functions import Small, Wide, names_of  # type: ignore
     from alone_functions import sample as sampled  # type: ignore
     from alone_surfaces import On, Surface  # type: ignore
@@ -66,7 +65,7 @@ class Related(Surface, Small):
         self.base = [name for name in held[:-1] if name not in self.given]
         if any(names_of(f) & {*self.given} for f in self.given.values()) or len(self.given) < len(ways):
             raise Stop("not shown", "a map of variables that it gives")
-        self.words = {**dict.fromkeys(self.old, ["real"]), **self.words}  # derivatives are by these as well
+        self.words = {name: ["real"] for name in self.old} | self.words  # derivatives are by these as well
         self.variables = [*self.base, held[-1]]
         for text in ("_lhs", "_rhs", *texts):
             self.check_related(self.known(text))

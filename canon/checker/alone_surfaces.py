@@ -2,9 +2,10 @@
 
 f is solved for a name that stands in it linearly, or as a square alone, with a factor that is 0 nowhere; all else is
 free, and each point of the surface has its turn. (Of a square either root is taken, and twice as many points, as the
-surface may have two parts.) Or, where all is rational, the factor of a name is another name, alone, that doesn't divide
-the rest: then f is irreducible, and what vanishes where the factor isn't 0 vanishes on all of it. By x p = 0 nothing is
-shown: x = 0 would be left out. Derivatives are taken before, in the space around the surface.
+surface may have two parts; and where the claim has roots it has to be smooth.) Or, where all is rational, the factor of
+a name is another name, alone, that doesn't divide the rest: then f is irreducible, and what vanishes where the factor
+isn't 0 vanishes on all of it. By x p = 0 nothing is shown: x = 0 would be left out. Derivatives are taken before, in
+the space around the surface.
 """
 
 from __future__ import annotations
@@ -48,7 +49,8 @@ class Surface:
                     (factors,) = self.products(f, name, power)
                 except (Stop, ValueError):  # no such equation, or several products
                     continue
-                if all(map(self.is_apart, factors)) or (power == 1 and self.is_irreducible(f, name, factors)):
+                known = all(map(self.is_apart, factors)) and (power == 1 or self.is_fine(f))
+                if known or (power == 1 and self.is_irreducible(f, name, factors)):
                     self.equation, self.solved, self.power = f, name, power
                     return
         raise Stop("not shown", "a surface that isn't solved for a name")
@@ -79,13 +81,20 @@ class Surface:
         words = {*self.words.get(f.of[0], ())} if f.kind == "." else set[str]()  # type: ignore[attr-defined]
         return bool(words & {"positive", "negative", "nonzero"}) or (f.kind == "#" and f.of[0] != 0)
 
+    def is_claimed_rational(self) -> bool:
+        """Whether what has to vanish is a rational function."""
+        own: Any = self
+        return all(map(is_rational, (*own.given.values(), *map(own.known, (*own.zeros, *own.besides)))))
+
+    def is_fine(self, f: Any) -> bool:
+        """Whether what vanishes at most points of f = 0 does so at real ones where the surface may be singular."""
+        return is_rational(f) and self.is_claimed_rational()
+
     def is_irreducible(self, f: Any, name: str, factors: Any) -> bool:
         """Whether f = ±v · name + d, a polynomial, with a name v that doesn't divide d; and the claim is rational."""
-        own: Any = self
         others = [g for g in factors if g.kind != "#"]
         odd = len(others) != 1 or others[0].kind != "." or any(g.of[0] == 0 for g in factors if g.kind == "#")
-        claimed = (*own.given.values(), *map(own.known, (*own.zeros, *own.besides)))
-        if odd or not is_rational(f, entire=True) or not all(map(is_rational, claimed)):
+        if odd or not is_rational(f, entire=True) or not self.is_claimed_rational():
             return False
         return bool(Functions(self, alone.random_prime(), {name: 0, others[0].of[0]: 0}).at(f))
 
@@ -99,10 +108,8 @@ class On(Functions):
         name = getattr(claim, "solved", "")
         if not name or name in self.held:
             return
-        flat = Functions(claim, prime, {**self.held, name: 0})
-        flat.free = self.free
-        unit = Functions(claim, prime, {**self.held, name: 1})
-        unit.free = self.free
+        flat, unit = (type(self)(claim, prime, {**self.held, name: k}) for k in (0, 1))
+        flat.free = unit.free = self.free
         rest = flat.at(claim.equation)
         factor = (unit.at(claim.equation) - rest) % prime
         if not factor:
@@ -111,5 +118,5 @@ class On(Functions):
         if claim.power == 2:
             self.roots.add(value)
             value = self.root(value, Fraction(1, 2)) * alone.RANDOM.choice((1, -1)) % prime
-        self.held[name] = value
+        self.held[name] = self.signed(name, value)
         self.roots |= flat.roots - flat.sure

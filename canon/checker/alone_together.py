@@ -11,10 +11,13 @@ if __package__:
         alone,
         alone_algebras,
         alone_complex,
+        alone_fields,
         alone_generated,
         alone_integrals,
         alone_lie,
         alone_limits,
+        alone_parameters,
+        alone_related,
         alone_signs,
         alone_wider,
     )
@@ -22,10 +25,13 @@ else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_algebras  # type: ignore
     import alone_complex  # type: ignore
+    import alone_fields  # type: ignore
     import alone_generated  # type: ignore
     import alone_integrals  # type: ignore
     import alone_lie  # type: ignore
     import alone_limits  # type: ignore
+    import alone_parameters  # type: ignore
+    import alone_related  # type: ignore
     import alone_signs  # type: ignore
     import alone_wider  # type: ignore
 
@@ -34,7 +40,11 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "inequality": (alone_signs,),
     "integral": (alone_integrals,),
     "limit": (alone_limits,),
-    "algebra": (alone_algebras,),
+    "algebra": (alone_algebras, alone_parameters),
+    **dict.fromkeys(("identity", "bracket", "conserved", "involution", "jacobi", "casimir"), (alone_related,)),
+    **dict.fromkeys(("equations_of_motion", "hamiltonian_field", "infinitesimal"), (alone_related,)),
+    **dict.fromkeys(("matrix_group", "invariant_interval"), (alone_related,)),
+    "field_equations": (alone_fields,),
     "matrix_algebra": (alone_lie,),
     "canonical": (alone_generated,),
     "new_hamiltonian": (alone_generated,),

@@ -127,8 +127,9 @@ class Facts:
         claim.facts = facts
 
     def divisors(self) -> list[Any]:
-        """What isn't 0 where the claim has a value: factors of what is divided by."""
+        """What isn't 0 where the claim has a value: factors of what is divided by, and of radicands."""
         found, left = list[Any](), [f.of[0] for f in self.parts if f.kind == "^" and self.is_below(f.of[1])]
+        left += self.radicands
         while left:
             f = left.pop()
             if f.kind == "." and f.of[0] in self.claim.texts:

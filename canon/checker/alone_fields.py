@@ -36,7 +36,7 @@ class Field(Small):
     """The equation of one field, as an identity; in L it stands beside ε exp(k·x)."""
 
     def __init__(self, tables: Any, name: str, variables: list[str], equation: str, fields: Any) -> None:
-        self.name, self.placed, self.fields = "", variables, fields
+        self.name, self.placed, self.fields, self.met = "", variables, fields, set[str]()
         whole = alone.formulas(tables)
         fresh = next(f"field{k}x" for k in count() if f"field{k}x" not in whole)
         self.small, waves = f"{fresh}e", [f"{fresh}k{i}" for i in range(len(variables))]
@@ -50,9 +50,9 @@ class Field(Small):
         odd = {*variables} - {*self.variables, *self.words} or {*variables} & {*self.texts}
         if odd or any(map(self.is_function, variables)) or any("integer" in self.words.get(x, ()) for x in variables):
             raise Stop("not shown", "fields of other than names")
-        self.known("_rhs")  # the equation, without ε
-        if (highest := order(self.known(f"{fresh}L"))) > HIGHEST:
-            raise Stop("not shown", "fields with so high derivatives")
+        highest = order(self.known(f"{fresh}L"))
+        if highest > HIGHEST or name not in self.met:
+            raise Stop("not shown", "a field that isn't there, or with so high derivatives")
         self.known.cache_clear()  # type: ignore[attr-defined]
         self.name, self.held = name, dict.fromkeys((self.small, *waves), 0)
         terms, base = list[str](), f"(D({fresh}L, {self.small})*exp(-({' + '.join(along)})))"
@@ -72,6 +72,7 @@ class Field(Small):
         if isinstance(at, ast.Call) and isinstance(at.func, ast.Subscript):
             raise Stop("not shown", "a field's derivative of that form")
         if called in self.fields:
+            self.met.add(called)
             if [(g.kind, g.of) for g in f.of] != [(".", (x,)) for x in self.placed]:
                 raise Stop("not shown", "a field at another place")
             return self.made("+", f, self.read(self.wave)) if called == self.name else f

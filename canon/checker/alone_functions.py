@@ -35,7 +35,7 @@ JACOBI = {
 }  # fmt: skip
 """Their derivatives by the argument a and the parameter b = m = k², with e = ∫ dn² da from 0."""
 ARCS, LOGS = ("atan2", "asin", "acos", "atan"), ("log", "asinh", "acosh", "atanh")
-HALF, TRIES, MOST_INSIDE = Fraction(1, 2), 20_000, 300
+HALF, TRIES, MOST_INSIDE = Fraction(1, 2), 4000, 300
 
 
 def names_of(f: Any) -> frozenset[str]:
@@ -227,8 +227,8 @@ class Functions(alone_wider.Placed):
         return self.curves[u, m]
 
     def terms(self, f: Any) -> dict[int, Fraction]:
-        if f.kind == "^" and f.of[1].kind != "#":
-            return {self.value(f): Fraction(1)}
+        if f.kind == "D" or (f.kind == "^" and f.of[1].kind != "#"):
+            return {self.at(f): Fraction(1)}  # not by the value of what is differentiated, which may be another's here
         given: Any = self.asked.given if f.kind == "." and f.of[0] not in self.held else {}  # type: ignore
         if f in self.asked.branches:  # type: ignore[attr-defined]
             return self.terms(self.asked.branches[f])  # type: ignore[attr-defined]

@@ -9,6 +9,7 @@ any other. Constants that are powers of positive parameters are those at 1, in a
 
 from __future__ import annotations
 
+import re
 from contextlib import suppress
 from fractions import Fraction
 from itertools import count, product
@@ -81,7 +82,7 @@ class Restricted(Surface, Calls, alone_algebras.Algebra):
         texts = dict(zip([fresh], on, strict=False))
         super().__init__({**tables, "domain": domain, "definitions": {**tables.get("definitions", {}), **texts}})
         self.trail: list[tuple[int, bool]] | None = None  # radicands that are met, and whether they are squares
-        self.is_one_part = False
+        self.is_independent = False
         weights, equations = Weights(), [self.known(text) for text in texts]
         used = frozenset[str]().union(*map(names_of, (*equations, *self.basis)))
         for f in (*equations, *self.basis, *(g for g, _ in self.conditions())):
@@ -134,8 +135,9 @@ class Apart(On):
     def check(self) -> None:
         super().check()
         claim: Any = self.asked
-        if not claim.is_one_part:
-            self.check_one_part()
+        if claim.is_independent:  # at one point is enough, as the surface has one part
+            return
+        self.check_one_part()
         rows = [self.row()]
         for _ in range(MOST_OTHERS * len(claim.basis)):
             if len(rows) == len(claim.basis):
@@ -144,6 +146,7 @@ class Apart(On):
                 rows.append(self.another().row())
         if len(rows) < len(claim.basis) or not determinant(rows, self.p):
             raise Stop("not shown", "that the functions are independent")
+        claim.is_independent = True
 
     def another(self) -> Apart:
         """A point for the same parameters, at the same time."""
@@ -169,7 +172,6 @@ class Apart(On):
         for k in range(max(map(len, found))):
             if {trail[k] for trail in found if len(trail) > k} != {True, False}:
                 raise Stop("not shown", "that a radicand is no square")
-        claim.is_one_part = True
 
     def row(self) -> list[int]:
         return [self.at(f) for f in self.asked.basis]  # type: ignore[attr-defined]
@@ -220,7 +222,8 @@ def shown(data: Any) -> tuple[str, str]:
     symbols, space = dict(tables.get("symbols", {})), tables.get("phase_space", {})
     named = {x for side in space.values() for x in ([side] if isinstance(side, str) else side)}
     named |= {*tables["claim"].get("coordinates", ())} | {space.get("time", "t")}
-    real = [x for x, words in symbols.items() if words in ("real", ["real"]) and x not in named]
+    written = {*re.findall(r"\w+", alone.formulas({**tables, "symbols": {}}))}
+    real = [x for x, words in symbols.items() if words in ("real", ["real"]) and x in written - named]
     if len(real) > MOST_REAL:
         raise Stop("not shown", "so many real parameters")
     for ways in product((True, False), repeat=len(real)):

@@ -67,8 +67,10 @@ class Related(Surface, Small):
             raise Stop("not shown", "a map of variables that it gives")
         self.words = {name: ["real"] for name in self.old} | self.words  # derivatives are by these as well
         self.variables = [*self.base, held[-1]]
-        for text in ("_lhs", "_rhs", *texts):
-            self.check_related(self.known(text))
+        for f in map(self.known, ("_lhs", "_rhs", *texts)):
+            self.check_related(f)
+            if not maps and names_of(f) & self.new:
+                raise Stop("not shown", "new variables without a map")
         if on:
             self.solve(self.known(f"{fresh}on"), [*self.words, *self.base])
         if ways and not (stated and "Q" in tables["transformation"]):

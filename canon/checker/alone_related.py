@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import ast
 import json
+from contextlib import suppress
 from itertools import chain, count, permutations
 from typing import Any
 
@@ -29,6 +30,10 @@ else:  # as a program, beside the other files
 
 Formula, Stop, flat = alone.Formula, alone.Stop, alone_table.flat
 MAPS, MOST_ROWS = ("transformation", "generating_function"), 5
+KINDS = (
+    "identity", "bracket", "conserved", "involution", "jacobi", "casimir", "equations_of_motion", "hamiltonian_field",
+    "infinitesimal", "matrix_group", "invariant_interval", "euler_lagrange", "solves",
+)  # fmt: skip
 
 
 class Related(Surface, Small):
@@ -140,22 +145,21 @@ def determinant(rows: list[list[str]]) -> str:
 
 def shown(data: Any) -> tuple[str, str]:
     """The answer about the claim itself."""
-    tables = data["tables"]
-    kind = tables["claim"]["kind"]
-    if kind == "identity":
-        claim: Any = Related(tables)
-    elif kind in alone.KINDS or kind == "involution":
-        claim = Small(tables)
-    else:
-        claim = Wide(tables)
-    put = lambda prime: sampled(claim, prime, On)
-    try:
-        return alone.tried(put)
-    except Stop as stop:
-        if stop.args[0] != "not shown":
-            raise
-    alone_facts.find(claim)
-    return alone.tried(put)
+    kind = data["tables"]["claim"]["kind"]
+    if kind not in KINDS:
+        raise Stop("not shown", "a claim of another kind")
+    reason = Stop("not shown", "another claim")
+    for read in (Related,) if kind == "identity" else (Small, Wide):
+        try:
+            claim: Any = read(data["tables"])
+            put = lambda prime, claim=claim: sampled(claim, prime, On)
+            with suppress(Stop):
+                return alone.tried(put)
+            alone_facts.find(claim)
+            return alone.tried(put)
+        except (Stop, KeyError, ValueError) as other:
+            reason = other if isinstance(other, Stop) else reason
+    raise reason
 
 
 def checked(data: Any) -> tuple[str, str]:

@@ -41,9 +41,6 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "integral": (alone_integrals,),
     "limit": (alone_limits,),
     "algebra": (alone_algebras, alone_parameters),
-    **dict.fromkeys(("identity", "bracket", "conserved", "involution", "jacobi", "casimir"), (alone_related,)),
-    **dict.fromkeys(("equations_of_motion", "hamiltonian_field", "infinitesimal"), (alone_related,)),
-    **dict.fromkeys(("matrix_group", "invariant_interval"), (alone_related,)),
     "field_equations": (alone_fields,),
     "matrix_algebra": (alone_lie,),
     "canonical": (alone_generated,),
@@ -56,7 +53,8 @@ def checked(data: Any) -> tuple[str, str]:
     """(answer, reason) for a certificate as JSON: of the first that has a means, else of the last."""
     answer = alone_wider.checked(data)
     try:
-        besides = BESIDES.get(data["tables"]["claim"]["kind"], ())
+        kind = data["tables"]["claim"]["kind"]
+        besides = (*BESIDES.get(kind, ()), *((alone_related,) if kind in alone_related.KINDS else ()))
     except (KeyError, TypeError):  # what is no certificate
         return answer
     if answer[0] == "not shown" and COMPLEX.search(json.dumps(data["tables"])):

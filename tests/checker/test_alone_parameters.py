@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from canon.checker import alone_names, alone_parameters, alone_together
+from canon.checker import alone, alone_names, alone_parameters, alone_together
 from tests.checker.certified import certified, resealed
 
 SPACE: Any = {"phase_space": {"q": ["x", "y", "z"], "p": ["u", "v", "w"]}}
@@ -173,7 +173,8 @@ NAMED: Any = [
     (11, turning(3, 6) | MASS, {"bargmann"}),
     (10, turning(3, 6) | moving(0), set()), (11, turning(3, 6) | moving(0), set()),
     (11, turning(3, 6) | moving(1, 0), set()),
-    (11, POINCARE, set()), (10, turning(3, 6) | moving(1, 0), set()), (10, turning(3, 6), set()),
+    (11, turning() | MASS, set()), (11, POINCARE, set()), (10, turning(3, 6) | moving(1, 0), set()),
+    (10, turning(3, 6), set()),
     (11, turning(3, 6) | MASS | {(6 + i, 9): {3 + i: -1} for i in range(3)}, set()),  # Newton's and Hooke's
     (11, turning(3, 6) | {(3 + i, 6 + i): {10: 1} for i in range(3)}, set()),
 ]  # fmt: skip
@@ -186,6 +187,23 @@ def test_names(given: Any) -> None:
     alone_names.alone_lie.check_lie(c)
     for table, name in product((c, changed(c)), ("poincare", "bargmann")):
         assert alone_names.is_called(table, name) == (name in names)
+
+
+@pytest.mark.parametrize(("rows", "fine"), [
+    ({(0, 1): {1: "a"}}, True), ({(0, 1): {1: "e"}}, False), ({(0, 1): {1: "k"}}, False),
+    ({(0, 1): {1: "a + 1"}}, False),
+    ({(0, 1): {1: "1"}, (0, 2): {2: "a"}}, False), ({(0, 1): {1: "a/m"}, (0, 2): {2: "2*a/m"}}, True),
+    ({(0, 1): {2: "a"}, (1, 2): {0: "b"}, (2, 0): {1: "a*b"}}, True),
+    ({(0, 1): {1: "a", 2: "1"}, (0, 2): {2: "1"}}, False),
+])  # fmt: skip
+def test_constants_with_parameters(rows: Any, fine: bool) -> None:
+    claim = alone.Claim({**SPACE, "symbols": NAMES, "claim": {"kind": "identity", "lhs": "0", "rhs": "0"}})
+    read = lambda i, j, k: claim.read(rows.get((i, j), {}).get(k) or f"-({rows.get((j, i), {}).get(k, 0)})")
+    if fine:
+        assert alone_names.at_one(read, 3, {"a", "b", "m"})
+        return
+    with pytest.raises(alone_names.Stop):
+        alone_names.at_one(read, 3, {"a", "b", "m"})
 
 
 def test_constants_that_are_none_have_no_name() -> None:

@@ -16,6 +16,7 @@ if __package__:
         alone_constraints,
         alone_covers,
         alone_elliptic,
+        alone_fields,
         alone_gauss,
         alone_generated,
         alone_groups,
@@ -23,10 +24,12 @@ if __package__:
         alone_lie,
         alone_limits,
         alone_normal_forms,
+        alone_parameters,
         alone_paths,
         alone_powers,
         alone_radicands,
         alone_regular,
+        alone_related,
         alone_series,
         alone_signs,
         alone_tending,
@@ -42,6 +45,7 @@ else:  # as a program, beside the other files
     import alone_constraints  # type: ignore
     import alone_covers  # type: ignore
     import alone_elliptic  # type: ignore
+    import alone_fields  # type: ignore
     import alone_gauss  # type: ignore
     import alone_generated  # type: ignore
     import alone_groups  # type: ignore
@@ -49,10 +53,12 @@ else:  # as a program, beside the other files
     import alone_lie  # type: ignore
     import alone_limits  # type: ignore
     import alone_normal_forms  # type: ignore
+    import alone_parameters  # type: ignore
     import alone_paths  # type: ignore
     import alone_powers  # type: ignore
     import alone_radicands  # type: ignore
     import alone_regular  # type: ignore
+    import alone_related  # type: ignore
     import alone_series  # type: ignore
     import alone_signs  # type: ignore
     import alone_tending  # type: ignore
@@ -65,7 +71,8 @@ BESIDES: dict[str, tuple[Any, ...]] = {
     "integral": (alone_integrals, alone_radicands, alone_gauss),
     "limit": (alone_limits, alone_tending),
     "average": (alone_averages,),
-    "algebra": (alone_algebras,),
+    "algebra": (alone_algebras, alone_parameters),
+    "field_equations": (alone_fields,),
     "matrix_algebra": (alone_lie,),
     "canonical": (alone_generated,),
     "new_hamiltonian": (alone_generated,),
@@ -90,7 +97,8 @@ def checked(data: Any) -> tuple[str, str]:
     """(answer, reason) for a certificate as JSON: of the first that has a means, else of the last."""
     answer = alone_wider.checked(data)
     try:
-        besides = BESIDES.get(data["tables"]["claim"]["kind"], ())
+        kind = data["tables"]["claim"]["kind"]
+        besides = (*BESIDES.get(kind, ()), *((alone_related,) if kind in alone_related.KINDS else ()))
     except (KeyError, TypeError):  # what is no certificate
         return answer
     if answer[0] == "not shown" and COMPLEX.search(json.dumps(data["tables"])):

@@ -41,7 +41,7 @@ MEANINGS = {"-": "a + (-1)*b", "/": "a*b**(-1)", "sqrt": "a**(1/2)", "cbrt": "a*
     "cot": "cos(a)/sin(a)", "sec": "1/cos(a)", "csc": "1/sin(a)", "sinh": "(exp(a) - exp(-a))/2",
     "cosh": "(exp(a) + exp(-a))/2", "tanh": "1 - 2/(exp(2*a) + 1)", "coth": "1 + 2/(exp(2*a) - 1)"}  # fmt: skip
 SIGNS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^", ast.UAdd: 1, ast.USub: -1}
-FIELD = ["D(_H, {p}) - _qdot{i}", "D(_H, {q}) + _pdot{i}"]
+FIELD, UNASKED = ["D(_H, {p}) - _qdot{i}", "D(_H, {q}) + _pdot{i}"], ("kind", "title", "source", "expect", "budget")
 KINDS = {"identity": ["_lhs - _rhs"], "bracket": ["bracket(_f, _g) - _equals"],
     "conserved": ["D(_f, {t}) + bracket(_f, _H)"], "equations_of_motion": FIELD, "hamiltonian_field": FIELD,
     "jacobi": ["bracket(_f, bracket(_g, _h)) + bracket(_g, bracket(_h, _f)) + bracket(_h, bracket(_f, _g))"],
@@ -53,7 +53,6 @@ SECTIONS = {"phase_space": {*"qpQP", "time"}, "hamiltonian": {"H"}, "transformat
 """The sections of a file, and their keys where these are always the same."""
 OWN = {"hamiltonian_field": ["H"], "canonical": ["scale"], "generating_function": ["type", "F"]}
 """Keys that claims of these kinds alone have."""
-UNASKED = ("kind", "title", "source", "expect", "budget")
 TYPES, GIVES = {1: "qQ", 2: "qP", 3: "pQ", 4: "pP"}, {"q": "p-", "p": "q+", "Q": "P+", "P": "Q-"}
 """p − ∂F/∂q = 0, q + ∂F/∂p = 0, P + ∂F/∂Q = 0, Q − ∂F/∂P = 0."""
 
@@ -93,6 +92,8 @@ def number(r: Any) -> Formula:
 
 class Claim:
     """What a claim asks for: the texts in `zeros` vanish."""
+
+    scales: Any = frozenset(Fraction(a, b) for a in SMALL for b in SMALL)
 
     def __init__(self, tables: Any) -> None:
         self.known, self.outer = cache(self.read), cache(self.outer)
@@ -337,8 +338,9 @@ def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = 
         at = lambda m: prod(pow(kernel(x), int(n or 1), prime) for x, _, n in (y.partition("^") for y in m.split()))
         return sum(point.fraction(number(c).of[0], prime) * at(m) for m, c in polynomial.items()) % prime
 
-    scales = {point.text(claim.texts.get("_scale", "1")) * b % prime for b in SMALL}  # the claim first: a kernel's
-    if any(map(point.text, claim.zeros)) or not scales & {a % prime for a in SMALL}:  # root may throw points away
+    # the claim first: a kernel's root may throw points away; a scale is one number at all points, which sign(x) isn't
+    claim.scales = {r for r in claim.scales if point.text(claim.texts.get("_scale", "1")) == point.fraction(r, prime)}
+    if any(map(point.text, claim.zeros)) or not claim.scales:
         raise Stop("not shown", "that all of it is 0, and the scale a number that isn't 0")
     _ = besides and besides(point)
     for k in case["kernels"]:

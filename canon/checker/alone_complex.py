@@ -64,6 +64,16 @@ class Wide(Complex, alone_wider.Wider):
     """One of the table."""
 
 
+class Imaginary(Wide):
+    """One with a scale that is i times a number."""
+
+    def __init__(self, tables: Any) -> None:
+        super().__init__(tables)
+        if self.texts.get("_scale") != "__scale":
+            raise Stop("not shown", "a scale that isn't looked for")
+        self.texts["_scale"] = "1j*__scale"
+
+
 class Numbers(alone_wider.Placed):
     """A random point modulo a prime with a root of −1."""
 
@@ -173,7 +183,8 @@ def sample(claim: Any, case: Any, _: int) -> int:
 def checked(data: Any) -> tuple[str, str]:
     """(answer, reason) for a certificate as JSON."""
     answer = alone.checked(data, Small, sample)
-    return answer if answer[0] != "not shown" else alone.checked(data, Wide, sample)
+    answer = answer if answer[0] != "not shown" else alone.checked(data, Wide, sample)
+    return answer if answer[0] != "not shown" else alone.checked(data, Imaginary, sample)
 
 
 if __name__ == "__main__":

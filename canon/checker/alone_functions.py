@@ -164,7 +164,8 @@ class Functions(alone_wider.Placed):
         if f.kind == "exp":
             return prod(self.rooted(self.exponential(v), r) for v, r in self.terms(f.of[0]).items()) % self.p
         if f.kind in JACOBI:
-            return self.curve(*map(self.at, f.of), f.of[1] in self.asked.moduli)[[*JACOBI].index(f.kind)]  # type: ignore
+            u, m = map(self.at, f.of)
+            return self.curve(u, m, f.of[1] in self.asked.moduli)[[*JACOBI].index(f.kind)]
         found = super().value(f)
         if f.kind in ARCS:
             self.arcs[found] = f

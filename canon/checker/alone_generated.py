@@ -19,7 +19,7 @@ Stop = alone.Stop
 KEYS = {"canonical": set[str](), "new_hamiltonian": {"K"}}
 
 
-def claim_of(tables: Any) -> Any:
+def claim_of(tables: Any, reader: Any = alone_wider.Wider) -> Any:
     """What the claim asks for, in the variables of F."""
     claim, space, given = tables["claim"], tables["phase_space"], tables["generating_function"]
     kind, said = claim["kind"], {key: x for key, x in claim.items() if key not in alone.UNASKED}
@@ -39,7 +39,7 @@ def claim_of(tables: Any) -> Any:
             stands.append(f"{'-' if sign == '+' else ''}D({given['F']}, {space[side][i]})")
     new_claim = {"kind": f"{kind}_generated", "F": given["F"], "old": old, "new": new, "missing": missing}
     rest = {key: x for key, x in tables.items() if key != "generating_function"}
-    return alone_wider.Wider({**rest, "claim": {**new_claim, "stands": stands, **said}})
+    return reader({**rest, "claim": {**new_claim, "stands": stands, **said}})
 
 
 def sample(claim: Any, prime: int) -> int:

@@ -33,6 +33,7 @@ MOST_WORK, DEEPEST = 20_000, 6
 class Signs:
     """What is positive in the domain of a claim; `flat` are angles that are π."""
 
+    late: Any = str  # the order in which names are solved for
     everywhere = False  # without such cases sines and cosines are names, but of angles between 0 and π
 
     def __init__(self, claim: alone.Claim, flat: Any = ()) -> None:
@@ -109,12 +110,8 @@ class Signs:
             square = times(n, d)  # √(n/d) = √(n d)/d
             (m, c), *more = [*square.items(), ((), Fraction(0))]
             low = Fraction(isqrt(c.numerator), isqrt(c.denominator)) if c > 0 else Fraction(0)
-            if (
-                r.denominator == 2
-                and low**2 == c
-                and all(x in self.sure and k % 2 == 0 for x, k in m)
-                and len(more) == 1
-            ):
+            even = all(x in self.sure and k % 2 == 0 for x, k in m)
+            if r.denominator == 2 and low**2 == c and even and len(more) == 1:
                 n = {tuple((x, k // 2) for x, k in m): low}
             else:
                 w = self.new(("root", r.denominator, *sorted(n.items()), *sorted(d.items())), True)
@@ -147,7 +144,7 @@ class Signs:
 
     def use(self, p: of.Polynomial) -> None:
         """Use that p > 0, for one name in it: all values with p > 0 are kept, and others may come."""
-        for v in names_in(p):
+        for v in sorted(names_in(p), key=self.late):
             powers, s = by_powers(p, v), f"#{next(self.count)}"
             if v[0] == "#" and v not in self.put and v in self.seen.values():
                 continue

@@ -4,107 +4,80 @@ from __future__ import annotations
 
 import json
 import re
+from importlib import import_module
 from typing import Any
 
 if __package__:
-    from canon.checker import (
-        alone,
-        alone_actions,
-        alone_algebras,
-        alone_averages,
-        alone_complex,
-        alone_constraints,
-        alone_covers,
-        alone_elliptic,
-        alone_fields,
-        alone_gauss,
-        alone_generated,
-        alone_groups,
-        alone_integrals,
-        alone_lie,
-        alone_limits,
-        alone_normal_forms,
-        alone_parameters,
-        alone_paths,
-        alone_powers,
-        alone_radicands,
-        alone_regular,
-        alone_related,
-        alone_series,
-        alone_signs,
-        alone_tending,
-        alone_units,
-        alone_wider,
-    )
+    from canon.checker import alone, alone_wider
 else:  # as a program, beside the other files
     import alone  # type: ignore
-    import alone_actions  # type: ignore
-    import alone_algebras  # type: ignore
-    import alone_averages  # type: ignore
-    import alone_complex  # type: ignore
-    import alone_constraints  # type: ignore
-    import alone_covers  # type: ignore
-    import alone_elliptic  # type: ignore
-    import alone_fields  # type: ignore
-    import alone_gauss  # type: ignore
-    import alone_generated  # type: ignore
-    import alone_groups  # type: ignore
-    import alone_integrals  # type: ignore
-    import alone_lie  # type: ignore
-    import alone_limits  # type: ignore
-    import alone_normal_forms  # type: ignore
-    import alone_parameters  # type: ignore
-    import alone_paths  # type: ignore
-    import alone_powers  # type: ignore
-    import alone_radicands  # type: ignore
-    import alone_regular  # type: ignore
-    import alone_related  # type: ignore
-    import alone_series  # type: ignore
-    import alone_signs  # type: ignore
-    import alone_tending  # type: ignore
-    import alone_units  # type: ignore
     import alone_wider  # type: ignore
 
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
-BESIDES: dict[str, tuple[Any, ...]] = {
-    "inequality": (alone_signs, alone_covers),
-    "integral": (alone_integrals, alone_radicands, alone_gauss),
-    "limit": (alone_limits, alone_tending),
-    "average": (alone_averages,),
-    "algebra": (alone_algebras, alone_parameters),
-    "field_equations": (alone_fields,),
-    "matrix_algebra": (alone_lie,),
-    "canonical": (alone_generated,),
-    "new_hamiltonian": (alone_generated,),
-    "independent": (alone_regular,),
-    "euler_lagrange": (alone_regular, alone_powers),
-    "noether": (alone_powers,),
-    "legendre": (alone_regular,),
-    "solves": (alone_powers,),
-    "constraint": (alone_constraints,),
-    "stationary": (alone_paths,),
-    "group": (alone_groups,),
-    "lie_series": (alone_series,),
-    "normal_form": (alone_normal_forms,),
-    "dimension": (alone_units,),
-    "action": (alone_actions, alone_elliptic),
-    "frequency": (alone_actions, alone_elliptic),
+BESIDES = {
+    "action": "actions elliptic",
+    "action_angle": "angles",
+    "algebra": "algebras parameters",
+    "average": "averages",
+    "bracket": "related",
+    "bracket_invariance": "maps",
+    "canonical": "generated maps",
+    "cartan_invariant": "maps",
+    "casimir": "related",
+    "conserved": "related",
+    "constraint": "constraints",
+    "dimension": "units",
+    "equations_of_motion": "related",
+    "euler_lagrange": "regular powers related",
+    "field_equations": "fields",
+    "frequency": "actions elliptic",
+    "fundamental_brackets": "maps",
+    "generates": "maps",
+    "generating_function": "maps",
+    "group": "groups",
+    "hamilton_jacobi": "maps",
+    "hamiltonian_field": "related",
+    "identity": "related",
+    "independent": "regular",
+    "inequality": "signs covers",
+    "infinitesimal": "related",
+    "integral": "integrals radicands gauss",
+    "integral_invariant": "maps",
+    "invariant_interval": "related",
+    "involution": "related",
+    "jacobi": "related",
+    "legendre": "regular",
+    "lie_series": "series",
+    "limit": "limits tending",
+    "matrix_algebra": "lie",
+    "matrix_group": "related",
+    "new_hamiltonian": "generated maps",
+    "noether": "powers",
+    "normal_form": "normal_forms",
+    "solves": "powers related",
+    "stationary": "paths",
+    "symmetry": "maps",
+    "volume": "maps",
 }
-"""Those that know a kind of claims, besides the table."""
+"""The files called alone_… that know a kind of claims, besides the table, in the order in which they are asked."""
+
+
+def named(name: str) -> Any:
+    """The file alone_… of this name, which is read when it is needed."""
+    return import_module(f"canon.checker.alone_{name}" if __package__ else f"alone_{name}")
 
 
 def checked(data: Any) -> tuple[str, str]:
     """(answer, reason) for a certificate as JSON: of the first that has a means, else of the last."""
     answer = alone_wider.checked(data)
     try:
-        kind = data["tables"]["claim"]["kind"]
-        besides = (*BESIDES.get(kind, ()), *((alone_related,) if kind in alone_related.KINDS else ()))
+        besides = BESIDES.get(data["tables"]["claim"]["kind"], "").split()
     except (KeyError, TypeError):  # what is no certificate
         return answer
     if answer[0] == "not shown" and COMPLEX.search(json.dumps(data["tables"])):
-        besides = (*besides, alone_complex)
-    for one in besides:
-        answer = answer if answer[0] != "not shown" else one.checked(data)
+        besides.append("complex")
+    for name in besides:
+        answer = answer if answer[0] != "not shown" else named(name).checked(data)
     return answer
 
 

@@ -38,8 +38,7 @@ class Wider(alone.Claim):
         held: Any = {side: space.get(side, []) for side in "qpQP"} | {"t": space.get("time", "t")}
         self.words = {n: [w] if isinstance(w, str) else w for n, w in tables.get("symbols", {}).items()}
         self.names, self.texts = flat([*held.values()]), dict(tables.get("definitions", {}))
-        self.solution, self.slopes, self.used = dict[str, Any](), set[str](), list[str]()
-        self.placed = list[tuple[Any, set[str]]]()
+        self.solution, self.slopes, self.used, self.placed = dict[str, Any](), set[str](), list[str](), list[Any]()
         self.take_bracket(claim, held)
         own = self.take_names(tables, claim, held)
         self.take_solution(claim.pop("solution", {}))
@@ -54,6 +53,7 @@ class Wider(alone.Claim):
         template = alone_table.Template(held, form.get("absent", {}))
         for key, row in form.get("let", {}).items():
             held[key] = self.stored(f"__{key}", *template.texts(row))
+            self.texts |= {"_scale": "__scale"} if key == "scale" else {}  # it is one number
         rows = lambda key: [text for row in form.get(key, ()) for text in template.texts(row)]
         self.zeros, self.besides, self.nonzero = map(rows, ("zeros", "besides", "nonzero"))
         if not self.zeros + self.besides + self.nonzero:
@@ -229,7 +229,7 @@ class Placed(alone.Point):
 
     def __init__(self, claim: Wider, prime: int) -> None:
         super().__init__(claim, prime)
-        self.asked = claim
+        self.asked: Any = claim
 
     def value(self, f: Any) -> int:
         """The value of a formula; near what is 0, functions have no edges or cuts."""
@@ -277,7 +277,7 @@ class Placed(alone.Point):
             ways = {(way + w * s) % p for way in ways for w in (0, -1, 1, -2, 2)}
         for n in (n for n, s in steep.items() if s and n not in claim.variables):
             apart = {*claim.words[n]} & {"positive", "negative", "nonzero"}
-            if not apart or not {(r - steep[n]) % p for r in ratios} & ways:
+            if not apart or not {(r - k * steep[n]) % p for r in ratios for k in (1, 2)} & ways:
                 raise Stop("not shown", f"that what mustn't be 0 isn't, whatever {n[:40]} is")
 
 

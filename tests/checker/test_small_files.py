@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-import canon.checker.alone
+from canon.checker import alone_together
 
-FOLDER = Path(canon.checker.alone.__file__).parent
+FOLDER = Path(alone_together.__file__).parent
 PATTERNS = ("alone*.py", "counterexample*.py", "refutations.py", "lie_invariants.py")
 FILES = tuple(sorted(file for pattern in PATTERNS for file in FOLDER.glob(pattern)))
 NAMES = {file.stem for file in FILES}
@@ -43,3 +43,14 @@ def test_it_needs_nothing_but_python_and_files_beside_it(file: Path) -> None:
 def test_they_are_those_that_are_there() -> None:
     assert {"alone", "alone_lie", "alone_table", "counterexample", "refutations"} < NAMES
     assert len(NAMES) == len(FILES)
+
+
+def test_what_is_asked_besides_is_there() -> None:
+    """And every small file of proofs is asked, or used by one that is."""
+    asked = {f"alone_{name}" for names in alone_together.BESIDES.values() for name in names.split()}
+    assert asked <= NAMES
+    used = {"alone", "alone_together", "alone_wider", "alone_complex", *asked}
+    texts = {file.stem: file.read_text(encoding="utf-8") for file in FILES}
+    while more := {name for name in NAMES - used if any(name in texts[other] for other in used)}:
+        used |= more
+    assert {name for name in NAMES if name.startswith("alone")} <= used

@@ -134,7 +134,12 @@ class Separatrix:
     def round(self) -> Any:
         """The action from one top of a potential of one cosine to the next, or there and back."""
         motion, read, times = self.motion, self.motion.read, {"libration": 4, "rotation": 2}.get(self.motion.branch)
-        if alone_charts.bounds(motion) != (None, None) or motion.bounds or len(self.series) != 2 or "well" in motion.said:
+        if (
+            alone_charts.bounds(motion) != (None, None)
+            or motion.bounds
+            or len(self.series) != 2
+            or "well" in motion.said
+        ):
             raise Stop("not shown", "a motion on the circle with one cosine")
         own = {"a": self.series[0], "b": self.series[1], "c": self.chart.rate}
         if times is None or not (self.is_zero(read("a - b", own)) or self.is_zero(read("a + b", own))):

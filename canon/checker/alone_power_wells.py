@@ -143,14 +143,14 @@ class Gammas(alone_actions.Residues):
 
     def gamma(self, terms: dict[int, Fraction], x: int) -> int:
         """Γ(x), where x is a sum of a number and something else, or a number."""
-        r, factor = terms.get(1, Fraction(0)), 1
-        steps = max(0, -int(-r // 1) - 1)
+        r, factor, is_number = terms.get(1, Fraction(0)), 1, not {*terms} - {1}
+        steps = max(0, -(-r // 1) - 1 if is_number else r // 1)  # down to 0 < r ≤ 1, or 0 ≤ r < 1
         if steps > MOST_STEPS:
             raise Stop("not shown", "gamma of what is so large")
         for _ in range(steps):
             r, x = r - 1, (x - 1) % self.p
             factor = factor * x % self.p
-        if not {*terms} - {1}:
+        if is_number:
             if r <= 0:
                 raise Stop("not shown", "gamma of what isn't positive")
             known = {Fraction(1): 1, HALF: self.root(self.text("pi"), HALF)}

@@ -7,7 +7,7 @@ Where Δ of `alone_orbits.py` has a double zero d inside the line, with y = q �
                             ∮ p dq = 2 (−c^(3/2)/3a − s b I/2a),  I = ∫ √P dy over the loop.
 
 That y⁰ and y¹ have the coefficient 0 is an identity of polynomials; the signs of a, b, c are seen for all values of the
-parameters (`alone_signs.py`), so that the ends of the loops need no formula. Round the circle Δ/4n₂² = λ (1 ± u), u being
+parameters (`alone_signs.py`), so that the ends of the loops need no formula. Round the circle Δ/4n₂² = λ (1 ± u), u =
 cos γq, and from one top to the next ∫ p dq = 2 √(8 λ)/γ. The value is a formula, and the claim's is the same at random
 points modulo primes.
 """

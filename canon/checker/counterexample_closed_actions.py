@@ -16,11 +16,10 @@ from fractions import Fraction
 from typing import Any
 
 if __package__:
-    from canon.checker import alone_orbits, alone_power_wells, alone_separatrices
+    from canon.checker import alone_power_wells, alone_separatrices
     from canon.checker.alone import Formula, Stop
     from canon.checker.counterexample import Arithmetic, Interval, Open, Point, check, somewhere
 else:  # as a program's part, beside the other files
-    import alone_orbits  # type: ignore
     import alone_power_wells  # type: ignore
     import alone_separatrices  # type: ignore
     from alone import Formula, Stop  # type: ignore
@@ -56,7 +55,7 @@ def values(tables: Any) -> Iterator[tuple[Any, Formula, list[Formula]]]:
     with suppress(Stop):
         well = alone_power_wells.Well(alone_power_wells.Beta(tables))
         yield well.motion, well.value, [well.room]
-    for one in alone_separatrices.levels(alone_orbits.Motion(tables)):
+    for one in alone_separatrices.levels(alone_power_wells.Beta(tables)):
         yield one.motion, one.value, []
 
 

@@ -122,6 +122,7 @@ def test_another_value_is_not(H: str, equals: str, more: Any) -> None:
     ("p**2/2 + q**4/4 + q**2/2", "0", {**REST, "well": "1"}),
     ("p**2/2 - q**4/4 + q**2/2", "4/3", {**REST, "well": "1"}),
     ("-p**2/2 - q**2/2 + q**3/3", "6/5", {"fixed": {"E": "-1/6"}}),
+    (WELLS + " + q/1000", RIGHT, {**REST, "well": "1"}), (DUFFING, TWIN, {"fixed": {"E": "1/1000"}, "well": "a/b"}),
     # the domain cuts it, or has no point
     (PLAIN, "6/5", {**NUMBERS, **HALF}), (PLAIN, "6/5", {**NUMBERS, "domain": {"where": ["q < 2"]}}),
     (PLAIN, "6/5", {**NUMBERS, "domain": {"where": ["p > 0"]}}),

@@ -44,6 +44,8 @@ class Motion(alone.Claim):
             raise Stop("not shown", "an orbit beside a map, or with other keys")
         usual = [*space["q"], *space["p"], space.get("time", "t"), *tables.get("definitions", {}), "pi"]
         words = symbols.get(self.energy, "real")
+        if {*ELLIPTIC, "gamma"} & {*usual, *symbols, *fixed}:
+            raise Stop("not shown", "another function of such a name")
         if self.energy in usual or words not in WORDS or not re.fullmatch(r"[^\W\d_]\w*", self.energy):
             raise Stop("not shown", "such an energy")
         claim = {

@@ -15,7 +15,7 @@ else:  # as a program, beside the other files
 
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 BESIDES = {
-    "action": "actions elliptic",
+    "action": "actions elliptic separatrices power_wells",
     "action_angle": "angles",
     "algebra": "algebras parameters",
     "average": "averages",

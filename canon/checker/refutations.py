@@ -13,6 +13,7 @@ if __package__:
         counterexample,
         counterexample_algebras,
         counterexample_angles,
+        counterexample_closed_actions,
         counterexample_complex,
         counterexample_cycles,
         counterexample_endless,
@@ -34,6 +35,7 @@ else:  # as a program, beside the other files
     import counterexample  # type: ignore
     import counterexample_algebras  # type: ignore
     import counterexample_angles  # type: ignore
+    import counterexample_closed_actions  # type: ignore
     import counterexample_complex  # type: ignore
     import counterexample_cycles  # type: ignore
     import counterexample_endless  # type: ignore
@@ -55,6 +57,7 @@ FILES = (
     counterexample_open_paths,
     counterexample_kinds,
     counterexample_integrals,
+    counterexample_closed_actions,
     counterexample_orbits,
     counterexample_angles,
     counterexample_vanishing,

@@ -307,5 +307,5 @@ class Level:
             raise Stop("not shown", "that H has a value throughout the range")
         for up, down in self.flat.roots.values():
             if U in of.names_in(up) + of.names_in(down) and self.motion.p not in of.names_in(up) + of.names_in(down):
-                if not self.is_positive(up, down, folds=False):  # a root of 0 is 0
+                if not self.is_positive(up, down, folds=(up, down) != (named(U), ONE)):  # that of q² is smooth
                     raise Stop("not shown", "that a root has a value throughout the range")

@@ -166,6 +166,7 @@ FAST: Any = {**TURN, "symbols": {"c": "real", "E": "positive"}}
     (SINGULAR, "sqrt(2*b*(z + x)*y)/4/elliptic_k((y - x)*z/(y*(z + x)))", THROUGH),
     ("(p**2/2 - c)/(1 - cos(q))", "4*sqrt(2*(c + 2*E))*elliptic_e(2*E/(c + 2*E))", FAST),
     ("(p**2/2 - c)/(1 + cos(q))", "4*sqrt(2*(c + 2*E))*elliptic_e(2*E/(c + 2*E))", FAST),
+    ("p**2/2 - cos(q) + 0*sqrt(1 - cos(q))", ROTATION, TURN),
 ])  # fmt: skip
 def test_a_motion_through_a_place_where_h_has_no_value_is_none(H: str, equals: str, more: Any) -> None:
     """The line, or the circle, is folded there, and the integral has a value."""

@@ -311,6 +311,13 @@ EMPTY: dict[str, Any] = {
     "a sum of units": {
         **SPACE, "claim": {"kind": "dimension", "functions": ["q"], "dimensions": {"q": "L + M"}, "equals": "L + M"},
     },
+    "a unit that isn't in the base": {
+        **SPACE, "claim": {"kind": "dimension", "functions": ["q"], "dimensions": {"q": "X"}, "equals": "X"},
+    },
+    "a base of another form": {
+        **SPACE,
+        "claim": {"kind": "dimension", "functions": ["q"], "dimensions": {"q": "L"}, "equals": "L", "base": "L"},
+    },
     "a dimension of a function": {
         **SOLVED, "claim": {"kind": "dimension", "functions": ["0"], "dimensions": {"X": ["L", "T"]}, "equals": "L"},
     },

@@ -305,6 +305,10 @@ class Level:
                 raise Stop("not shown", "that something is positive throughout the range")
         if not (self.is_positive(self.d, ONE) or self.is_positive(of.minus(self.d), ONE)):
             raise Stop("not shown", "that H has a value throughout the range")
+        moving = {self.motion.q, self.motion.p}
+        for f in [f for f in self.motion.radicands if self.motion.inner(f) & moving]:
+            if not self.is_positive(*self.reduced(f)):
+                raise Stop("not shown", "that what a root, or a modulus, is of isn't 0 on the way")
         for up, down in self.flat.roots.values():
             if U in of.names_in(up) + of.names_in(down) and self.motion.p not in of.names_in(up) + of.names_in(down):
                 if not self.is_positive(up, down, folds=(up, down) != (named(U), ONE)):  # that of q² is smooth

@@ -39,6 +39,7 @@ class Motion(alone.Claim):
         said = {key: x for key, x in tables["claim"].items() if key not in (*alone.UNASKED, "kind")}
         space, symbols, fixed = tables["phase_space"], tables.get("symbols", {}), said.get("fixed", {})
         self.q, self.energy, self.inner = said["coordinate"], said["energy"], cache(self.inner)
+        self.radicands = list[Any]()  # of all roots that are written, and squares of moduli: they have to be positive
         sections = {"phase_space", "symbols", "domain", "definitions", "hamiltonian", "claim", "title", "source"}
         if {*tables} - sections or {*said} - KEYS or {*space} - {"q", "p", "time"} or {*tables["hamiltonian"]} != {"H"}:
             raise Stop("not shown", "an orbit beside a map, or with other keys")
@@ -107,6 +108,8 @@ class Motion(alone.Claim):
     def made(self, kind: str, *x: Any) -> Any:
         """A modulus is the positive root of a square."""
         base, *power = x
+        if kind == "^" and power[0].kind == "#" and power[0].of[0].denominator > 1:
+            self.radicands.append(base)
         if kind == "abs" and len(x) == 1 and kind not in {*self.names, *self.words, *self.texts}:
             return self.read("(a**2)**(1/2)", {"a": base})
         if ELLIPTIC.get(kind) == len(x) and kind not in {*self.names, *self.words, *self.texts}:

@@ -176,3 +176,18 @@ def test_a_motion_through_a_place_where_h_has_no_value_is_none(H: str, equals: s
 def test_where_h_has_a_value_there_it_is_one() -> None:
     equals = "4*sqrt(2*(c + 4*E))*elliptic_e(2*E/(c + 4*E))"
     assert answer("(p**2/2 - c)/(3 - cos(q))", equals, **FAST) == "shown"
+
+
+OVAL = "p**2/2 + b*(x - z)*q**2/4 + {}"
+ROUND_OVAL: Any = {"symbols": {"x": "positive", "z": "positive"}, "fixed": {"E": "b*z*x/4"}, "kind": "frequency"}
+OVAL_RATE = "sqrt(b/2)*sqrt(z + x)/(4*elliptic_k(z/(z + x)))"
+
+
+def test_a_root_or_a_modulus_that_is_0_on_the_way() -> None:
+    """These have a value, and a derivative, where what they are of isn't 0."""
+    assert answer(OVAL.format("b*q**4/4"), OVAL_RATE, **ROUND_OVAL) == "shown"
+    for other in ("b*abs(q)**4/4", "b*sqrt(q**2)**4/4", "b*q**4/4 + 0*abs(q)"):
+        assert answer(OVAL.format(other), OVAL_RATE, **ROUND_OVAL) == "not shown"
+    assert answer("p**2/2 + sqrt(q**2 + a**2)**2/2 - a**2/2", "2*pi*E") == "shown"
+    for H in ("p**2/2 + abs(q)**2/2", "abs(p)**2/2 + q**2/2", "p**2/2 + sqrt(q**2)**2/2", "sqrt(p**2)**2/2 + q**2/2"):
+        assert answer(H, "2*pi*E") == "not shown"

@@ -186,8 +186,7 @@ OVAL_RATE = "sqrt(b/2)*sqrt(z + x)/(4*elliptic_k(z/(z + x)))"
 def test_a_root_or_a_modulus_that_is_0_on_the_way() -> None:
     """These have a value, and a derivative, where what they are of isn't 0."""
     assert answer(OVAL.format("b*q**4/4"), OVAL_RATE, **ROUND_OVAL) == "shown"
-    for other in ("b*abs(q)**4/4", "b*sqrt(q**2)**4/4", "b*q**4/4 + 0*abs(q)"):
+    for other in ("b*q**4/4 + 0*abs(q)", "b*q**4/4 + 0*sqrt(q**2)", "b*abs(q)**3*abs(q)/4"):
         assert answer(OVAL.format(other), OVAL_RATE, **ROUND_OVAL) == "not shown"
     assert answer("p**2/2 + sqrt(q**2 + a**2)**2/2 - a**2/2", "2*pi*E") == "shown"
-    for H in ("p**2/2 + abs(q)**2/2", "abs(p)**2/2 + q**2/2", "p**2/2 + sqrt(q**2)**2/2", "sqrt(p**2)**2/2 + q**2/2"):
-        assert answer(H, "2*pi*E") == "not shown"
+    assert answer("p**2/2 + abs(q)**2/2", "2*pi*E") == "shown"

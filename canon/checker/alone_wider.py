@@ -133,6 +133,8 @@ class Wider(alone.Claim):
         written = {*re.findall(r"\w+", json.dumps([*explicit.values()], ensure_ascii=False))}
         if any(len(held[side]) != n for side in "qpQP") or {*held[a], *held[b]} & written:
             raise Stop("not shown", "a map to fewer variables, or of others")
+        if a == "q" and self.kind == "identity" and "bracket" in str([tables["claim"], self.texts]):  # of old variables
+            raise Stop("not shown", "brackets beside a map that gives old variables")
         self.texts |= dict(chain(*(zip(held[side], explicit[side], strict=True) for side in explicit)))
         held |= {"X": held[a] + held[b], "x": held[c] + held[d], "pairs": [*zip(held[c], held[d], strict=True)]}
 

@@ -305,6 +305,11 @@ EMPTY: dict[str, Any] = {
     "a function of the same name twice": {
         **SOLVED, "claim": {"kind": "solves", "solution": {"X(t)": "t", "X(q)": "0"}, "equations": ["X(q)"]},
     },
+    "a bracket of new variables": {
+        "phase_space": {"q": ["q"], "p": ["p"], "Q": ["Q"], "P": ["P"]},
+        "transformation": {"q": ["sqrt(Q)"], "p": ["4*P*sqrt(Q)"]},
+        "claim": {"kind": "identity", "lhs": "bracket(Q, P)", "rhs": "1"},
+    },
     "a unit with a number": {
         **SPACE, "claim": {"kind": "dimension", "functions": ["q"], "dimensions": {"q": "2*L"}, "equals": "2*L"},
     },

@@ -43,6 +43,8 @@ PLACES = {
     "square": (0, None),
 }
 """The ends of the range of u."""
+FOLDS = {"even": (0,), "circle": (-1, 1)}
+"""Those ends that are places of the line, or of the circle, through which a motion may go."""
 
 
 class Chart:
@@ -205,6 +207,14 @@ def charts(motion: Any) -> Any:
     yield line
 
 
+def at(p: of.Polynomial, x: int) -> of.Polynomial:
+    """A polynomial where u is a number."""
+    total: of.Polynomial = {}
+    for k, c in of.by_powers(p, U).items():
+        total = plus(total, times(number(x**k), c))
+    return total
+
+
 def same(flat: Any, f: Any, g: Any) -> bool:
     """Whether two formulas are the same quotient."""
     (n, d), (a, b) = flat.reduced(flat.quotient(f)), flat.reduced(flat.quotient(g))
@@ -277,11 +287,16 @@ class Level:
                 signs.use(signs.quotient(gap if side > 0 else times_minus(self.motion, gap))[0])
         return signs
 
-    def is_positive(self, n: Any, d: Any) -> bool:
-        """Whether a quotient is seen to be positive for all u of the range."""
-        f = self.motion.made("/", self.flat.written(n), self.flat.written(d))
-        signs = self.range_signs()
-        return signs.shown(signs.quotient(f)[0], True)
+    def is_positive(self, n: Any, d: Any, folds: bool = True) -> bool:
+        """Whether a quotient is seen to be positive for all u of the range, and where it is folded."""
+        ends = FOLDS.get(self.chart.kind, ()) if folds else ()
+        places = [(n, d), *((at(n, x), at(d, x)) for x in ends)]
+        for a, b in places:
+            f = self.motion.made("*", self.flat.written(a), Formula("^", (self.flat.written(b), alone.number(-1))))
+            signs = self.range_signs()
+            if not signs.shown(signs.quotient(f)[0], True):
+                return False
+        return True
 
     def check(self) -> None:
         """See that H has a value throughout the range, and ∂²H/∂p² is positive."""
@@ -290,7 +305,11 @@ class Level:
                 raise Stop("not shown", "that something is positive throughout the range")
         if not (self.is_positive(self.d, ONE) or self.is_positive(of.minus(self.d), ONE)):
             raise Stop("not shown", "that H has a value throughout the range")
+        moving = {self.motion.q, self.motion.p}
+        for f in [f for f in self.motion.radicands if self.motion.inner(f) & moving]:
+            if not self.is_positive(*self.reduced(f)):
+                raise Stop("not shown", "that what a root, or a modulus, is of isn't 0 on the way")
         for up, down in self.flat.roots.values():
             if U in of.names_in(up) + of.names_in(down) and self.motion.p not in of.names_in(up) + of.names_in(down):
-                if not self.is_positive(up, down):
+                if not self.is_positive(up, down, folds=(up, down) != (named(U), ONE)):  # that of q² is smooth
                     raise Stop("not shown", "that a root has a value throughout the range")

@@ -39,6 +39,7 @@ class Motion(alone.Claim):
         said = {key: x for key, x in tables["claim"].items() if key not in (*alone.UNASKED, "kind")}
         space, symbols, fixed = tables["phase_space"], tables.get("symbols", {}), said.get("fixed", {})
         self.q, self.energy, self.inner = said["coordinate"], said["energy"], cache(self.inner)
+        self.radicands = list[Any]()  # of all roots and moduli that stay: they have to be positive
         sections = {"phase_space", "symbols", "domain", "definitions", "hamiltonian", "claim", "title", "source"}
         if {*tables} - sections or {*said} - KEYS or {*space} - {"q", "p", "time"} or {*tables["hamiltonian"]} != {"H"}:
             raise Stop("not shown", "an orbit beside a map, or with other keys")
@@ -74,6 +75,7 @@ class Motion(alone.Claim):
         if self.inner(self.known("_equals")) & still or self.has_moving(still):
             raise Stop("not shown", "a value that moves")
         self.texts |= fixed
+        self.radicands = []  # all is read anew
         self.known.cache_clear()
         self.inner.cache_clear()  # type: ignore
         self.fixed, self.branch, self.said = fixed, said.get("branch"), said
@@ -109,6 +111,8 @@ class Motion(alone.Claim):
     def made(self, kind: str, *x: Any) -> Any:
         """A modulus is the positive root of a square."""
         base, *power = x
+        if kind == "^" and power[0].kind == "#" and power[0].of[0].denominator > 1:
+            self.radicands.append(base)
         if kind == "abs" and len(x) == 1 and kind not in {*self.names, *self.words, *self.texts}:
             return self.read("(a**2)**(1/2)", {"a": base})
         if ELLIPTIC.get(kind) == len(x) and kind not in {*self.names, *self.words, *self.texts}:
@@ -116,6 +120,7 @@ class Motion(alone.Claim):
         if kind == "^" and base.kind == "^" and power[0].kind == "#" and base.of[1].of == (Fraction(1, 2),):
             inside, n = base.of[0], power[0].of[0]
             if inside.kind == "^" and inside.of[1].of == (2,) and n > 0 and n % 2 == 0:  # |a|ⁿ with an even n
+                self.radicands = [f for f in self.radicands if f is not inside]  # a power of a, smooth at 0
                 return super().made("^", inside.of[0], *power)
         return super().made(kind, *x)
 

@@ -23,6 +23,7 @@ else:  # as a program, beside the other files
 Formula, Stop, flat = alone.Formula, alone.Stop, alone_table.flat
 UNIT = r"([^\W\d]\w*(\*\*(-?\d+|\(-?\d+(/\d+)?\)))?)"
 UNITS = rf"(1|{UNIT})([*/]({UNIT}|\({UNIT}([*/]{UNIT})*\)))*"
+BASE = ["L", "M", "T", "I", "Theta", "N", "J"]
 
 
 class Wider(alone.Claim):
@@ -117,12 +118,13 @@ class Wider(alone.Claim):
         held["scaled"], table, equals = [*claim["dimensions"]], claim.pop("dimensions"), claim.pop("equals")
         texts = [str(text) for text in (*table.values(), equals)]
         known = all(name in {*self.names, *self.words} and not self.is_function(name) for name in table)
-        if not known or not all(re.fullmatch(UNITS, text) for text in texts):
-            raise Stop("not shown", "a unit of that form, or of a function")
-        self.words |= {f"_{unit}": ["positive"] for unit in re.findall(r"[^\W\d]\w*", " ".join(texts))}
+        units, base = re.findall(r"[^\W\d]\w*", " ".join(texts)), claim.pop("base", BASE)
+        odd = not isinstance(base, list) or len({*base}) < len(base) or {*units} - {*base}
+        if odd or not known or not all(re.fullmatch(UNITS, text) for text in texts):
+            raise Stop("not shown", "a unit of that form, or of a function, or that isn't in the base")
+        self.words |= {f"_{unit}": ["positive"] for unit in units}
         *scales, scale = [re.sub(r"[^\W\d]\w*", r"_\g<0>", text) for text in texts]
         claim |= {"scales": scales, "scale": scale}
-        claim.pop("base", None)
 
     def take_map(self, tables: Any, held: Any) -> None:
         """The formulas of a map stand for its variables."""
@@ -131,6 +133,8 @@ class Wider(alone.Claim):
         written = {*re.findall(r"\w+", json.dumps([*explicit.values()], ensure_ascii=False))}
         if any(len(held[side]) != n for side in "qpQP") or {*held[a], *held[b]} & written:
             raise Stop("not shown", "a map to fewer variables, or of others")
+        if a == "q" and self.kind == "identity" and "bracket" in str([tables["claim"], self.texts]):  # of old variables
+            raise Stop("not shown", "brackets beside a map that gives old variables")
         self.texts |= dict(chain(*(zip(held[side], explicit[side], strict=True) for side in explicit)))
         held |= {"X": held[a] + held[b], "x": held[c] + held[d], "pairs": [*zip(held[c], held[d], strict=True)]}
 

@@ -154,3 +154,39 @@ def test_it_is_asked_of_a_certificate() -> None:
     text = '[phase_space]\nq = ["q"]\np = ["p"]\n[hamiltonian]\nH = "p**2/2 + 2*q**2"\n'
     data = certified(text, "kind = 'frequency'\ncoordinate = 'q'\nenergy = 'E'\nequals = '1/pi'")
     assert alone_together.checked(data) == ("shown", "")
+
+
+SINGULAR = "q**2*p**2/2 - b*x*y*z/q**2 + b*q**4"
+THROUGH: Any = {"symbols": {"x": "positive", "y": "positive"}, "definitions": {"z": "x + y"},
+    "fixed": {"E": "b*((x + y)**2 - x*y)"}, "kind": "frequency"}  # fmt: skip
+FAST: Any = {**TURN, "symbols": {"c": "real", "E": "positive"}}
+
+
+@pytest.mark.parametrize(("H", "equals", "more"), [
+    (SINGULAR, "sqrt(2*b*(z + x)*y)/4/elliptic_k((y - x)*z/(y*(z + x)))", THROUGH),
+    ("(p**2/2 - c)/(1 - cos(q))", "4*sqrt(2*(c + 2*E))*elliptic_e(2*E/(c + 2*E))", FAST),
+    ("(p**2/2 - c)/(1 + cos(q))", "4*sqrt(2*(c + 2*E))*elliptic_e(2*E/(c + 2*E))", FAST),
+    ("p**2/2 - cos(q) + 0*sqrt(1 - cos(q))", ROTATION, TURN),
+])  # fmt: skip
+def test_a_motion_through_a_place_where_h_has_no_value_is_none(H: str, equals: str, more: Any) -> None:
+    """The line, or the circle, is folded there, and the integral has a value."""
+    assert answer(H, equals, **more) == "not shown"
+
+
+def test_where_h_has_a_value_there_it_is_one() -> None:
+    equals = "4*sqrt(2*(c + 4*E))*elliptic_e(2*E/(c + 4*E))"
+    assert answer("(p**2/2 - c)/(3 - cos(q))", equals, **FAST) == "shown"
+
+
+OVAL = "p**2/2 + b*(x - z)*q**2/4 + {}"
+ROUND_OVAL: Any = {"symbols": {"x": "positive", "z": "positive"}, "fixed": {"E": "b*z*x/4"}, "kind": "frequency"}
+OVAL_RATE = "sqrt(b/2)*sqrt(z + x)/(4*elliptic_k(z/(z + x)))"
+
+
+def test_a_root_or_a_modulus_that_is_0_on_the_way() -> None:
+    """These have a value, and a derivative, where what they are of isn't 0."""
+    assert answer(OVAL.format("b*q**4/4"), OVAL_RATE, **ROUND_OVAL) == "shown"
+    for other in ("b*q**4/4 + 0*abs(q)", "b*q**4/4 + 0*sqrt(q**2)", "b*abs(q)**3*abs(q)/4"):
+        assert answer(OVAL.format(other), OVAL_RATE, **ROUND_OVAL) == "not shown"
+    assert answer("p**2/2 + sqrt(q**2 + a**2)**2/2 - a**2/2", "2*pi*E") == "shown"
+    assert answer("p**2/2 + abs(q)**2/2", "2*pi*E") == "shown"

@@ -305,11 +305,23 @@ EMPTY: dict[str, Any] = {
     "a function of the same name twice": {
         **SOLVED, "claim": {"kind": "solves", "solution": {"X(t)": "t", "X(q)": "0"}, "equations": ["X(q)"]},
     },
+    "a bracket of new variables": {
+        "phase_space": {"q": ["q"], "p": ["p"], "Q": ["Q"], "P": ["P"]},
+        "transformation": {"q": ["sqrt(Q)"], "p": ["4*P*sqrt(Q)"]},
+        "claim": {"kind": "identity", "lhs": "bracket(Q, P)", "rhs": "1"},
+    },
     "a unit with a number": {
         **SPACE, "claim": {"kind": "dimension", "functions": ["q"], "dimensions": {"q": "2*L"}, "equals": "2*L"},
     },
     "a sum of units": {
         **SPACE, "claim": {"kind": "dimension", "functions": ["q"], "dimensions": {"q": "L + M"}, "equals": "L + M"},
+    },
+    "a unit that isn't in the base": {
+        **SPACE, "claim": {"kind": "dimension", "functions": ["q"], "dimensions": {"q": "X"}, "equals": "X"},
+    },
+    "a base of another form": {
+        **SPACE,
+        "claim": {"kind": "dimension", "functions": ["q"], "dimensions": {"q": "L"}, "equals": "L", "base": "L"},
     },
     "a dimension of a function": {
         **SOLVED, "claim": {"kind": "dimension", "functions": ["0"], "dimensions": {"X": ["L", "T"]}, "equals": "L"},

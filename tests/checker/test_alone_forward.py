@@ -54,6 +54,7 @@ MISSES: Any = {
     "J by a factor": (OSCILLATOR[0], "atan2(m*q, p)/2", "(p**2 + m**2*q**2)/m"),
     "J with a constant": (OSCILLATOR[0], "atan2(m*q, p)", "(p**2 + m**2*q**2)/(2*m) + 1"),
     "not canonical": (OSCILLATOR[0], "atan2(q, p)", OSCILLATOR[2]),
+    "J that is no function of H": (OSCILLATOR[0], "m*q/p", "p**2/(2*m)"),
     "the other way round": (OSCILLATOR[0], "-atan2(m*q, p)", f"-({OSCILLATOR[2]})"),
     "another H": ("(p**2 + 4*m**2*q**2)/2", *OSCILLATOR[1:]),
     "H with q": ("(p**2 + m**2*q**2)/2 + q", *OSCILLATOR[1:]),

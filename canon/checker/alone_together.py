@@ -16,7 +16,7 @@ else:  # as a program, beside the other files
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 BESIDES = {
     "action": "actions elliptic separatrices power_wells",
-    "action_angle": "angles",
+    "action_angle": "angles forward",
     "algebra": "algebras parameters",
     "average": "averages",
     "bracket": "related",
@@ -51,7 +51,7 @@ BESIDES = {
     "limit": "limits tending",
     "matrix_algebra": "lie",
     "matrix_group": "related",
-    "new_hamiltonian": "generated maps",
+    "new_hamiltonian": "generated maps transported",
     "noether": "powers",
     "normal_form": "normal_forms",
     "solves": "powers related",

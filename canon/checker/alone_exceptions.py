@@ -191,6 +191,12 @@ def check_form(tables: Any) -> None:
     odd = odd or {*explicit} != {"Q", "P"} or {*tables.get("domain", {})} - {"where"} or not {*chain(*words)} <= WORDS
     odd = odd or any(tables.get("symbols", {}).get(x, "real") not in ("real", ["real"]) for x in new)
     odd = odd or not 0 < len(claim["solutions"]) <= MOST_SOLUTIONS
+    said = [
+        *explicit.values(),
+        claim["solutions"],
+        *(tables.get(x, {}) for x in ("domain", "definitions", "hamiltonian")),
+    ]
+    odd = odd or new & {*re.findall(r"\w+", json.dumps(said, ensure_ascii=False))}
     if odd or any(re.search("<=|>=", text) for text in tables.get("domain", {}).get("where", [])):
         raise Stop("not shown", "such a claim, or such a map, or a domain with edges")
 

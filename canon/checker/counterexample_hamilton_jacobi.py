@@ -121,9 +121,7 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
     form["nonzero"] = []
     asked = Table(usual, form)
     momenta_of(asked, tables["claim"], tables["phase_space"])
-    forward, own = {*explicit} == {"Q", "P"}, tables["claim"]["constants"]
-    if len(own) == len(tables["phase_space"]["q"]) - 1 and "energy" in tables["claim"]:
-        own = [*own, tables["claim"]["energy"]]  # the last one
+    forward = {*explicit} == {"Q", "P"}
     for of in points(asked, witness, TRIES if forward else MORE):
         real = Arithmetic(BITS)
         try:
@@ -132,7 +130,7 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
             point = Place(asked, there, real)
             check_domain(point, {"hamiltonian": tables.get("hamiltonian", {})})
             if forward:
-                image(point, tables, own)
+                image(point, tables, tables["claim"]["constants"])
             for text in asked.zeros:
                 with suppress(Open):
                     if fails(point.text(text), ""):

@@ -22,6 +22,7 @@ BESIDES = {
     "bracket": "related",
     "bracket_invariance": "maps",
     "canonical": "generated maps",
+    "canonical_when": "exceptions",
     "cartan_invariant": "maps",
     "casimir": "related",
     "conserved": "related",

@@ -2,8 +2,9 @@
 
 Beside a map given backward, or by a generating function, a file is about its image. So the point is one of the new
 variables and time (or those of F, where its mixed Hessian isn't 0), the constants of the integral among them, and the
-coordinates are what the map gives there. Beside a map given forward the file's conditions hold with p = ∂S/∂q, both for
-the constants and for the new variables that the map gives.
+coordinates are what the map gives there. Beside a map given forward the file's conditions hold with p = ∂S/∂q, for the
+new variables that the map gives. What the claim calls its constants is none of these: it is a name of the claim's own,
+of which the conditions speak, and so does S; the map's value is another one where S is no integral.
 """
 
 from __future__ import annotations
@@ -129,7 +130,7 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
             point = Place(asked, there, real)
             check_domain(point, {"hamiltonian": tables.get("hamiltonian", {})})
             if forward:
-                image(point, tables)
+                image(point, tables, tables["claim"]["constants"])
             for text in asked.zeros:
                 with suppress(Open):
                     if fails(point.text(text), ""):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import suppress
 from fractions import Fraction
 from functools import cache, partial
@@ -193,11 +193,13 @@ def elsewhere(point: Place, tables: Any) -> None:
                 check(value, ["nonzero" if sign == "!=" else "positive" if "<" in sign else "negative"])
 
 
-def image(point: Place, tables: Any) -> None:
-    """Beside a map given forward: with p = ∂S/∂q the point lies in the map's domain, and its image in the file's."""
+def image(point: Place, tables: Any, but: Collection[str] = ()) -> None:
+    """Beside a map given forward: with p = ∂S/∂q the point lies in the map's domain, and its image in the file's; the
+    names in `but` are none of the map's values."""
     space, explicit = tables["phase_space"], tables["transformation"]
     other = More(plain(tables))
-    other.texts |= {x: text for side in explicit for x, text in zip(space[side], explicit[side], strict=True)}
+    given = ((x, text) for side in explicit for x, text in zip(space[side], explicit[side], strict=True))
+    other.texts |= {x: text for x, text in given if x not in but}
     of = {**point.of, **{p: point.named(p) for p in space["p"]}}
     check_domain(Place(other, {x: y for x, y in of.items() if x not in other.texts}, point.real), tables)
 

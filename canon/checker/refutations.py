@@ -26,7 +26,9 @@ if __package__:
         counterexample_normal_forms,
         counterexample_open_paths,
         counterexample_orbits,
+        counterexample_units,
         counterexample_vanishing,
+        counterexample_variations,
     )
     from canon.checker.alone import Stop
     from canon.checker.counterexample import Open
@@ -48,7 +50,9 @@ else:  # as a program, beside the other files
     import counterexample_normal_forms  # type: ignore
     import counterexample_open_paths  # type: ignore
     import counterexample_orbits  # type: ignore
+    import counterexample_units  # type: ignore
     import counterexample_vanishing  # type: ignore
+    import counterexample_variations  # type: ignore
     from alone import Stop  # type: ignore
     from counterexample import Open  # type: ignore
 
@@ -69,6 +73,8 @@ FILES = (
     counterexample_endless,
     counterexample_cycles,
     counterexample_fields,
+    counterexample_variations,
+    counterexample_units,
 )
 
 

@@ -91,6 +91,8 @@ NOT: dict[str, Any] = {
     "moduli that are none": (("q + c*(sqrt(q**2) - q)", "p", {"c": "0"}), {"domain": {"where": ["q > 0"]}}),
     "a modulus": (("q*abs(c)", "p", {"c": "1"}), {}),
     "an essential pole": (("q*exp(1/c)", "p*exp(d)", {"d": "-1/c"}), {}),
+    "a pole in an exponent": (("q*exp(1/c - 1)", "p", {"c": "1"}), {}),
+    "a new variable that restricts it": (("c*q", "p", {"c": "1"}), {"symbols": {"X": "positive"}}),
     "a power of what has no sign": ((*POLAR, {"c": "1/2", "d": "2"}), {}),
     "half of an angle": ((*POLAR, {"c": "1/2", "d": "1"}), RADIUS),
     "the other angle": ((*POLAR, {"c": "1/2", "d": "-2"}), RADIUS),

@@ -139,6 +139,7 @@ def test_conditions_on_a_constant_are_about_the_constant() -> None:
     assert integral(wrong, "E < 0") == "not shown"
     assert integral(right, "E < 1", claim={"constants": [], "energy": "E"}) == "not shown"
     assert integral(wrong, symbols={"E": "negative"}) == "not shown"
+    assert integral("(sqrt(2*E) + 2)*q", "E < 1") == "shown"  # the map's value is above 2
 
 
 def test_conditions_on_other_new_variables_are_about_the_map() -> None:

@@ -259,6 +259,8 @@ def shown(data: Any) -> tuple[str, str]:
     solutions, space, explicit = tables["claim"]["solutions"], tables["phase_space"], tables["transformation"]
     plain = {key: x for key, x in tables.items() if key != "claim"}
     for table in solutions:
+        if not table:
+            raise Stop("not shown", "a solution that says nothing")
         check_solution({**plain, "claim": {"kind": "canonical"}}, table, known)
     named, texts = {name for table in solutions for name in table}, [*explicit["Q"], *explicit["P"]]
     used = set[str]().union(*(known.names(claim.known(text)) for text in texts))

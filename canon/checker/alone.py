@@ -6,12 +6,10 @@ numerator = Σ cofactor · relation. Refutations are what counterexample.py is f
 
 Positive means: a square. For p = −1 mod 24·3·5⋯23 the squares are a group of odd order: x^r, r rational, is one
 number, √x √y = √(xy), √(x²) is x or −x, −1 is no square, as with real numbers. Names that are positive, radicands and
-what the domain's conditions say to be positive have to be squares; a point where they aren't is thrown away. A term of
-an angle is a point on the circle, one of an exponent a square; of other functions only the derivatives are known. What
-holds of these holds wherever the formulas have real values: primes and points at which all roots behave as at a given
-real point aren't rare (Chebotarev's theorem), and the more roots there are, which may make them rarer, the more points
-are tried. A wrong claim passes about once in e^TRIALS times.
-
+what the domain's conditions say to be positive have to be squares; other points are thrown away. A term of an angle is
+a point on the circle, one of an exponent a square; of other functions only the derivatives are known. What holds of
+these holds wherever the formulas have real values: primes and points at which all roots behave as at a real one aren't
+rare (Chebotarev's theorem); more roots, more points. A wrong claim passes about once in e^TRIALS times.
 "shown": the claim holds where its formulas have values. "not shown": not by this file. "wrong": something isn't so.
 """
 
@@ -338,7 +336,7 @@ def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = 
         at = lambda m: prod(pow(kernel(x), int(n or 1), prime) for x, _, n in (y.partition("^") for y in m.split()))
         return sum(point.fraction(number(c).of[0], prime) * at(m) for m, c in polynomial.items()) % prime
 
-    # the claim first: a kernel's root may throw points away; a scale is one number at all points, which sign(x) isn't
+    # the claim first: a kernel's root may throw points away; a scale is one number everywhere, which sign(x) isn't
     claim.scales = {r for r in claim.scales if point.text(claim.texts.get("_scale", "1")) == point.fraction(r, prime)}
     if any(map(point.text, claim.zeros)) or not claim.scales:
         raise Stop("not shown", "that all of it is 0, and the scale a number that isn't 0")

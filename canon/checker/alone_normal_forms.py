@@ -20,13 +20,13 @@ from typing import Any
 if __package__:
     from canon.checker import alone, alone_regular, alone_wider
     from canon.checker.counterexample_formulas import Writer, inner_names, put_names
-    from canon.checker.counterexample_normal_forms import MOST_UNKNOWN, bracket, exponents, flow, solution
+    from canon.checker.counterexample_normal_forms import bracket, reached
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_regular  # type: ignore
     import alone_wider  # type: ignore
     from counterexample_formulas import Writer, inner_names, put_names  # type: ignore
-    from counterexample_normal_forms import MOST_UNKNOWN, bracket, exponents, flow, solution  # type: ignore
+    from counterexample_normal_forms import bracket, reached  # type: ignore
 
 Stop, RANDOM = alone.Stop, alone.RANDOM
 MOST_ORDER, MOST_STEPS, LARGE, TRIES = 8, 400_000, 1 << 48, 3
@@ -112,22 +112,6 @@ def flat_of(pairs: Any) -> list[str]:
     return [q for q, _ in pairs] + [p for _, p in pairs]
 
 
-def is_reached(h: Polynomial, n: Polynomial, order: int) -> bool:
-    """Whether flows of χ of degree 3 and more lead from H to N, up to the order."""
-    size = len(next(iter(h)))
-    for m in range(3, order + 1):
-        unknown = [powers for degree in range(3, m + 1) for powers in exponents(size, degree)]
-        if len(unknown) > MOST_UNKNOWN:
-            raise Stop("not shown", "so many coefficients")
-        columns = [bracket(h, {powers: Fraction(1)}, m) for powers in unknown]
-        right = {p: n.get(p, Fraction(0)) - h.get(p, Fraction(0)) for p in {*h, *n} if sum(p) == m}
-        found = solution(columns, {p: c for p, c in right.items() if c})
-        if found is None:
-            return False
-        h = flow(h, {p: c for p, c in zip(unknown, found, strict=True) if c}, order)
-    return h == n
-
-
 def is_normal(h: Polynomial, parts: dict[int, Polynomial], order: int) -> bool:
     """Whether H₂ + Σ parts is a normal form of H, at these values of the parameters."""
     if any(sum(p) == 1 for p in h) or not any(sum(p) == 2 for p in h):
@@ -141,7 +125,7 @@ def is_normal(h: Polynomial, parts: dict[int, Polynomial], order: int) -> bool:
         if bracket(quadratic, part, order) or (degree == 2 and part != quadratic):
             return False
         n |= part
-    return is_reached(h, n, order)
+    return reached(h, n, order) == n
 
 
 def check_parameters(claim: Any, own: Any, write: Any) -> None:

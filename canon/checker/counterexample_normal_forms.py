@@ -101,8 +101,8 @@ def solution(columns: list[Polynomial], right: Polynomial) -> list[Fraction] | N
     return found
 
 
-def unreached(h: Polynomial, n: Polynomial, order: int) -> bool:
-    """Whether no near-identity canonical map leads from H to N up to the order."""
+def reached(h: Polynomial, n: Polynomial, order: int) -> Polynomial | None:
+    """What near-identity canonical maps make of H that bring it to N, degree by degree; None where none does."""
     size = len(next(iter(h)))
     for m in range(3, order + 1):
         unknown = [powers for degree in range(3, m + 1) for powers in exponents(size, degree)]
@@ -113,9 +113,9 @@ def unreached(h: Polynomial, n: Polynomial, order: int) -> bool:
         right = {p: n.get(p, Fraction(0)) - h.get(p, Fraction(0)) for p in terms if sum(p) == m}
         found = solution(columns, {p: x for p, x in right.items() if x})
         if found is None:
-            return True
+            return None
         h = flow(h, {p: x for p, x in zip(unknown, found, strict=True) if x}, order)
-    return False
+    return h
 
 
 RULES = {"normal_form"}
@@ -155,7 +155,7 @@ def refuted(tables: Any, witness: Any, known: Any = None) -> tuple[str, str]:
                 return "shown", ""
             n |= terms
         h = {powers: x for powers, x in h.items() if sum(powers) > 1}
-        if bracket(quadratic, n, order) or unreached(h, n, order):
+        if bracket(quadratic, n, order) or reached(h, n, order) is None:
             return "shown", ""
     except Open as left:
         return "not shown", str(left)

@@ -111,6 +111,14 @@ def test_what_is_no_certificate_is_said_to_be_none(data: Any) -> None:
     assert alone.checked(data)[0] != "shown"
 
 
+def test_a_second_case_is_not_passed_over() -> None:
+    """Nothing of it would be looked at."""
+    data = proof("polar coordinates")
+    two = {**data, "cases": [*data["cases"], {**data["cases"][0], "residuals": []}]}
+    assert alone.checked(resealed(two))[0] == "not shown"
+    assert alone.checked(resealed({**data, "cases": []}))[0] == "not shown"
+
+
 def test_what_titles_say_has_no_meaning() -> None:
     """A name of its own, or a letter that looks like another, may stand there, and nowhere else."""
     data = proof("a double angle")

@@ -293,6 +293,10 @@ def rotates(orbits: Orbits, claim: Any, value: Interval, is_time: bool) -> bool:
         raise Stop("not shown", "a period")
     if is_time and not orbits.plain:
         raise Stop("not shown", "a Hamiltonian that isn't quadratic in the momentum")
+    whole = orbits.real.times(length, orbits.real.power(point.text("2*pi"), -1))
+    moves = orbits.q in inner_names(orbits.h, orbits.asked)  # else all lengths are periods
+    if moves and not whole[0] <= round(whole[1]) <= whole[1]:
+        raise Stop("not shown", "that this is a period of H")
     if length[0] <= 0 or orbits.extent != [(orbits.extent[-1][0], ())]:
         raise Stop("not shown", "a rotation in a part of the circle")
     half = orbits.asked.read("a/2", {"a": orbits.time})

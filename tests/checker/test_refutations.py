@@ -207,6 +207,8 @@ TRUE: dict[str, tuple[Any, Any, Any]] = {
         {"hamiltonian": {"H": "(p**2 + q**2)/2"}}, {"E": "3/2"}),
     "a rotation over half of 2 pi": ({"kind": "action", "coordinate": "q", "energy": "E", "branch": "rotation",
         "equals": "2*sqrt(2*(E + 1))*elliptic_e(2/(E + 1))"}, {"hamiltonian": {"H": "p**2/2 + cos(2*q)"}}, {"E": "5"}),
+    "a rotation over what is no period of H": ({"kind": "action", "coordinate": "q", "energy": "E", "equals": "1",
+        "branch": "rotation", "period": "3"}, {"hamiltonian": {"H": "p**2/2 - cos(q)"}}, {"E": "5"}),
     "an integral": ({"kind": "integral", "f": "exp(q)", "variable": "q", "from": "0", "to": "1",
         "equals": "exp(1) - 1"}, {}, {}),
     "an integral outside of its domain": ({"kind": "integral", "f": "sqrt(q**2)", "variable": "q", "from": "a",
@@ -300,6 +302,13 @@ TRUE: dict[str, tuple[Any, Any, Any]] = {
         "elliptic_e(1/3)*elliptic_k(2/3) + elliptic_e(2/3)*elliptic_k(1/3) - elliptic_k(1/3)*elliptic_k(2/3)",
         "rhs": "pi/2"}, {}, {"q": "1", "p": "2"}),
 }  # fmt: skip
+
+
+@pytest.mark.parametrize(("H", "period"), [("p**2/2 - cos(q)", "4*pi"), ("p**2/2", "3")])
+def test_a_rotation_over_a_period_of_the_hamiltonian_is_refuted(H: str, period: str) -> None:
+    """Where H doesn't depend on the coordinate any length is one."""
+    claim = {"kind": "action", "coordinate": "q", "energy": "E", "equals": "1", "branch": "rotation", "period": period}
+    assert answer(claim, {"E": "5"}, hamiltonian={"H": H}) == "shown"
 
 
 @pytest.mark.parametrize("name", TRUE)

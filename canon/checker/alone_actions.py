@@ -50,8 +50,9 @@ class Residues(alone.Point):
                 for x, other, side in ((high, low, 1), (low, high, -1)):
                     if (x,) not in self.free and claim.words.get(x) == ["real"] and x not in claim.texts:
                         if x not in claim.inner(claim.known(other)):
-                            distance = side * RANDOM.randrange(2, self.p) ** 2
-                            self.free[(x,)] = (self.text(other) + distance) % self.p
+                            distance = RANDOM.randrange(2, self.p) ** 2 % self.p
+                            self.free[(x,)] = (self.text(other) + side * distance) % self.p
+                            self.sure.add(distance)  # as a name that is positive
                         break
         super().check_domain()
 

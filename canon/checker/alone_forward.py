@@ -15,7 +15,6 @@ from __future__ import annotations
 import json
 import re
 from contextlib import suppress
-from itertools import pairwise
 from typing import Any
 
 if __package__:
@@ -28,8 +27,7 @@ if __package__:
         alone_orbits,
         alone_related,
         alone_signs,
-        alone_somewhere,
-        counterexample,
+        alone_texts,
     )
     from canon.checker import alone_polynomials as of
 else:  # as a program, beside the other files
@@ -42,31 +40,18 @@ else:  # as a program, beside the other files
     import alone_polynomials as of  # type: ignore
     import alone_related  # type: ignore
     import alone_signs  # type: ignore
-    import alone_somewhere  # type: ignore
-    import counterexample  # type: ignore
+    import alone_texts  # type: ignore
 
-Stop, RANDOM = alone.Stop, alone.RANDOM
+Stop = alone.Stop
 SECTIONS = {
     "phase_space", "symbols", "definitions", "domain", "hamiltonian", "transformation", "claim", "title", "source",
 }  # fmt: skip
-CALLED = {"sin", "cos", "exp", "sqrt", "asin", "atan", "atan2", "log", "elliptic_k", "elliptic_e", "elliptic_f"}
-NAME, SIGN = re.compile(r"(?<![\w.])[^\W\d]\w*"), re.compile(r"(<=|>=|!=|<|>)")
-WORDS, ENERGY, HERE, SEARCHED, PLACE = {"real", "positive", "negative"}, "E_of_point", "_there", 400, "0"
+NAME, SIGN, asked = alone_texts.NAME, alone_texts.SIGN, alone_texts.asked
+ENERGY, HERE, PLACE = "E_of_point", "_there", "0"
 SQUARE = "p**2"  # what is put for the square of the momentum
 
 
-class Point(counterexample.Point):
-    """A point in intervals, where elliptic integrals have values that aren't looked at."""
-
-    def value(self, f: Any) -> Any:
-        if not f.kind.startswith("elliptic"):
-            return super().value(f)
-        if [self.at(x) for x in f.of][-1][1] >= 1:
-            raise counterexample.Open("an elliptic integral's value")
-        return counterexample.ONE
-
-
-class Forward:
+class Forward(alone_texts.Texts):
     """The parts of a claim, as texts."""
 
     def __init__(self, tables: Any) -> None:
@@ -79,51 +64,21 @@ class Forward:
             raise Stop("not shown", "angles of a map that isn't given forward")
         if {*tables.get("domain", {})} - {"where"} or {*space} - {*"qpQP", "time"}:
             raise Stop("not shown", "angles on a surface")
-        self.q, self.p, *new = (side[0] for side in sides)
-        self.tables, self.new, self.time = tables, {*new}, space.get("time", "t")
-        self.symbols, self.definitions = tables.get("symbols", {}), tables.get("definitions", {})
-        self.H, self.where = str(tables["hamiltonian"]["H"]), [*tables.get("domain", {}).get("where", [])]
+        super().__init__(tables)
+        self.q, self.p = (side[0] for side in sides[:2])
         (self.w,), (self.J,) = (tables["transformation"][side] for side in "QP")
-        self.found = dict[str, set[str]]()
         self.period = str(said.get("angle_period", "1"))
-        self.check_names()
+        self.check_texts()
 
-    def check_names(self) -> None:
-        """See that each name has one meaning, and that nothing is in a place where it can't be."""
-        held = [self.q, self.p, *self.new, self.time]
-        given = [*held, *self.definitions, "pi"]
-        if len({*given}) != len(given) or {*self.definitions} & {*self.symbols} or {"pi", self.time} & {*self.symbols}:
-            raise Stop("not shown", "names with two meanings")
-        words = {name: {*([x] if isinstance(x, str) else x)} for name, x in self.symbols.items()}
-        if any(x - WORDS for x in words.values()) or any(words.get(n, set()) - {"real"} for n in (self.q, self.p)):
-            raise Stop("not shown", "names with such words")
-        whole = alone.formulas(self.tables)
-        named = {*NAME.findall(whole)} | {*given} | {*self.symbols}
-        if any(name == ENERGY or name.endswith(HERE) for name in named) or CALLED & {*given, *self.symbols}:
-            raise Stop("not shown", "names that are made here")
+    def check_texts(self) -> None:
+        """See that nothing is in a place where it can't be."""
+        self.check_names([self.q, self.p], (self.q, self.p), lambda name: name == ENERGY or name.endswith(HERE))
         own = {self.q, self.p}
         for text in (self.H, self.J, self.w):
             if self.names(text) & {self.time, *self.new} or not self.names(text) & own:
                 raise Stop("not shown", "a map, or H, of other variables or time")
-        if self.names(self.period) & {*held}:
+        if self.names(self.period) & {*own, *self.new, self.time}:
             raise Stop("not shown", "a period with variables")
-
-    def names(self, text: str, depth: int = 0) -> set[str]:
-        """The names in a text, of what definitions say."""
-        if text not in self.found:
-            self.found[text] = self.searched(text, depth)
-        return {*self.found[text]}
-
-    def searched(self, text: str, depth: int) -> set[str]:
-        if depth > len(self.definitions):
-            raise Stop("not shown", "definitions of themselves")
-        called = {*re.findall(r"([^\W\d]\w*)\s*\(", text)}
-        found = {*NAME.findall(text)} - called
-        if called - CALLED or found & CALLED:
-            raise Stop("not shown", "other functions, or derivatives")
-        for name in sorted(found & {*self.definitions}):
-            found |= self.names(str(self.definitions[name]), depth + 1)
-        return found
 
     def put(self, text: str, by: Any, mark: str, made: dict[str, str]) -> str:
         """The same text with others for the coordinate and the momentum; definitions of it get the mark."""
@@ -212,39 +167,11 @@ class Forward:
         tables = {key: x for key, x in self.tables.items() if key != "claim"}
         claim = alone_maps.claim_of({"tables": {**tables, "claim": {"kind": "canonical"}}})
         free = {self.q, self.p, *self.symbols} - {*self.new}
-        for _ in range(SEARCHED):
-            at = dict[str, Any]()
-            for name in sorted(free):
-                word = str(self.symbols.get(name, ""))
-                sign = 1 if "positive" in word else -1 if "negative" in word else RANDOM.choice((1, -1))
-                at[name] = (sign * RANDOM.choice(alone_somewhere.SIZES),) * 2
-            with suppress(counterexample.Open, ZeroDivisionError):
-                point = Point(claim, at, alone_somewhere.REAL)
-                plain = counterexample.Point(claim, at, alone_somewhere.REAL)
-                for words in map(SIGN.split, self.where):
-                    for (a, b), sign in zip(pairwise(words[::2]), words[1::2], strict=True):
-                        a, b = (a, b) if "<" in sign else (b, a)
-                        kind = ["nonzero" if sign == "!=" else "positive"]
-                        counterexample.check(plain.text(f"({b}) - ({a})"), kind)
-                for name, text in zip(self.new_names(), (self.w, self.J), strict=True):
-                    point.text(text)
-                    if word := {*([x] if isinstance(x := self.symbols.get(name, []), str) else x)} - {"real"}:
-                        counterexample.check(plain.text(text), [*word])
-                point.text(self.H)
-                return True
-        return False
+        return self.has_point(claim, free, dict(zip(self.new_names(), (self.w, self.J), strict=True)), [self.H])
 
     def new_names(self) -> list[str]:
         space = self.tables["phase_space"]
         return [*space["Q"], *space["P"]]
-
-
-def asked(file: Any, tables: Any) -> bool:
-    """Whether a file shows a claim that is made here."""
-    data = {"tables": tables, "known": {}, "cases": [{}]}
-    with suppress(Stop, ValueError, ArithmeticError, KeyError):
-        return file.shown(data)[0] == "shown"
-    return False
 
 
 def shown(data: Any) -> tuple[str, str]:

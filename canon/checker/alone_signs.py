@@ -94,10 +94,10 @@ class Signs:
         quarters = 2 * a[0].get((("pi", 1),), Fraction(0))
         if a == (times(number(quarters / 2), named("pi")), ONE) and quarters.denominator == 1:
             return number((1, 0, -1, 0)[int(quarters - sine) % 4]), ONE
-        self.angles += [key] if key not in self.angles else []
+        half = self.shown(a[0], True) and self.shown(plus(times(named("pi"), a[1]), minus(a[0])), True)  # below π
+        self.angles += [key] if key not in self.angles and not half else []
         if key in self.flat:
             return number(sine - 1), ONE
-        half = self.shown(a[0], True) and self.shown(plus(times(named("pi"), a[1]), minus(a[0])), True)  # below π
         if self.everywhere and not half:
             return named(self.new((sine, key), False)), ONE
         u = named(self.new(("angle", key), half))

@@ -16,7 +16,7 @@ else:  # as a program, beside the other files
 COMPLEX = re.compile(r"\bcomplex\b|(?<![^\W\d_])\d[jJ]\b")
 BESIDES = {
     "action": "actions elliptic separatrices power_wells",
-    "action_angle": "angles forward",
+    "action_angle": "angles forward tori",
     "algebra": "algebras parameters",
     "average": "averages",
     "bracket": "related",

@@ -124,6 +124,8 @@ def check_known(known: Any) -> None:
     """Refuse what a certificate may not add to a claim. Raises Unreadable."""
     if not _are_pairs(_table(known, "what the claim leaves open").get("structure", {})):
         raise Unreadable("structure constants are a table of pairs, each of which stands once")
+    if "torus" in known and not _is_torus(known["torus"]):
+        raise Unreadable("a torus has its cycles, tables of texts, and whole numbers of turns round them")
 
 
 def _sections(tables: Any) -> None:
@@ -220,6 +222,14 @@ def _is_matrix(value: Any) -> bool:
 
 def _is_table_of(value: Any, rule: Callable[[Any], bool]) -> bool:
     return isinstance(value, Mapping) and bool(value) and all(map(rule, value.values()))
+
+
+def _is_torus(value: Any) -> bool:
+    """What `alone_tori.py` reads; here it is trusted for nothing."""
+    if not isinstance(value, Mapping) or {*value} != {"cycles", "turns"}:
+        return False
+    cycle: Callable[[Any], bool] = lambda one: _is_table_of(one, lambda text: isinstance(text, str))
+    return _is_list_of(value["cycles"], cycle) and _is_list_of(value["turns"], lambda row: _is_list_of(row, _is_whole))
 
 
 def _paired(structure: Any) -> Iterator[str]:

@@ -18,7 +18,7 @@ TYPES = {1: ("q", 1, "Q", -1), 2: ("q", 1, "P", 1), 3: ("p", -1, "Q", -1), 4: ("
 LARGEST = 12
 """The most rows of a Pfaffian; of a determinant, half of it."""
 KNOWN = {
-    "proved": ("determinant", "potential", "structure", "antiderivative"),
+    "proved": ("determinant", "potential", "structure", "antiderivative", "torus"),
     "refuted": ("fails_at_order", "structure"),
 }
 """What a certificate may say of what its claim leaves open."""

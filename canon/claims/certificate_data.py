@@ -56,7 +56,9 @@ def certificate(
     if verdict.status not in ("proved", "refuted"):
         raise InputError(f"a certificate is of a claim that is proved or refuted; this one is {verdict.status}")
     known = {word: verdict.detail[word] for word in KNOWN.get(verdict.status, ()) if word in verdict.detail}
-    known = _structure(verdict, tables["claim"]) | {k: x for k, x in known.items() if k != "structure"}
+    known = (
+        _structure(verdict, tables["claim"]) | {k: x for k, x in known.items() if k != "structure"} | _torus(verdict)
+    )
     data: Data = {
         "certificate": VERSION,
         "tables": tables,
@@ -88,6 +90,14 @@ def _structure(verdict: Verdict, claim: Mapping[str, Any]) -> Data:
         return {}
     steps = (step for step in verdict.certificate["arguments"] if "structure" in step)
     return next(({"structure": _plain(step["structure"])} for step in steps), {})
+
+
+def _torus(verdict: Verdict) -> Data:
+    """The cycles round which several angles were followed."""
+    if verdict.kind != "action_angle" or verdict.certificate is None:
+        return {}
+    steps = (step["torus"] for step in verdict.certificate["arguments"] if "torus" in step)
+    return next(({"torus": _plain(torus)} for torus in steps), {})
 
 
 def _region(question: Question, images: Mapping[Any, Any]) -> Region:

@@ -20,6 +20,7 @@ import sympy as sp
 
 from canon.claims.action_region import Setting, assumed
 from canon.claims.cycle_action import grounds_of
+from canon.claims.cycle_data import torus
 from canon.claims.outcome import Outcome, Residual, combined
 from canon.decide.derivative import derivative
 from canon.decide.implied import follows
@@ -134,7 +135,7 @@ def _decided(
     constant = question.decide(residuals, region)
     if constant.status != "proved":
         return None
-    return _closed(question, sp.Matrix(advance), length, region, combined([*grounds, constant]))
+    return _closed(question, sp.Matrix(advance), length, region, combined([*grounds, constant]), cycles, values)
 
 
 def _signed(question: Question, expression: Any, region: Region) -> Any:
@@ -215,16 +216,26 @@ def _is_no_integer(x: Any) -> bool:
     return value.is_Float and bool(abs(value - round(value)) > CLOSE)
 
 
-def _closed(question: Question, advance: Any, length: Any, region: Region, proved: Outcome) -> Outcome | None:
+def _closed(
+    question: Question,
+    advance: Any,
+    length: Any,
+    region: Region,
+    proved: Outcome,
+    cycles: list[_Cycle],
+    values: dict[Any, Any],
+) -> Outcome | None:
     """Whether the lattice that the rows of `advance` span has period · e_j in it, and no part of it."""
     if sp.cancel(advance.det()) == 0:
         return None
     back: Any = advance.inv(method="ADJ") * length
+    turns = list[list[int]]()
     for j, angle in enumerate(question.space.Q):
         combination = [sp.cancel(x) for x in back.row(j)]  # exact: rational functions of π and of the period
         whole = all(x.is_Integer for x in combination)
         times = math.gcd(*(int(x) for x in combination)) if whole else 0
         if times == 1:
+            turns.append([int(x) for x in combination])
             continue
         if not whole and not any(_is_no_integer(x) for x in combination):
             return None
@@ -234,6 +245,8 @@ def _closed(question: Question, advance: Any, length: Any, region: Region, prove
             else f"no cycle of the torus has {angle} alone advance by {length}"
         )
         return question.refuted_exactly(region, f"{THEOREM}: {why}").with_detail(fails=why)
+    parts = [(cycle.action, cycle.degree) for cycle in cycles]
     step = {"theorem": THEOREM, "advances": [[str(x) for x in row] for row in advance.tolist()]}
+    step |= torus(question, parts, values, turns)
     details = {f"cycle of {angle}": f"advances by {length}" for angle in question.space.Q}
     return combined([proved, Outcome("proved", "actions", arguments=(step,))]).with_detail(**details)

@@ -148,6 +148,29 @@ def test_a_certificate_says_no_pair_twice() -> None:
         check(resealed(data))
 
 
+@pytest.mark.parametrize(
+    "torus",
+    [
+        {"cycles": [{"coordinate": "r"}], "turns": [[1.0]]},
+        {"cycles": [{"coordinate": 1}], "turns": [[1]]},
+        {"cycles": [], "turns": [[1]]},
+        {"cycles": [{"coordinate": "r"}], "turns": [[1]], "more": []},
+        [],
+    ],
+)
+def test_a_torus_is_made_of_cycles_and_turns(torus: Any) -> None:
+    from canon.checker.check import check
+    from canon.checker.functions import Unreadable
+    from tests.checker.certified import resealed
+
+    data = certified('[phase_space]\nq = ["q"]\np = ["p"]', 'kind = "identity"\nlhs = "q + q"\nrhs = "2*q"')
+    data["known"]["torus"] = {"cycles": [{"coordinate": "q", "action": "2*pi*p"}], "turns": [[1]]}
+    assert check(resealed(data)).status == "confirmed"
+    data["known"]["torus"] = torus
+    with pytest.raises(Unreadable, match="torus"):
+        check(resealed(data))
+
+
 POSITIVE = {**SPACE, "symbols": {"a": "positive", "b": "positive", "q": "positive", "E": "negative"}}
 ATTRACTED = {**POSITIVE, "hamiltonian": {"H": "p**2/2 - a/q + b**2/(2*q**2)"}}
 REPELLED = {**POSITIVE, "hamiltonian": {"H": "p**2/2 + a/q + b**2/(2*q**2)"}}

@@ -5,7 +5,12 @@ from typing import Any
 
 import pytest
 
+from canon.catalogue import files
 from canon.checker import alone_together, alone_tori
+from canon.claims import document
+from canon.claims.certificate_data import certificate, statement_tables
+from canon.claims.reader import read_tables
+from canon.claims.verify import verify
 from tests.checker.certified import resealed
 
 PLANE: Any = {"phase_space": {"q": ["r", "theta"], "p": ["pr", "G0"], "Q": ["l", "g"], "P": ["L", "G"]},
@@ -180,3 +185,23 @@ GENERATED: Any = {
 def test_other_generating_functions_are_not_shown(name: str) -> None:
     changes, turns, cycles = GENERATED[name]
     assert answer(other(ISOTROPIC, **changes), {"cycles": cycles, "turns": turns}) == "not shown"
+
+
+@pytest.mark.parametrize(
+    ("name", "number"),
+    [
+        ("kepler-angles-plane", 0),
+        pytest.param("kepler-angles-space", 0, marks=pytest.mark.slow),
+        pytest.param("isochrone-angles", 3, marks=pytest.mark.slow),
+    ],
+)
+def test_what_the_catalogue_proves_is_shown(name: str, number: int) -> None:
+    """By the torus that the prover found."""
+    (path,) = (path for path in files() if path.name == f"{name}.toml")
+    tables = document.parse(path.read_text(encoding="utf-8"))
+    claim = read_tables(tables).claims[number]
+    data = certificate(claim, verify(claim), statement_tables(tables, number))
+    assert data["verdict"] == "proved"
+    assert alone_together.checked(data) == ("shown", "")
+    data["known"]["torus"]["turns"][-1].reverse()
+    assert alone_tori.checked(resealed(data))[0] == "not shown"

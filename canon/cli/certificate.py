@@ -33,8 +33,8 @@ STATUS: Final = {
     "confirmed": 0, "confirmed in part": 2, "not confirmed": 2, "rejected": 1, "unreadable": BAD_INPUT,
     "shown": 0, "not shown": 2, "wrong": 1,
 }  # fmt: skip
-"""The exit status of each answer; of several, the gravest: unreadable, rejected or wrong, in part, confirmed. What the
-checker in one file can't show is no fault where the other one confirms it."""
+"""The exit status of each answer; of several files the gravest: unreadable, rejected or wrong, in part, confirmed. What
+one of the two checkers has no means to show is no fault where the other one shows it."""
 LONGEST: Final = 1000
 """Characters of the reasons that are printed; with --json all are."""
 _GRAVEST: Final = (0, 2, 1, BAD_INPUT)
@@ -125,7 +125,13 @@ def _check(arguments: argparse.Namespace) -> int:
     elif len(rows) > 1:
         counts = Counter(answer.status for _, answers in rows for answer in _said(answers))
         print(f"\n{len(rows)} certificates: " + ", ".join(f"{counts[word]} {word}" for word in STATUS if counts[word]))
-    return max((STATUS[answer.status] for _, answers in rows for answer in _said(answers)), key=_GRAVEST.index)
+    return max((_status(answers) for _, answers in rows), key=_GRAVEST.index)
+
+
+def _status(answers: list[Answer]) -> int:
+    """The exit status of one file: 0 where either checker shows it, and neither has found a fault."""
+    each = [STATUS[answer.status] for answer in answers]
+    return 0 if 0 in each and {*each} <= {0, 2} else max(each, key=_GRAVEST.index)
 
 
 def _said(answers: list[Answer]) -> list[Answer]:

@@ -114,6 +114,27 @@ def test_a_kind_that_is_not_known_is_exit_status_2(folder: Path, capsys: pytest.
     assert "not confirmed" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize(
+    ("all_kinds", "small", "status"),
+    [
+        ("confirmed in part", "shown", 0),
+        ("not confirmed", "shown", 0),
+        ("not confirmed", "not shown", 2),
+        ("confirmed in part", "not shown", 2),
+        ("confirmed in part", "wrong", 1),
+        ("rejected", "shown", 1),
+    ],
+)
+def test_one_checker_that_shows_it_is_enough(
+    all_kinds: str, small: str, status: int, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from canon.checker.check import Answer
+
+    monkeypatch.setattr("canon.checker.limits.checked", lambda data: Answer(all_kinds, ("why",)))
+    monkeypatch.setattr("canon.checker.limits.checked_alone", lambda data: Answer(small, ("why",)))
+    assert main(["certificate", "check", str(folder / "two.1.json")]) == status
+
+
 def test_a_folder_that_cannot_be_made_is_bad_input(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["verify", "claims", "--certificate", "claims/two.toml"]) == 3
     assert "is no folder" in capsys.readouterr().err

@@ -147,6 +147,12 @@ def test_another_torus_is_not_shown(name: str) -> None:
     assert answer(torus={}) == answer(torus=None) == answer(torus={**TORUS, "cycles": None}) == "not shown"
 
 
+def test_a_circle_is_gone_round_once() -> None:
+    """Else 4 pi would be right, by 4 pi L = 2 I_r + 4 pi G."""
+    twice = {"cycles": [{**AROUND, "action": "4*pi*G0"}, RADIAL], "turns": [[1, 2], [1, 0]]}
+    assert answer(other(claim={"angle_period": "4*pi"}), twice) == "not shown"
+
+
 ISOTROPIC: Any = {"phase_space": {"q": ["r", "theta"], "p": ["u", "L"], "Q": ["v", "w"], "P": ["J", "K"]},
     "symbols": {"r": "positive", "J": "positive", "K": "positive"}, "hamiltonian": {"H": "(u**2 + L**2/r**2 + r**2)/2"},
     "definitions": {"N": "2*J + K", "X": "sqrt(2*N*r**2 - r**4 - K**2)"},
@@ -168,6 +174,7 @@ GENERATED: Any = {
     "another type": ({"generating_function": {"type": 1}}, [[0, 1], [1, 0]], OSCILLATING),
     "half the momentum": ({"definitions": {"N": "J + K"}}, [[0, 1], [1, 0]], [OSCILLATING[0],
         {**OSCILLATING[1], "value": "J + K"}]),
+    "half the momentum, and said to be whole": ({"definitions": {"N": "J + K"}}, [[0, 1], [1, 0]], OSCILLATING),
     "another level": ({}, [[0, 1], [1, 0]], [OSCILLATING[0], {**OSCILLATING[1], "value": "2*J + 1001/1000*K"}]),
     "a level with r": ({}, [[0, 1], [1, 0]], [OSCILLATING[0], {**OSCILLATING[1], "value": "2*J + K + 0*r"}]),
     "another momentum": ({}, [[0, 1], [1, 0]], [{**OSCILLATING[0], "value": "2*K"}, OSCILLATING[1]]),

@@ -13,7 +13,7 @@ import sympy as sp
 
 from canon.calls import function
 from canon.constants import check_constant_condition, check_constant_power
-from canon.domain import Condition, function_conditions, nonzero, power_conditions
+from canon.domain import Condition, function_conditions, nonzero, power_conditions, stricter
 from canon.errors import InputError
 from canon.functions import FUNCTIONS, applied
 from canon.measure import AGAIN, CALL, Measure, check_power, check_product, check_sum
@@ -34,7 +34,7 @@ class Builder:
         self.text = text
         self.vocabulary = vocabulary
         self.measure = (measure or Measure()).begin(text)
-        self.conditions: dict[Condition, None] = {}
+        self.conditions: dict[Condition, Condition] = {}
         self.names: set[str] = set()
         self.calls: set[tuple[str, int]] = set()
         self.slopes: set[tuple[str, str]] = set()
@@ -95,7 +95,11 @@ class Builder:
     def add(self, conditions: tuple[Condition, ...]) -> None:
         for condition in conditions:
             check_constant_condition(condition)
-        self.conditions.update(dict.fromkeys(conditions))
+        self.keep(conditions)
+
+    def keep(self, conditions: tuple[Condition, ...]) -> None:
+        for condition in conditions:
+            self.conditions[condition] = stricter(self.conditions.get(condition, condition), condition)
 
     def name(self, node: Name) -> Any:
         name, vocabulary = node.name, self.vocabulary
@@ -205,7 +209,7 @@ class Builder:
         known = self.measure.built
         if key in known:
             self.measure.spend(AGAIN)
-            self.conditions.update(dict.fromkeys(known[key][0]))
+            self.keep(known[key][0])
         else:
             known[key] = build()
         return known[key][1]

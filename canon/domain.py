@@ -8,7 +8,7 @@ dropped when it is made; one that can't hold anywhere is an `InputError` at once
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal, get_args
 
 import sympy as sp
@@ -38,14 +38,16 @@ class Condition:
     | `slit` | e | the complex number e is not in (−∞, 0] |
     | `regular` | f | the special function f is finite and analytic at its arguments |
 
-    `text` is how a reader of the formula would write it, `closed` how it was written where that was e ≥ 0; they take no
-    part in equality. Where `text` is empty the words are made of the terms when somebody asks for them.
+    `text` is how a reader of the formula would write it, `closed` how it was written where that was e ≥ 0, and `kink`
+    whether it is there for the smoothness of |e| or its powers alone, which have values at 0, too; they take no part in
+    equality. Where `text` is empty the words are made of the terms when somebody asks for them.
     """
 
     kind: ConditionKind
     terms: tuple[sp.Expr, ...]
     text: str = field(default="", compare=False)
     closed: str = field(default="", compare=False)
+    kink: bool = field(default=False, compare=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.kind, str) or self.kind not in _KINDS:
@@ -63,7 +65,7 @@ class Condition:
         """The condition pulled back: every key of `mapping` replaced by its value, all at once."""
         table(mapping, "formulas to put in", "mapping")
         terms: tuple[Any, ...] = tuple(replaced(term, mapping) for term in self.terms)
-        return self if terms == self.terms else Condition(self.kind, terms, closed=self.closed)
+        return self if terms == self.terms else Condition(self.kind, terms, closed=self.closed, kink=self.kink)
 
 
 @dataclass(frozen=True)
@@ -104,8 +106,13 @@ def unique(*groups: Iterable[Condition]) -> tuple[Condition, ...]:
     """All conditions of `groups` in order, each once: as a strict one where it is one of these."""
     found = dict[Condition, Condition]()
     for c in (c for group in groups for c in group):
-        found[c] = c if c not in found or (found[c].closed and not c.closed) else found[c]
+        found[c] = stricter(found.get(c, c), c)
     return tuple(found.values())
+
+
+def stricter(one: Condition, other: Condition) -> Condition:
+    """Of two equal conditions the one that leaves more out: the zeros of e, and what has a value at a kink."""
+    return other if (one.closed and not other.closed) or (one.kink and not other.kink) else one
 
 
 def describe(kind: ConditionKind, *terms: str) -> str:
@@ -171,7 +178,9 @@ def power_conditions(
         return ()
     if exponent.is_integer:
         return nonzero(base, text, is_complex=is_complex)
-    return positive(base, text, is_complex=is_complex)
+    found = positive(base, text, is_complex=is_complex)
+    bent = isinstance(base, sp.Abs) and known_sign(exponent, is_complex=is_complex) == "positive"
+    return tuple(replace(c, kink=True) for c in found) if bent else found
 
 
 _BOUNDED: Final = (sp.asin, sp.acos, sp.atanh)
@@ -215,7 +224,8 @@ def function_conditions(
     if function is sp.log:
         return positive(argument, text, is_complex=is_complex)
     if function in (sp.Abs, sp.sign):
-        return nonzero(argument, text, is_complex=is_complex)
+        found = nonzero(argument, text, is_complex=is_complex)
+        return tuple(replace(c, kink=True) for c in found) if function is sp.Abs else found
     if function in _BOUNDED:
         return positive(1 - argument**2, words("1 - ({})**2"), is_complex=is_complex)
     if function is sp.acosh:

@@ -58,7 +58,7 @@ def _read(text: str, vocabulary: Vocabulary, measure: Measure | None) -> Formula
     written = " ".join(text.split())
     names, calls = frozenset(builder.names), frozenset(builder.calls)
     return Formula(
-        value, tuple(builder.conditions), written, names, builder.has_bracket, calls, frozenset(builder.slopes)
+        value, tuple(builder.conditions.values()), written, names, builder.has_bracket, calls, frozenset(builder.slopes)
     )
 
 
@@ -68,7 +68,7 @@ def _read_relation(text: str, vocabulary: Vocabulary, measure: Measure | None) -
         raise InputError("an equation restricts to a surface: write it as a difference under `on`")
     builder = Builder(text, vocabulary, measure)
     values = [builder.value_of(side) for side in sides]
-    found = list(builder.conditions)
+    found = list(builder.conditions.values())
     for i, sign in enumerate(signs):
         left, right = (builder.source(side) for side in sides[i : i + 2])
         difference = builder.measure.admit(values[i] - values[i + 1])

@@ -33,7 +33,7 @@ from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.own_names import is_free_of
 from canon.claims.show import is_steep
 from canon.deadline import within
-from canon.domain import Condition, Domain
+from canon.domain import Condition, Domain, unique
 from canon.errors import EmptyDomain, InputError
 from canon.expression import Formula
 from canon.mechanics.action_angle import ClosedAction, NotQuadratic, one_degree
@@ -214,7 +214,7 @@ def setting_of(question: Question, *also: Formula) -> Setting:
         conditions += formula.conditions
     held = [c for name, formula in fixed.items() for c in (*formula.conditions, *_as_assumed(name, formula))]
     stated = (*assumed(q, sign=False), *assumed(p, sign=True))  # the sign of q is an end of its range
-    here = tuple(dict.fromkeys((*(c.substitute(rules) for c in conditions), *held, *stated)))
+    here = unique((c.substitute(rules) for c in conditions), held, stated)
     if question.key("branch") == "rotation":  # has p > 0 by convention
         here = tuple(c for c in here if c.kind not in ("positive", "nonzero") or c.terms[0] != p)
     others_too = tuple(replaced(formula.expr, rules) for formula in also)

@@ -175,9 +175,8 @@ def not_implied(question: Question, setting: Setting, region: Region, closed: Cl
     whole = along(question, setting, region)
     leading = nonzero(motion.leading) if motion.leading.has(setting.q) else ()
     found = []
-    passes = closed.passes_zero and question.hamiltonian().expr.has(sp.Abs)
-    kink = (setting.q, sp.Abs(setting.q)) if passes else ()
-    passed = [c for c in setting.conditions if c.terms[0] not in kink]
+    kink = (setting.q, sp.Abs(setting.q)) if closed.passes_zero else ()
+    passed = [c for c in setting.conditions if not (c.kink and c.terms[0].as_base_exp()[0] in kink)]
     for condition in (*passed, *leading):
         names = set().union(*(term.free_symbols for term in condition.terms))
         term = condition.terms[0]

@@ -7,7 +7,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from canon.constants import reliable
-from canon.domain import Condition, Domain, Smoothness, nonzero, positive
+from canon.domain import Condition, Domain, Smoothness, nonzero, positive, unique
 from canon.errors import InputError
 from canon.expected import listed
 from canon.expression import Formula
@@ -145,4 +145,4 @@ def assumed_of(symbol: sp.Symbol, image: sp.Expr) -> tuple[Condition, ...]:
 
 def distinct(conditions: Iterable[Condition]) -> tuple[Condition, ...]:
     """The conditions in their order, each kind and terms once."""
-    return tuple({(c.kind, c.terms): c for c in conditions}.values())
+    return unique(conditions)

@@ -109,6 +109,13 @@ def cosine(square: sp.Expr, q: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Expr] | 
     return None
 
 
+def _exponent(power: Any, q: sp.Symbol) -> Any:
+    """n of |q|ⁿ, however that is written: sympy has q² for |q|², and q² |q| for |q|³. None of anything else."""
+    x = sp.Dummy(positive=True)
+    base, n = sp.powsimp(power.xreplace({q: x})).as_base_exp()
+    return n if base == x and power.xreplace({q: -q}) == power and not n.has(x) else None
+
+
 def power_well(motion: OneDegree) -> Iterator[ClosedAction]:
     """The action where the square of the momentum is γ(α − β|q|ⁿ)ʳ on the whole line, n > 0 and r > 0."""
     q = motion.q
@@ -122,9 +129,8 @@ def power_well(motion: OneDegree) -> Iterator[ClosedAction]:
     factor = factor if r != 1 else sp.S.One
     alpha, rest = expanded.as_independent(q, as_Add=True)
     slope, power = rest.as_independent(q, as_Add=False)
-    base, n = power.as_base_exp()
-    plain = base == q and n.is_Integer and n.is_even
-    if not (plain or base == sp.Abs(q)) or n.has(q) or known_sign(n) != "positive" or known_sign(factor) != "positive":
+    n = _exponent(power, q)
+    if n is None or known_sign(n) != "positive" or known_sign(factor) != "positive":
         return
     beta = -slope
     gamma: Any = sp.gamma

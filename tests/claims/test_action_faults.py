@@ -211,3 +211,44 @@ def test_a_name_is_fixed_at_what_is_assumed_of_it(ask, word, H, fixed, method):
     average = 'kind = "average"\ncoordinate = "q"\nenergy = "E"\nf = "1"\nequals = "2"'
     with pytest.raises(InputError):
         ask(f"{average}\nfixed = {fixed}", **same)
+
+
+SLOPES = action_claim("8*sqrt(2)/3*E**(3/2)")
+
+
+@pytest.mark.parametrize("H", ["abs(q)", "abs(q) + 0*p", "sqrt(2)*abs(q)/sqrt(2)"])
+def test_a_motion_goes_through_a_kink(status, H):
+    assert status(SLOPES, space=LINE, symbols='E = "positive"', hamiltonian=f'H = "p**2/2 + {H}"') == "proved"
+
+
+@pytest.mark.parametrize(
+    "H", ["abs(q) + 0/q", "0/q + abs(q)", "abs(q) + 0/abs(q)", "abs(q) + 0*log(abs(q))", "0*log(q**2) + abs(q)"]
+)
+def test_no_motion_goes_through_a_pole_that_lies_in_a_kink(status, H):
+    """|q| and 1/q both say q != 0, but |q| has a value there."""
+    sections = {"space": LINE, "symbols": 'E = "positive"'}
+    assert status(SLOPES, hamiltonian=f'H = "p**2/2 + {H}"', **sections) == "undecided"
+    definitions = 'u = "abs(q)"\nv = "0/q"\nw = "u + v"'
+    assert status(SLOPES, hamiltonian='H = "p**2/2 + w"', definitions=definitions, **sections) == "undecided"
+
+
+@pytest.mark.parametrize(("section", "said"), [("domain", 'where = ["q != 0"]'), ("symbols", 'q = "nonzero"')])
+def test_a_domain_without_the_kink_holds_no_such_motion(status, section, said):
+    sections = {"space": LINE, "hamiltonian": 'H = "p**2/2 + abs(q)"', section: said}
+    assert status(SLOPES, **sections) == "undecided"
+
+
+CUBE = "4*sqrt(2)*E**(5/6)*gamma(1/3)*gamma(3/2)/(3*gamma(11/6))"
+
+
+@pytest.mark.parametrize("V", ["abs(q)**3", "q**2*abs(q)", "abs(q**3)"])
+def test_the_modulus_of_a_cube_is_a_well_like_others(status, V):
+    sections = {"space": LINE, "symbols": 'E = "positive"', "hamiltonian": f'H = "p**2/2 + {V}"'}
+    assert status(action_claim(CUBE), **sections) == "proved"
+    assert status(action_claim(f"1001/1000*{CUBE}"), **sections) == "refuted"
+
+
+def test_the_square_of_a_modulus_is_an_oscillator(status):
+    sections = {"space": LINE, "hamiltonian": 'H = "p**2/2 + abs(q)**2/2"'}
+    assert status(action_claim("2*pi*E"), **sections) == "proved"
+    assert status(action_claim("2*pi*E"), domain='where = ["q != 0"]', **sections) == "undecided"

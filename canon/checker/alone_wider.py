@@ -40,6 +40,7 @@ class Wider(alone.Claim):
         self.words = {n: [w] if isinstance(w, str) else w for n, w in tables.get("symbols", {}).items()}
         self.names, self.texts = flat([*held.values()]), dict(tables.get("definitions", {}))
         self.solution, self.slopes, self.used, self.placed = dict[str, Any](), set[str](), list[str](), list[Any]()
+        self.puts = list[dict[str, Any]]()  # what stands in the place of names in what is just being read
         self.take_bracket(claim, held)
         own = self.take_names(tables, claim, held)
         self.take_solution(claim.pop("solution", {}))
@@ -196,7 +197,8 @@ class Wider(alone.Claim):
 
     def check_free(self, own: Any, *by: str) -> None:
         """Derivatives are taken before something stands in a name's place."""
-        if any(name in own and (own[name].kind, own[name].of) != (".", (name,)) for name in by):
+        moved = lambda put: {name: f for name, f in put.items() if (f.kind, f.of) != (".", (name,))}
+        if {*by} & {*moved(own)}.union(*(self.inner(f) for put in self.puts for f in moved(put).values())):
             raise Stop("not shown", "a derivative at a place")
         self.slopes |= {*by}
 
@@ -210,7 +212,11 @@ class Wider(alone.Claim):
             if called == "_with":
                 put = {x.id[1:]: self.built(b, text, own) for x, b in zip(args[1::2], args[2::2], strict=True)}
                 self.placed += [(f, {*self.words.get(name, ())}) for name, f in put.items()]
-                return self.built(args[0], text, own | put)
+                self.puts.append(put)
+                try:
+                    return self.built(args[0], text, own | put)
+                finally:
+                    self.puts.pop()
             if called in self.solution and not at.keywords:
                 given, body = self.solution[called]
                 self.used.append(called)

@@ -119,7 +119,7 @@ def of_transported(tables: Any) -> Iterator[Asked]:
     space, explicit, claim = tables["phase_space"], tables["transformation"], tables["claim"]
     if {*explicit} != {"Q", "P"} or {*claim} != {"kind", "K"} or "generating_function" in tables:
         raise Stop("not shown", "a map that isn't given forward, or other keys")
-    pairs = More({**tables, "claim": {"kind": "canonical"}}).pairs  # the map is one, and each name has one meaning
+    pairs = More({**tables, "claim": {"kind": "canonical"}}).pairs  # names have one meaning, conditions no such slopes
     old, new = ([*space[a], *space[b]] for a, b in ("qp", "QP"))
     asked = More(plain(tables, rhs=claim["K"]))
     asked.pairs, time, given = pairs, asked.names[-1], [*chain(*(explicit[side] for side in "QP"))]
@@ -131,7 +131,6 @@ def of_transported(tables: Any) -> Iterator[Asked]:
         check_inner(asked, name, may)
         if slopes(asked.known(name)) - may - {time}:
             raise Stop("not shown", "a derivative by other names")
-    check_apart(asked, sides_of(tables), {*new})
     asked.texts |= {x: f"_new{i}" for i, x in enumerate(new)}
     zeros, n = list[str](), len(pairs)
     for i in range(2 * n):

@@ -90,13 +90,14 @@ def test_claims_of_another_form_are_left_alone(name: str) -> None:
 def test_the_point_lies_in_the_domain() -> None:
     """Of what the witness says of new variables nothing is used."""
     wrong = f"{K} + X"
-    for more in (
+    elsewhere: Any = (
         {"domain": {"where": ["X < 0"]}},
         {"domain": {"where": ["x > 1"]}},
         {"symbols": {**NAMES, "X": "negative"}},
         {"symbols": {**NAMES, "f": ["function", "positive"]}},
         {"symbols": {**NAMES, "e": "negative"}},
-    ):
+    )
+    for more in elsewhere:
         assert answers(wrong, H, **GAUGE, **more) == ""
 
 
@@ -106,12 +107,10 @@ def test_what_the_claim_says_has_a_value_there() -> None:
     assert answers(f"{K} + X*sqrt(-V(X))", H, {**WITNESS, "V": "a"}, **GAUGE) == ""
 
 
-T, M = (  # one that moves with time, one with a parameter
-    {"transformation": {"Q": ["x*exp(t)"], "P": ["p*exp(-t)"]}},
-    {"transformation": {"Q": ["m*x"], "P": ["p/m"]}},
-)
-GENERATED = {"generating_function": {"type": 2, "F": "x*P*exp(t)"}}
-BACKWARD = {"transformation": {"q": ["X*exp(-t)"], "p": ["P*exp(t)"]}}
+T: Any = {"transformation": {"Q": ["x*exp(t)"], "P": ["p*exp(-t)"]}}
+M: Any = {"transformation": {"Q": ["m*x"], "P": ["p/m"]}}
+GENERATED: Any = {"generating_function": {"type": 2, "F": "x*P*exp(t)"}}
+BACKWARD: Any = {"transformation": {"q": ["X*exp(-t)"], "p": ["P*exp(t)"]}}
 MOVING = "exp(2*t)*P**2/2 + X*P"
 
 
@@ -146,7 +145,7 @@ def test_nor_conditions_on_them(by: Any) -> None:
     """(t + 1) X grows where X is positive; along the map it does where X (t + 2) is."""
     given = "x" if by is BACKWARD else "X"
     for sign, x in (">", "-2/3"), ("<", "2/3"):
-        where = {"where": [f"D((t + 1)*{given}, t) {sign} 0"]}
+        where: Any = {"where": [f"D((t + 1)*{given}, t) {sign} 0"]}
         there = {**WITNESS, "x": x, "X": x, "t": "-3"}
         for root in ("sqrt(X**2) - X", "sqrt(X**2) + X"):
             assert answers(f"{MOVING} + {root}", "p**2/2", there, domain=where, **by) == ""

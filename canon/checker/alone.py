@@ -75,10 +75,8 @@ class Formula:
 
 def formulas(tables: Any) -> str:
     """All that is written in a file about one claim, but for what is there for people: it has no meaning."""
-    parts = [
-        {key: x for key, x in part.items() if key not in ("title", "source")} for part in (tables, tables["claim"])
-    ]
-    return json.dumps([{**parts[0], "claim": parts[1]}], ensure_ascii=False)
+    said = lambda part: {key: x for key, x in part.items() if key not in ("title", "source")}
+    return json.dumps([{**said(tables), "claim": said(tables["claim"])}], ensure_ascii=False)
 
 
 def number(r: Any) -> Formula:
@@ -133,19 +131,23 @@ class Claim:
         n, forward, types = len(sides["q"]), "Q" in explicit, generating.get("type", [])
         if [*map(len, sides.values())] != [n] * 4 or {*explicit} not in ({*"QP"}, {*"qp"}) or self.kind not in MAPS:
             raise Stop("not shown", "a claim about new variables that isn't about a map of old ones to as many")
+        inner = lambda f: (x for x in f.of if isinstance(x, Formula))
+        names = cache(lambda f, D=1: {*(f.of + f.orders) * D}.union(*(names(x, D or x.kind == "D") for x in inner(f))))
+        parts = re.split("[<>=!]+", "<".join(["0", *self.domain.get("where", [])]))
+        parts += [self.texts.get(key, 0) for key in ("_K", "_H", "_scale")]
+        if names(Formula("", (*map(self.known, parts),)), False) & {*chain(*(sides[side] for side in explicit))}:
+            raise Stop("not shown", "a derivative, or a bracket, of what a map gives")
+        self.known.cache_clear()  # from here on these names are the map's formulas
         self.texts |= dict(chain(*(zip(sides[side], explicit[side], strict=True) for side in explicit)))
         if self.kind in MAPS[-2:]:
             self.texts["_F"], types = generating["F"], [types] * n if isinstance(types, int) else types
             places = [(*GIVES[side], side, i) for i, one in zip(range(n), types, strict=True) for side in TYPES[one]]
-            within = cache(lambda f: {*f.of}.union(*(within(x) for x in f.of if isinstance(x, Formula))))
-            if within(self.known(self.texts["_F"])) & ({*self.names[:-1]} - {sides[side][i] for *_, side, i in places}):
+            if names(self.known(self.texts["_F"])) & ({*self.names[:-1]} - {sides[side][i] for *_, side, i in places}):
                 raise Stop("not shown", "what the other variables do in a generating function")
             return [f"{sides[other][i]} {sign} D(_F, {sides[side][i]})" for other, sign, side, i in places]
         X, Y = ([*sides[a], *sides[b]] for a, b in (("QP", "qp") if forward else ("qp", "QP")))
         self.pairs, self.variables = [*zip(Y[:n], Y[n:], strict=True)], [*Y, self.names[-1]]
         scaled, inverse = self.kind == "new_hamiltonian", "" if forward else "1/"
-        if not forward and "bracket" in str([self.texts, self.domain]):  # of old variables
-            raise Stop("not shown", "brackets beside a map that gives old variables")
         self.texts.setdefault("_scale", f"{inverse}bracket({X[0]}, {X[n]})" if scaled else "1")
         pairs = combinations(range(2 * n), 2)
         zeros = [f"bracket({X[i]}, {X[j]})" + f" - {inverse}_scale" * (j == i + n) for i, j in pairs]
@@ -260,10 +262,8 @@ class Point:
         return found % self.p
 
     def value(self, f: Formula) -> int:
-        if f.kind == ".":
-            return self.named(f.of[0])
-        if f.kind == "#":
-            return self.fraction(f.of[0], self.p)
+        if f.kind in "#.":
+            return self.named(f.of[0]) if f.kind == "." else self.fraction(f.of[0], self.p)
         a = [self.at(x) for x in f.of]
         if f.kind in "+*":
             return (sum(a) if f.kind == "+" else prod(a)) % self.p

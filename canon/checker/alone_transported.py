@@ -11,6 +11,7 @@ for each of the new variables: identities of old and new variables, each with it
 from __future__ import annotations
 
 import json
+from itertools import chain
 from typing import Any
 
 if __package__:
@@ -86,6 +87,8 @@ def shown(data: Any) -> tuple[str, str]:
     still = {"tables": {**tables, "claim": {"kind": "canonical"}}, "known": {}, "cases": [{}]}
     if alone_maps.shown(still)[0] != "shown":
         raise Stop("not shown", "that the map is canonical")
+    for text in (tables["hamiltonian"]["H"], claim["K"], *chain(*tables["transformation"].values())):
+        Transported({**tables, "claim": {"kind": "identity", "lhs": text, "rhs": "0"}})  # each is a formula by itself
     for left, right in rows(tables):
         asked = Transported({**tables, "claim": {"kind": "identity", "lhs": left, "rhs": right}})
         asked.check_sides()

@@ -40,6 +40,7 @@ class Wider(alone.Claim):
         self.words = {n: [w] if isinstance(w, str) else w for n, w in tables.get("symbols", {}).items()}
         self.names, self.texts = flat([*held.values()]), dict(tables.get("definitions", {}))
         self.solution, self.slopes, self.used, self.placed = dict[str, Any](), set[str](), list[str](), list[Any]()
+        self.puts = list[dict[str, Any]]()  # what stands in the place of names in what is just being read
         self.take_bracket(claim, held)
         own = self.take_names(tables, claim, held)
         self.take_solution(claim.pop("solution", {}))
@@ -194,9 +195,13 @@ class Wider(alone.Claim):
             if {*self.words.get(name, ())} - {"real"} or name in names:
                 raise Stop("not shown", f"{name[:40]} near 0")
 
-    def check_free(self, own: Any, *by: str) -> None:
-        """Derivatives are taken before something stands in a name's place."""
-        if any(name in own and (own[name].kind, own[name].of) != (".", (name,)) for name in by):
+    def check_free(self, own: Any, by: Any, of: Any, text: str) -> None:
+        """Derivatives are taken before something stands in a name's place: in what is differentiated, or by which."""
+        moved = lambda put: {name: f for name, f in put.items() if (f.kind, f.of) != (".", (name,))}
+        itself = own | {name: Formula(".", (name,)) for put in self.puts for name in put}
+        names = {*chain(*(self.inner(self.built(at, text, itself)) for at in of))} if self.puts else {*()}
+        inside = (f for put in self.puts for name, f in moved(put).items() if name in names)
+        if {*by} & {*moved(own)}.union(*map(self.inner, inside)):
             raise Stop("not shown", "a derivative at a place")
         self.slopes |= {*by}
 
@@ -210,19 +215,23 @@ class Wider(alone.Claim):
             if called == "_with":
                 put = {x.id[1:]: self.built(b, text, own) for x, b in zip(args[1::2], args[2::2], strict=True)}
                 self.placed += [(f, {*self.words.get(name, ())}) for name, f in put.items()]
-                return self.built(args[0], text, own | put)
+                self.puts.append(put)
+                try:
+                    return self.built(args[0], text, own | put)
+                finally:
+                    self.puts.pop()
             if called in self.solution and not at.keywords:
                 given, body = self.solution[called]
                 self.used.append(called)
                 return self.read(body, dict(zip(given, (self.built(x, text, own) for x in args), strict=True)))
             if called == "bracket":
-                self.check_free(own, *chain(*self.pairs))
+                self.check_free(own, [*chain(*self.pairs)], (*args, *at.keywords), text)
                 x, y = (self.built(item, text, own) for item in (*args, *at.keywords))
                 pairs = zip(self.factors, self.pairs, strict=True)
                 each = [f"{c}*(D(_x, {q})*D(_y, {p}) - D(_x, {p})*D(_y, {q}))" for c, (q, p) in pairs]
                 return self.read(" + ".join(each), {"_x": x, "_y": y})
             if called == "D":
-                self.check_free(own, args[1].id[1:])
+                self.check_free(own, [args[1].id[1:]], args[:1], text)
             if {node.id[1:] for node in ast.walk(at.func) if isinstance(node, ast.Name)} & {*self.solution}:
                 raise Stop("not shown", "a derivative of what is to be solved for")
         return super().built(at, text, own)

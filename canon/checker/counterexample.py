@@ -305,7 +305,8 @@ def check_domain(point: Point, tables: Any) -> None:
             check(point.text(f"({b}) - ({a})"), ["nonzero" if sign == "!=" else "nonnegative" if edge else "positive"])
     for name, words in claim.words.items():
         if "function" not in words:
-            check(point.named(name), words)
+            given = name in claim.texts  # at its edge there may be no other points of the domain
+            check(point.named(name), ["positive" if given and word == "nonnegative" else word for word in words])
     for text in getattr(claim, "besides", ()):
         if fails(point.text(text), ""):
             raise Open("that the claim's own bracket is one")

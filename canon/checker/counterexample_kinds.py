@@ -33,7 +33,7 @@ if __package__:
     )  # fmt: skip
     from canon.checker.counterexample_formulas import Writer, put_names
     from canon.checker.counterexample_functions import More, Place
-    from canon.checker.counterexample_maps import Asked, of_generated, of_map, plain
+    from canon.checker.counterexample_maps import Asked, of_generated, of_map, of_transported, plain
 else:  # as a program's part, beside the other files
     import alone_table  # type: ignore
     from alone import Formula, Stop  # type: ignore
@@ -51,7 +51,7 @@ else:  # as a program's part, beside the other files
     )  # fmt: skip
     from counterexample_formulas import Writer, put_names  # type: ignore
     from counterexample_functions import More, Place  # type: ignore
-    from counterexample_maps import Asked, of_generated, of_map, plain  # type: ignore
+    from counterexample_maps import Asked, of_generated, of_map, of_transported, plain  # type: ignore
 
 KINDS = tomllib.loads(Path(__file__).with_name("counterexample_kinds.toml").read_text(encoding="utf-8"))["kinds"]
 BITS, PIECES, GUESSES = (64, 192), 300, 12
@@ -212,7 +212,8 @@ def of_plain(tables: Any) -> Iterator[Asked]:
 
 RULES = {"canonical": of_map, "fundamental_brackets": of_map, "cartan_invariant": of_table, "stationary": of_table,
     "constraint": of_table, "dimension": of_table, "euler_lagrange": of_table, "hamilton_jacobi": of_table,
-    "identity": of_table, "lie_series": of_table, "matrix_group": of_table, "solves": of_table}  # fmt: skip
+    "identity": of_table, "lie_series": of_table, "matrix_group": of_table, "new_hamiltonian": of_transported,
+    "solves": of_table}  # fmt: skip
 
 
 def near(asked: Asked, of: dict[str, Any], real: Arithmetic) -> dict[str, Any]:

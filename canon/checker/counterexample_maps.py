@@ -1,5 +1,5 @@
 """What claims about maps need, for `counterexample_kinds.py`: maps by a generating function alone, and maps given
-forward.
+forward, where K may have derivatives by new variables in it.
 
 A rule yields what has to vanish, and what a point has to be like before it counts.
 """
@@ -10,8 +10,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
-from itertools import combinations, permutations
+from itertools import chain, combinations, permutations
 from typing import Any
 
 if __package__:
@@ -58,26 +57,87 @@ def of_generated(tables: Any) -> Iterator[Asked]:
         raise Stop("not shown", "a map of that form")
     claim = More(plain(tables, rhs=tables["claim"]["K"]))
     free = [[space[side][i] for i, one in enumerate(kinds) for side in TYPES[one][k]] for k in (0, 1)]
+    claim.texts["_F"], sides = generating["F"], (free[0] + free[1], space["q"] + space["p"], space["Q"] + space["P"])
+    for name, may in zip(("_F", "_H", "_rhs"), sides, strict=True):
+        check_inner(claim, name, {*may})
+    check_apart(claim, ["_H", "_rhs", *sides_of(tables)], {*claim.names[:-1]} - {*sides[0]})
     for i, one in enumerate(kinds):
         for side in TYPES[one]:
             other, sign = GIVES[side]
             minus = "-" if sign == "+" else ""  # p − ∂F/∂q = 0, P + ∂F/∂Q = 0
             claim.texts[space[other][i]] = f"{minus}D(_F, {space[side][i]})"
-    claim.texts["_F"], claim.variables = generating["F"], [*free[0], *free[1], claim.names[-1]]
+    claim.variables = [*sides[0], claim.names[-1]]
     claim.known.cache_clear()  # type: ignore
-    check_inner(claim, "_F", {*free[0], *free[1]})
-    check_inner(claim, "_H", {*space["q"], *space["p"]}, tables["hamiltonian"]["H"])
-    check_inner(claim, "_rhs", {*space["Q"], *space["P"]}, tables["claim"]["K"])
     zeros = tuple(f"D(_rhs - _H - D(_F, {claim.names[-1]}), {u})" for u in claim.variables[:-1])
     yield Asked(claim, zeros, apart=(determinant([[f"D(D(_F, {u}), {v})" for v in free[1]] for u in free[0]]),))
+
+
+def parts(*of: Formula) -> set[Formula]:
+    """Formulas with all that they are made of."""
+    found, left = set[Formula](), [*of]
+    while left:
+        if (f := left.pop()) not in found:
+            found.add(f)
+            left += [x for x in f.of if isinstance(x, Formula)]
+    return found
 
 
 def check_inner(claim: Any, name: str, may: set[str], text: Any = None) -> None:
     """A formula is of these variables, as it is written."""
     own = {x: Formula(".", (x,)) for x in claim.names}
-    inner = cache(lambda f: {*f.of}.union(*(inner(x) for x in f.of if isinstance(x, Formula))))
-    if inner(claim.read(claim.texts[name] if text is None else text, own)) & ({*claim.names[:-1]} - may):
+    found = parts(claim.read(claim.texts[name] if text is None else text, own))
+    if {*chain(*(f.of for f in found))} & ({*claim.names[:-1]} - may):
         raise Stop("not shown", "a formula of other variables")
+
+
+def slopes(f: Formula) -> set[str]:
+    """The names by which something in a formula is differentiated."""
+    return {name for g in parts(f) if g.kind == "D" for name in g.orders}
+
+
+def check_apart(claim: Any, texts: Any, given: set[str]) -> None:
+    """Nothing is differentiated that has what a map gives in it: with the map's formulas there it'd be something else.
+
+    This is asked of a claim in which these names have no formulas yet."""
+    found = parts(*(f for f in parts(*map(claim.known, texts)) if f.kind == "D"))
+    if {*chain(*((*f.of, *f.orders) for f in found))} & given:
+        raise Stop("not shown", "a derivative of what a map gives")
+
+
+def sides_of(tables: Any) -> list[str]:
+    """What stands on either side in the domain's conditions."""
+    return [*chain(*(re.split("<=|>=|!=|<|>", text) for text in tables.get("domain", {}).get("where", [])))]
+
+
+def of_transported(tables: Any) -> Iterator[Asked]:
+    """The motion of the new variables is the one that K says: {Q, H} + ∂Q/∂t = ∂K/∂P, {P, H} + ∂P/∂t = −∂K/∂Q.
+
+    Old and new variables are independent names wherever something is differentiated; then new ones are what the map
+    gives. Where M J Mᵀ = c J with a number c that isn't 0 these equations are the claim's, Mᵀ∇K = c∇H − MᵀJ ∂(Q, P)/∂t;
+    a map without such a number makes the claim false by itself.
+    """
+    space, explicit, claim = tables["phase_space"], tables["transformation"], tables["claim"]
+    if {*explicit} != {"Q", "P"} or {*claim} != {"kind", "K"} or "generating_function" in tables:
+        raise Stop("not shown", "a map that isn't given forward, or other keys")
+    pairs = More({**tables, "claim": {"kind": "canonical"}}).pairs  # names have one meaning, conditions no such slopes
+    old, new = ([*space[a], *space[b]] for a, b in ("qp", "QP"))
+    asked = More(plain(tables, rhs=claim["K"]))
+    asked.pairs, time, given = pairs, asked.names[-1], [*chain(*(explicit[side] for side in "QP"))]
+    if any("integer" in asked.words.get(name, ()) for name in asked.names):
+        raise Stop("not shown", "variables that are whole numbers")
+    asked.texts |= {f"_new{i}": text for i, text in enumerate(given)}
+    own = [(name, {*old}) for name in ("_H", *(f"_new{i}" for i in range(len(new))))] + [("_rhs", {*new})]
+    for name, may in own:
+        check_inner(asked, name, may)
+        if slopes(asked.known(name)) - may - {time}:
+            raise Stop("not shown", "a derivative by other names")
+    asked.texts |= {x: f"_new{i}" for i, x in enumerate(new)}
+    zeros, n = list[str](), len(pairs)
+    for i in range(2 * n):
+        moved = [f"D(_new{i}, {q})*D(_H, {p}) - D(_new{i}, {p})*D(_H, {q})" for q, p in pairs]
+        said = f"- D(_rhs, {new[i + n]})" if i < n else f"+ D(_rhs, {new[i - n]})"
+        zeros.append(" + ".join([f"D(_new{i}, {time})", *moved]) + said)
+    yield Asked(asked, tuple(zeros), apart=(f"bracket(_new0, _new{n})",))
 
 
 def determinant(rows: list[list[str]]) -> str:
@@ -98,6 +158,7 @@ def of_map(tables: Any) -> Iterator[Asked]:
         raise Stop("not shown", "a map that isn't given forward, or a scale")
     domain = {"domain": {"where": tables.get("domain", {}).get("where", [])}}
     asked = More(plain({**tables, **domain}))
+    check_apart(asked, sides_of(tables), {*space["Q"], *space["P"]})
     asked.texts |= {x: text for side in explicit for x, text in zip(space[side], explicit[side], strict=True)}
     asked.pairs, asked.variables = pairs, [*space["q"], *space["p"], asked.names[-1]]
     asked.known.cache_clear()  # type: ignore

@@ -263,6 +263,14 @@ class Intervals:
         raise Open
 
 
+def off_the_edge(words: Sequence[str]) -> list[str]:
+    """What has to hold of a value that a map gives: on the edge of what a word allows there may be no point near by.
+
+    So x = 0 is alone where x and x² − x aren't negative, and a claim is about the open domain.
+    """
+    return [{"nonnegative": "positive", "nonpositive": "negative"}.get(word, word) for word in words]
+
+
 def is_allowed(words: Sequence[str], x: Any) -> bool:
     """Whether the values in an interval are as a name's assumptions say."""
     return not (

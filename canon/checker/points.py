@@ -12,6 +12,7 @@ import mpmath
 from canon.checker.case import Case
 from canon.checker.core import Polynomial, number
 from canon.checker.formulas import Formulas, Unknown, Unreadable
+from canon.checker.intervals import off_the_edge
 from canon.checker.statement import Statement
 from canon.checker.whole import is_whole
 
@@ -223,9 +224,11 @@ def inside(s: Statement, case: Case, numbers: Numbers, of: dict[str, Any]) -> bo
         return False
     least = numbers.mp.mpf(10) ** (10 - numbers.mp.dps) if s.surface else 0  # nearer, Newton's steps end on the edge
     signs = ((numbers.mp.re(found[a]), kind) for a, kind in s.conditions)
-    everything = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}
+    given = {name: found[s.pull(image)] for name, image in s.images.items()}
     return all(sign > least or (kind == "nonzero" and abs(sign) > least) for sign, kind in signs) and all(
-        allowed(s.words.get(name, ()), value, numbers) for name, value in everything.items() if name not in f.functions
+        allowed(off_the_edge(words) if name in given else words, value, numbers)
+        for name, value in {**of, **given}.items()
+        if name not in f.functions and (words := s.words.get(name, ()))
     )
 
 

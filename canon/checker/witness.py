@@ -16,7 +16,7 @@ from canon.checker import core
 from canon.checker.case import Case
 from canon.checker.fractions_alone import fails_exactly
 from canon.checker.functions import Rejected, Unknown
-from canon.checker.intervals import Intervals, Open, is_allowed
+from canon.checker.intervals import Intervals, Open, is_allowed, off_the_edge
 from canon.checker.points import (
     CLOSE,
     Numbers,
@@ -183,8 +183,9 @@ def lies_inside(s: Statement, own: Intervals, of: Mapping[str, Any], found: Mapp
     signs = [(found[a], kind) for a, kind in s.conditions]
     if not all(own.real(x).a > 0 if kind == "positive" else own.is_nonzero(x) for x, kind in signs):
         return False
-    moved = {**of, **{name: found[s.pull(image)] for name, image in s.images.items()}}
-    assumed = ((x, [*s.words.get(n, ())]) for n, x in moved.items() if n not in s.f.functions)
+    given = {name: found[s.pull(image)] for name, image in s.images.items()}
+    assumed = [(x, [*s.words.get(n, ())]) for n, x in of.items() if n not in (*s.f.functions, *given)]
+    assumed += [(x, off_the_edge(s.words.get(n, ()))) for n, x in given.items()]
     return all(words == ["complex"] or is_allowed(words, own.real(x)) for x, words in assumed if words)
 
 

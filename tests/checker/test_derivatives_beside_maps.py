@@ -6,6 +6,7 @@ import pytest
 
 from canon.checker import alone_together, refutations
 from tests.checker.certified import certified, resealed
+from tests.checker.test_forged_kinds import status
 
 SPACE: Any = {"q": ["x"], "p": ["p"], "Q": ["X"], "P": ["P"]}
 NAMES: Any = {"m": "positive", "e": "real", "f": "function", "V": "function"}
@@ -160,6 +161,7 @@ def test_nor_conditions_where_brackets_are_asked_for() -> None:
         tables = {"phase_space": SPACE, **by, "domain": conditions, "claim": {"kind": "canonical"}}
         sealed = {**data, "tables": tables, "witness": {"x": x, "p": "1", "t": "-3"}}
         assert (refutations.checked(resealed(sealed))[0] == "shown") == (answer == "shown")
+        assert (status(sealed) == "confirmed") == (answer == "shown")
 
 
 PLACES = {
@@ -191,3 +193,8 @@ def test_an_edge_that_a_map_gives_is_no_point() -> None:
         tables["transformation"]["P"] = [f"{factor}*p/sqrt((2*x - 1)**2)"]
         sealed = {**data, "tables": {**tables, "claim": {"kind": "canonical"}}, "witness": {"x": x, "p": "1"}}
         assert (refutations.checked(resealed(sealed))[0] == "shown") == (answer == "shown")
+        everything = {**sealed["tables"]}
+        claim = everything.pop("claim")
+        argument = {"argument": "ball at 64 bits"}
+        found = status(claim, "refuted", argument, everything, sealed["witness"])
+        assert (found == "confirmed") == (answer == "shown")

@@ -167,7 +167,9 @@ class Forward(alone_texts.Texts):
         tables = {key: x for key, x in self.tables.items() if key != "claim"}
         claim = alone_maps.claim_of({"tables": {**tables, "claim": {"kind": "canonical"}}})
         free = {self.q, self.p, *self.symbols} - {*self.new}
-        return self.has_point(claim, free, dict(zip(self.new_names(), (self.w, self.J), strict=True)), [self.H])
+        return self.has_point(
+            claim, free, dict(zip(self.new_names(), (self.w, self.J), strict=True)), [self.H, self.period]
+        )
 
     def new_names(self) -> list[str]:
         space = self.tables["phase_space"]

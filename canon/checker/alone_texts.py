@@ -100,6 +100,16 @@ class Texts:
         return False
 
 
+def written(f: Any) -> str:
+    """A formula as a text."""
+    if f.kind in "#.":
+        return f"({f.of[0]})"
+    each = [written(x) for x in f.of]
+    if f.kind in "+*^":
+        return f"({each[0]} {'**' if f.kind == '^' else f.kind} {each[1]})"
+    return f"{f.kind.partition('/')[0]}({', '.join(each)})"
+
+
 class Point(counterexample.Point):
     """A point in intervals, where elliptic integrals have values that aren't looked at."""
 

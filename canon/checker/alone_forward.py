@@ -135,7 +135,7 @@ class Forward(alone_texts.Texts):
         """
         where = [text for text in self.where if not self.names(text) & {*self.new}]
         tables = self.tables_of({"kind": "identity", "lhs": f, "rhs": g}, where)
-        claim = alone_special.Small({**tables, "definitions": {**self.made, ENERGY: self.H}})
+        claim: Any = alone_special.Small({**tables, "definitions": {**self.made, ENERGY: self.H}})
         left, structure = [(claim.known(f), claim.known(g))], alone_orbits.Flat(claim).structure
         while left:
             a, b = (

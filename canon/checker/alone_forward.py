@@ -27,6 +27,7 @@ if __package__:
         alone_orbits,
         alone_related,
         alone_signs,
+        alone_special,
         alone_texts,
     )
     from canon.checker import alone_polynomials as of
@@ -40,6 +41,7 @@ else:  # as a program, beside the other files
     import alone_polynomials as of  # type: ignore
     import alone_related  # type: ignore
     import alone_signs  # type: ignore
+    import alone_special  # type: ignore
     import alone_texts  # type: ignore
 
 Stop = alone.Stop
@@ -48,6 +50,7 @@ SECTIONS = {
 }  # fmt: skip
 NAME, SIGN, asked = alone_texts.NAME, alone_texts.SIGN, alone_texts.asked
 ENERGY, HERE, PLACE = "E_of_point", "_there", "0"
+SMOOTH = ("#", ".", "+", "*", "sin", "cos", "exp", "atan", "atan2")
 SQUARE = "p**2"  # what is put for the square of the momentum
 
 
@@ -120,6 +123,36 @@ class Forward(alone_texts.Texts):
         made = {**self.tables, "definitions": definitions, "claim": {"kind": "identity", "lhs": f, "rhs": g}}
         return any(asked(file, made) for file in (alone_maps, alone_related))
 
+    def is_of_energy(self, f: str, g: str) -> bool:
+        """Whether a formula is another one of E, which has a value where it has."""
+        return self.is_same(f, g) and self.has_values(f, g)
+
+    def has_values(self, f: str, g: str) -> bool:
+        """Whether a text that was made of another one, for E = H, has a value wherever that one has, but for poles.
+
+        What its roots and functions are of is the same, or has such a sign. An identity holds where both sides have
+        values: where √B has none it says nothing.
+        """
+        where = [text for text in self.where if not self.names(text) & {*self.new}]
+        tables = self.tables_of({"kind": "identity", "lhs": f, "rhs": g}, where)
+        claim: Any = alone_special.Small({**tables, "definitions": {**self.made, ENERGY: self.H}})
+        left, structure = [(claim.known(f), claim.known(g))], alone_orbits.Flat(claim).structure
+        while left:
+            a, b = (
+                claim.known(claim.texts[x.of[0]]) if x.kind == "." and x.of[0] in claim.texts else x for x in left.pop()
+            )
+            if structure(a) == structure(b):
+                continue
+            if a.kind == b.kind and len(a.of) == len(b.of) and b.kind not in "#.":
+                if is_partial(b) and not all(
+                    self.is_same(*map(alone_texts.written, x)) for x in zip(a.of, b.of, strict=True)
+                ):
+                    return False
+                left += zip(a.of, b.of, strict=True)
+            elif any(is_partial(x) and not is_root_above(claim, x) for x in alone_maps.parts(claim, b)):
+                return False
+        return True
+
     def conditions(self) -> list[str]:
         """The domain's conditions that are conditions of E and parameters."""
         found, moving = [], {self.q, self.p}
@@ -129,7 +162,7 @@ class Forward(alone_texts.Texts):
                 continue
             for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
                 both = [x.strip() for x in (a, b)]
-                if all(not self.names(x) & moving or self.is_same(x, self.sides[x]) for x in both):
+                if all(not self.names(x) & moving or self.is_of_energy(x, self.sides[x]) for x in both):
                     found.append(f"{self.sides[both[0]]} {sign} {self.sides[both[1]]}")
         return found
 
@@ -167,11 +200,24 @@ class Forward(alone_texts.Texts):
         tables = {key: x for key, x in self.tables.items() if key != "claim"}
         claim = alone_maps.claim_of({"tables": {**tables, "claim": {"kind": "canonical"}}})
         free = {self.q, self.p, *self.symbols} - {*self.new}
-        return self.has_point(claim, free, dict(zip(self.new_names(), (self.w, self.J), strict=True)), [self.H])
+        return self.has_point(
+            claim, free, dict(zip(self.new_names(), (self.w, self.J), strict=True)), [self.H, self.period]
+        )
 
     def new_names(self) -> list[str]:
         space = self.tables["phase_space"]
         return [*space["Q"], *space["P"]]
+
+
+def is_partial(f: Any) -> bool:
+    """Whether a formula may have no value where what it is made of has, in a region."""
+    r = f.of[1].of[0] if f.kind == "^" and f.of[1].kind == "#" else None
+    return f.kind not in SMOOTH and (r is None or r.denominator > 1)
+
+
+def is_root_above(claim: Any, f: Any) -> bool:
+    """Whether it is a root of what is positive."""
+    return f.kind == "^" and f.of[1].kind == "#" and alone_special.is_above_everywhere(claim, f.of[0])
 
 
 def shown(data: Any) -> tuple[str, str]:
@@ -183,7 +229,7 @@ def shown(data: Any) -> tuple[str, str]:
     forward.at_energy()
     if not forward.is_above(forward.period, "0", []):
         raise Stop("not shown", "a period that is positive")
-    if not forward.is_same(forward.J, forward.j):
+    if not forward.is_of_energy(forward.J, forward.j):
         raise Stop("not shown", "that J is a function of H")
     where = forward.conditions()
     for branch in (None, "libration", "rotation"):

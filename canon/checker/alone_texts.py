@@ -47,8 +47,11 @@ class Texts:
         given = [*held, *self.definitions, "pi"]
         if len({*given}) != len(given) or {*self.definitions} & {*self.symbols} or {"pi", self.time} & {*self.symbols}:
             raise Stop("not shown", "names with two meanings")
-        if any(self.words(name) - WORDS for name in self.symbols) or any(map(self.words, plain)):
+        odd = any(self.words(name) - WORDS or len(self.words(name)) > 1 for name in self.symbols)
+        if odd or any(map(self.words, plain)):
             raise Stop("not shown", "names with such words")
+        if any(len(SIGN.split(text)) < 3 for text in self.where):
+            raise Stop("not shown", "conditions that compare nothing")
         named = {*NAME.findall(alone.formulas(self.tables))} | {*given} | {*self.symbols}
         if any(map(made, named)) or CALLED & {*given, *self.symbols}:
             raise Stop("not shown", "names that are made here")
@@ -95,6 +98,16 @@ class Texts:
                         counterexample.check(plain.text(text), [*word])
                 return True
         return False
+
+
+def written(f: Any) -> str:
+    """A formula as a text."""
+    if f.kind in "#.":
+        return f"({f.of[0]})"
+    each = [written(x) for x in f.of]
+    if f.kind in "+*^":
+        return f"({each[0]} {'**' if f.kind == '^' else f.kind} {each[1]})"
+    return f"{f.kind.partition('/')[0]}({', '.join(each)})"
 
 
 class Point(counterexample.Point):

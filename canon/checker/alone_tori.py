@@ -54,7 +54,7 @@ else:  # as a program, beside the other files
 Stop, SIGN, NAME, asked = alone.Stop, alone_texts.SIGN, alone_texts.NAME, alone_texts.asked
 SECTIONS = {"phase_space", "symbols", "definitions", "domain", "hamiltonian", "claim", "title", "source"}
 LEVEL, RANGED = re.compile(r"level_\d+"), {"positive"}
-SMOOTH = ("#", ".", "+", "*", "sin", "cos", "exp", "atan")
+SMOOTH, COMPLETE = ("#", ".", "+", "*", "sin", "cos", "exp", "atan"), ("elliptic_k", "elliptic_e")
 GIVEN = {True: {"coordinate", "action"}, False: {"coordinate", "action", "H", "level"}}
 
 
@@ -182,6 +182,24 @@ class Torus(alone_texts.Texts):
             if not any(alone_special.is_above_everywhere(claim, x) for x in signed):
                 raise Stop("not shown", f"that H is smooth, for {f.kind[:40]} in it")
 
+    def check_values(self) -> None:
+        """See that what the certificate says has values at all points of the domain, but for poles.
+
+        Identities hold where both sides have values: of √L √L − L they say nothing where L < 0.
+        """
+        texts = [*self.values.values(), *(self.put(cycle["action"], self.values) for cycle in self.cycles)]
+        texts += [self.put(text, self.values) for text in self.levels.values()]
+        made = self.levels if self.forward else None
+        claim = alone_special.Small(self.of({"kind": "identity", "lhs": self.H, "rhs": self.H}, made, self.kept()))
+        for f in chain(*(alone_maps.parts(claim, claim.known(text)) for text in texts)):
+            r = f.of[1].of[0] if f.kind == "^" and f.of[1].kind == "#" else None
+            if f.kind in SMOOTH or (r is not None and r.denominator == 1):
+                continue
+            less_than_1 = claim.made("+", alone.number(1), claim.made("*", alone.number(-1), f.of[0]))
+            signed = f.of[0] if r is not None else less_than_1 if f.kind in COMPLETE else None
+            if signed is None or not alone_special.is_above_everywhere(claim, signed):
+                raise Stop("not shown", f"that a level or an action has a value, for {f.kind[:40]} in it")
+
     def is_same(self, f: str, g: str, made: Any, where: Any) -> bool:
         tables = self.of({"kind": "identity", "lhs": f, "rhs": g}, made, where)
         return any(asked(file, tables) for file in (alone_maps, alone_related))
@@ -247,7 +265,7 @@ class Torus(alone_texts.Texts):
             return False
         claim = alone.Claim(self.of({"kind": "identity", "lhs": self.H, "rhs": self.H}))
         made = dict(zip(self.P, self.given["P"], strict=True)) if self.forward else {}
-        texts = [self.H, *self.given["Q"]] if self.forward else [self.given["F"]]
+        texts = [self.period, *([self.H, *self.given["Q"]] if self.forward else [self.given["F"]])]
         free = {*self.q, *self.parameters, *(self.p if self.forward else self.P)}
         return self.has_point(claim, free, made, texts)
 
@@ -296,6 +314,7 @@ def shown(data: Any) -> tuple[str, str]:
     if not torus.is_above(torus.period, "0"):
         raise Stop("not shown", "a period that is positive")
     torus.check_whole()
+    torus.check_values()
     torus.check_levels()
     facts = torus.signs()
     for cycle in torus.cycles:

@@ -14,13 +14,13 @@ from functools import cache
 from typing import Any
 
 if __package__:
-    from canon.checker.alone import Formula, Stop
+    from canon.checker.alone import RANDOM, Formula, Stop
     from canon.checker.counterexample import Arithmetic, Interval, Open, check, fails, somewhere
     from canon.checker.counterexample_formulas import NOUGHT, Writer, degree, inner_names, put_names
     from canon.checker.counterexample_functions import More, Place, integral, piece
     from canon.checker.counterexample_integrals import claim_with, sides_of
 else:  # as a program's part, beside the other files
-    from alone import Formula, Stop  # type: ignore
+    from alone import RANDOM, Formula, Stop  # type: ignore
     from counterexample import Arithmetic, Interval, Open, check, fails, somewhere  # type: ignore
     from counterexample_formulas import NOUGHT, Writer, degree, inner_names, put_names  # type: ignore
     from counterexample_functions import More, Place, integral, piece  # type: ignore
@@ -285,6 +285,16 @@ def of_action(tables: Any, witness: Any) -> bool:
     return apart(found, value)
 
 
+def turns(orbits: Orbits) -> bool:
+    """Whether the period is a whole multiple of 2π: a number that is so for others in the place of π, too."""
+    asked, found = orbits.asked, set[Fraction]()
+    f = asked.known("_period")
+    for x in (Fraction(RANDOM.getrandbits(64) + 1, 2**60) for _ in range(2)):
+        low, high = Place(asked, {**orbits.of, "pi": (x, x)}, orbits.real).at(f)
+        found |= {low / (2 * x), high / (2 * x)}
+    return not inner_names(f, asked) - {"pi"} and len(found) == 1 and found.pop().denominator == 1
+
+
 def rotates(orbits: Orbits, claim: Any, value: Interval, is_time: bool) -> bool:
     """The same of a rotation, the one with p > 0; without a `period` it may be any part of 2π."""
     point = Place(orbits.asked, orbits.of, orbits.real)
@@ -293,9 +303,8 @@ def rotates(orbits: Orbits, claim: Any, value: Interval, is_time: bool) -> bool:
         raise Stop("not shown", "a period")
     if is_time and not orbits.plain:
         raise Stop("not shown", "a Hamiltonian that isn't quadratic in the momentum")
-    whole = orbits.real.times(length, orbits.real.power(point.text("2*pi"), -1))
     moves = orbits.q in inner_names(orbits.h, orbits.asked)  # else all lengths are periods
-    if moves and not whole[0] <= round(whole[1]) <= whole[1]:
+    if moves and "period" in claim and not turns(orbits):
         raise Stop("not shown", "that this is a period of H")
     if length[0] <= 0 or orbits.extent != [(orbits.extent[-1][0], ())]:
         raise Stop("not shown", "a rotation in a part of the circle")

@@ -75,6 +75,15 @@ def test_near_misses_are_not_shown(name: str) -> None:
     assert answer(*MISSES[name]) == "not shown"
 
 
+@pytest.mark.parametrize("more", ["", " + 0*sqrt(k + q**2)", " + 0*log(k + q**2)"])
+def test_a_formula_of_the_energy_has_values_in_the_domain(more: str) -> None:
+    """Where k < 0 the factor is 2, and the angle advances by π. At q = 0 there is √k, that is: k > 0."""
+    factor, where = "(3 - sqrt(k**2)/k)/2", "k + k**3 < 0"
+    for period in ("2*pi", "pi"):
+        maps = ("(p**2 + q**2)/2", f"atan2(q, p)/({factor})", f"(p**2 + q**2)/2*({factor}){more}", period, [where])
+        assert answer(*maps, symbols={"k": "real"}) == "not shown"
+
+
 OTHER: Any = {
     "a half-line": {"symbols": {**NAMES, "q": "positive"}},
     "J negative": {"symbols": {**NAMES, "J": "negative"}},

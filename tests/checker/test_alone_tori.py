@@ -194,6 +194,55 @@ def test_other_generating_functions_are_not_shown(name: str) -> None:
     assert answer(other(ISOTROPIC, **changes), {"cycles": cycles, "turns": turns}) == "not shown"
 
 
+WELL: Any = {"phase_space": {"q": ["x", "theta"], "p": ["p", "L"], "Q": ["u", "v"], "P": ["J", "K"]},
+    "definitions": {"C": "(exp(x) + exp(-x))/2", "S": "(exp(x) - exp(-x))/2", "a": "K/4", "s": "a - J",
+                    "y": "sqrt(a**2/C**2 - s**2)"},
+    "domain": {"where": ["J < K/4", "K > 0"]},
+    "hamiltonian": {"H": "p**2/2 - L**2/(8*(exp(x) + exp(-x))**2)"},
+    "generating_function": {"type": 2, "F": "K*theta + a*atan2(a*S/C, y) - s*atan2(s*S, y*C)"},
+    "claim": {"kind": "action_angle", "angle_period": "2*pi"}}  # fmt: skip
+
+
+def well(action: str = "L/4 - sqrt(-2*level_1)", value: str = "K", H: str = WELL["hamiltonian"]["H"]) -> Any:
+    """The cycles of a well −L²/32 cosh² x, whose action over 2π is |L|/4 − √(−2E)."""
+    circle = {"coordinate": "theta", "action": "2*pi*L", "value": value}
+    swing = {"coordinate": "x", "H": H, "level": "level_1", "action": f"2*pi*({action})", "value": "-(K/4 - J)**2/2"}
+    return {"cycles": [circle, swing], "turns": [[0, 1], [1, 0]]}
+
+
+def test_a_well_by_its_generating_function_is_shown() -> None:
+    assert answer(WELL, well()) == "shown"
+
+
+@pytest.mark.parametrize(
+    "torus",
+    [
+        well("sqrt(L)*sqrt(L)/4 - sqrt(-2*level_1)"),
+        well("sqrt(L**2)/4 + 0*sqrt(L) - sqrt(-2*level_1)"),
+        well("sqrt(L**2)/4 + 0*log(L) - sqrt(-2*level_1)"),
+        well("sqrt(L**2)/4 + 0*asin(1 - L) - sqrt(-2*level_1)"),
+        well("sqrt(L**2)/4 - sqrt(-2*level_1)", "sqrt(K)*sqrt(K)"),
+        well("sqrt(L**2)/4 - sqrt(-2*level_1)", H=f"{WELL['hamiltonian']['H']} + 0*sqrt(L)"),
+        well(),
+    ],
+)
+def test_a_torus_without_values_in_the_domain_shows_nothing(torus: Any) -> None:
+    """Where K is below 0 J isn't the action over 2π: it differs by K/2, half of a turn of the other angle."""
+    assert answer(other(WELL, domain={"where": ["J < K/4", "K + K**3 < 0"]}), torus) == "not shown"
+
+
+ILL: Any = {
+    "a period without values": {"claim": {"angle_period": "2*pi + 0*sqrt(-1 - e**2)"}},
+    "a condition that compares nothing": {"domain": {"where": [*PLANE["domain"]["where"], "e"]}},
+    "positive and negative": {"symbols": {"e": ["positive", "negative"]}},
+}
+
+
+@pytest.mark.parametrize("name", ILL)
+def test_claims_without_a_meaning_are_not_shown(name: str) -> None:
+    assert answer(other(**ILL[name])) == "not shown"
+
+
 @pytest.mark.parametrize(
     ("name", "number"),
     [

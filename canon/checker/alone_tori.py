@@ -191,7 +191,7 @@ class Torus(alone_texts.Texts):
         texts += [self.put(text, self.values) for text in self.levels.values()]
         made = self.levels if self.forward else None
         claim = alone_special.Small(self.of({"kind": "identity", "lhs": self.H, "rhs": self.H}, made, self.kept()))
-        for f in chain(*(alone_maps.parts(claim, claim.known(text)) for text in texts)):
+        for f in dict.fromkeys(chain(*(alone_maps.parts(claim, claim.known(text)) for text in texts))):
             r = f.of[1].of[0] if f.kind == "^" and f.of[1].kind == "#" else None
             if f.kind in SMOOTH or (r is not None and r.denominator == 1):
                 continue

@@ -140,7 +140,7 @@ class Apart(On):
 
     def another(self) -> Apart:
         """A point for the same parameters, at the same time."""
-        claim = self.asked
+        claim: Any = self.asked
         still = {*claim.parameters, claim.names[-1], "pi"}
         still = still.union(*(claim.within(name) for name in still & {*claim.put}))
         free = {k: x for k, x in self.free.items() if k[0] in still}

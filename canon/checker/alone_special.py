@@ -101,9 +101,10 @@ class Functions:
         self.moduli = set[Any]()  # those of Jacobi's functions that are less than 1
         self.cosh = list[Any]()  # what hyperbolic cosines are taken of
         super().__init__(tables, *form)  # type: ignore[call-arg]
-        self.outer, self.halves, self.is_above = map(cache, (self.sloped, self.halves, self.is_above))
+        self.outer, self.halves, self.is_positive = map(cache, (self.sloped, self.halves, self.is_positive))
         self.reach, self.conditions = cache(names_of), cache(self.conditions)
-        self.formula = cache(self.formula)
+        self.formula, self.factor = cache(self.formula), cache(self.factor)
+        self.is_above = cache(self.is_above)
         if KNOWN & {*self.names, *self.words, *self.texts}:
             raise Stop("not shown", "names with two meanings")
         self.settled = set[str]()
@@ -131,7 +132,8 @@ class Functions:
         self.put = {v: q for v, q in self.put.items() if not {v, *self.within(v)} & self.settled}
         self.squares = {"pi"}.union(*map(self.within, self.put)) - {*self.names, *self.words, *self.put}
         self.squares |= {v for v, w in self.words.items() if "positive" in w} - {*self.put, *self.texts, *self.settled}
-        self.is_positive, self.factor = cache(type(self).is_positive.__get__(self)), cache(type(self).factor.__get__(self))
+        self.is_positive.cache_clear()  # type: ignore[attr-defined]
+        self.factor.cache_clear()  # type: ignore[attr-defined]
 
     def within(self, name: str) -> set[str]:
         """The names by which a name is given, and those by which these are."""

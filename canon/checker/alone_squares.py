@@ -1,4 +1,4 @@
-"""What is positive at a random point modulo a prime, and how many points are needed, for the small checkers beside this.
+"""What is positive at a random point modulo a prime, and how many points are needed, for the small checkers beside it.
 
 Positive means: a square (`alone.py`). What is seen to be positive in the domain (`alone_special.py`) has to be one;
 names that the domain's conditions bound are chosen within their bounds, as far as may be. A root √c may tell components
@@ -34,6 +34,9 @@ class Squares(alone_wider.Placed):
 
     `sure` are squares for certain, of names that are chosen so; `seen` are those that were met and had to be squares.
     """
+
+    sure: set[int]
+    free: dict[Any, int]
 
     def __init__(self, claim: Any, prime: int, fixed: Any = None, free: Any = None) -> None:
         super().__init__(claim, prime)

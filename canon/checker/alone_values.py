@@ -56,8 +56,8 @@ class Values(alone_squares.Squares):
 
     def terms(self, f: Any) -> dict[int, Fraction]:
         """Besides: a name that is given, or a branch, is a sum of the terms of what it is."""
-        if f.kind == "D" or (f.kind == "^" and f.of[1].kind != "#"):
-            return {self.at(f): Fraction(1)}  # not by the value of what is differentiated, which may be another's here
+        if f.kind == "^" and f.of[1].kind != "#":
+            return {self.at(f): Fraction(1)}
         if f in self.asked.branches:
             return self.terms(self.asked.branches[f])
         if f.kind == "." and f.of[0] in self.asked.given and f.of[0] not in self.fixed:

@@ -25,7 +25,7 @@ else:  # as a program, beside the other files
 
 Stop, Elsewhere, RANDOM = alone.Stop, alone.Elsewhere, alone.RANDOM
 HALF, SIGNS = Fraction(1, 2), {"positive", "nonnegative", "negative"}
-PROBED, ENOUGH, MOST, FEW, AGAIN = 2, 4, 300, 8, 10
+PROBED, PRIMES, ENOUGH, ALIKE, MOST, FEW, AGAIN = 2, 60, 4, 12, 300, 8, 10
 FACTORS = prod(n for n in range(29, 2000) if all(n % k for k in range(2, 45) if k < n))
 
 
@@ -178,10 +178,10 @@ def random_prime() -> int:
             return p
 
 
-def shown(claim: Any, of_kind: Any) -> tuple[str, str]:
-    """The answer about a claim; first there is seen what is refused modulo a prime at some points and not at others."""
-    claim.loose, done = set[int](), False
-    for _ in range(PROBED):
+def probe(claim: Any, of_kind: Any) -> None:
+    """See what is refused modulo a prime at some points and not at others; where all are alike it is the prime."""
+    claim.loose, good, bad = set[int](), 0, 0
+    for _ in range(PRIMES):
         prime, met, passed = random_prime(), list[list[bool]](), 0
         while passed < ENOUGH and len(met) < MOST:
             point = of_kind(claim, prime)
@@ -189,10 +189,19 @@ def shown(claim: Any, of_kind: Any) -> tuple[str, str]:
                 point.evaluate()
                 passed += 1
             met.append(point.steps)
+            if len(met) == ALIKE and not passed and len({*map(len, met)}) == 1:
+                break
         claim.loose |= {n for n in range(max(map(len, met))) if len({x[n] for x in met if len(x) > n}) > 1}
-        done = done or passed > 0
-    if not done:
+        good, bad = good + (passed > 0), bad + (len(met) == MOST)
+        if good + bad >= PROBED:
+            break
+    if not good:
         raise Stop("not shown", "points at which everything is positive that has to be")
+
+
+def shown(claim: Any, of_kind: Any) -> tuple[str, str]:
+    """The answer about a claim; a prime is kept while points are refused for what is refused at some points alone."""
+    probe(claim, of_kind)
     done, tried, needed, prime = 0, 0, FEW, random_prime()
     while done < needed:
         point, tried = of_kind(claim, prime), tried + 1
@@ -203,7 +212,7 @@ def shown(claim: Any, of_kind: Any) -> tuple[str, str]:
             roots = point.components()
             needed, done = max(needed, alone.TRIALS << roots if roots else FEW), done + 1
         except Elsewhere:
-            if tried % AGAIN:
+            if tried % AGAIN and len(point.steps) - 1 in claim.loose:
                 continue
         prime = random_prime()
     return "shown", ""

@@ -158,10 +158,10 @@ class Values(alone_squares.Squares):
         return v
 
     def jacobi(self, f: Any, a: int, b: int) -> tuple[int, int, int]:
-        """sn, cn and dn. For m = 0 and m = 1 the curve has two parts, and more points are needed."""
+        """sn, cn and dn. For m = 0 and m = 1 the curve has two parts: more points are needed."""
         claim, p = self.asked, self.p
         below = f.of[1] in claim.moduli or claim.is_above(claim.formula("1 - a", f.of[1]))
-        if b in (0, 1) and ("jacobi", a, b, 2) not in self.free:
+        if b in (0, 1) and not below and ("jacobi", a, b, 2) not in self.free:
             self.step(1)
         while ("jacobi", a, b, 2) not in self.free:
             v = RANDOM.randrange(2, p)

@@ -71,10 +71,10 @@ class Sides(Bounds):
                 del self.put[v]
 
 
-def names_of(f: Any) -> frozenset[str]:
-    """The names that stand in a formula, also where it is differentiated."""
-    inner = [names_of(x) for x in f.of if isinstance(x, Formula)]
-    return frozenset({f.of[0]} if f.kind == "." else ()).union(*inner)
+def names_of(f: Any, inner: Any = None) -> frozenset[str]:
+    """The names that stand in a formula, also where it is differentiated; those of its parts may be known."""
+    parts = [(inner or names_of)(x) for x in f.of if isinstance(x, Formula)]
+    return frozenset({f.of[0]} if f.kind == "." else ()).union(*parts)
 
 
 class Functions:
@@ -102,7 +102,8 @@ class Functions:
         self.cosh = list[Any]()  # what hyperbolic cosines are taken of
         super().__init__(tables, *form)  # type: ignore[call-arg]
         self.outer, self.halves, self.is_positive = map(cache, (self.sloped, self.halves, self.is_positive))
-        self.reach, self.conditions = cache(names_of), cache(self.conditions)
+        self.reach = cache(lambda f: names_of(f, self.reach))
+        self.conditions = cache(self.conditions)
         self.formula, self.factor = cache(self.formula), cache(self.factor)
         self.is_above = cache(self.is_above)
         if KNOWN & {*self.names, *self.words, *self.texts}:

@@ -178,15 +178,19 @@ def random_prime() -> int:
             return p
 
 
-def probe(claim: Any, of_kind: Any) -> None:
-    """See what is refused modulo a prime at some points and not at others; where all are alike it is the prime."""
-    claim.loose, good, bad = set[int](), 0, 0
+def probe(claim: Any, of_kind: Any) -> list[Any]:
+    """See what is refused modulo a prime at some points and not at others; where all are alike it is the prime.
+
+    Returns the points that weren't refused.
+    """
+    claim.loose, found, good, bad = set[int](), list[Any](), 0, 0
     for _ in range(PRIMES):
         prime, met, passed = random_prime(), list[list[bool]](), 0
         while passed < ENOUGH and len(met) < MOST:
             point = of_kind(claim, prime)
             with suppress(Elsewhere):
                 point.evaluate()
+                found.append(point)
                 passed += 1
             met.append(point.steps)
             if len(met) == ALIKE and not passed and len({*map(len, met)}) == 1:
@@ -197,11 +201,14 @@ def probe(claim: Any, of_kind: Any) -> None:
             break
     if not good:
         raise Stop("not shown", "points at which everything is positive that has to be")
+    return found
 
 
 def shown(claim: Any, of_kind: Any) -> tuple[str, str]:
     """The answer about a claim; a prime is kept while points are refused for what is refused at some points alone."""
-    probe(claim, of_kind)
+    found = probe(claim, of_kind)
+    if len(found) >= FEW and not any(point.components() for point in found):
+        return "shown", ""
     done, tried, needed, prime = 0, 0, FEW, random_prime()
     while done < needed:
         point, tried = of_kind(claim, prime), tried + 1

@@ -130,7 +130,7 @@ class Squares(alone_wider.Placed):
             if not claim.is_bound(f):
                 self.above(f)
         for name in claim.put if claim.chosen_too else ():
-            _ = "positive" in claim.words.get(name, ()) and self.square(self.named(name))
+            self.signed(name, self.named(name))
         for name in claim.names:  # what a map gives for a name is what is assumed of it
             said = {*claim.words.get(name, ())} & SIGNS if name in claim.texts else ()
             if said:

@@ -1,5 +1,6 @@
 """One family of values of functions for the small checkers: what maps and identities have in common, and forgeries."""
 
+from contextlib import suppress
 from typing import Any
 
 import pytest
@@ -11,11 +12,12 @@ from tests.checker.identities import NAMES, SPACE, answer
 SURFACE: Any = {"transformation": {"Q": ["x + y", "x - y"], "P": ["(u + v)/2", "(u - v)/2"]}}
 
 
-def canonical(Q: str, P: str, *, on: str = "", **claim: Any) -> str:
+def canonical(Q: str, P: str, *, on: str = "", where: Any = (), **claim: Any) -> str:
     """The answer about a map of one coordinate, whatever a certificate says of it."""
-    words = {"m": "positive", "n": "positive", "k": "real", "e": "real", "V": "function"}
+    names = dict.fromkeys([f"a{k}" for k in range(9)], "real")
+    words = names | {"m": "positive", "n": "positive", "k": "real", "e": "real", "V": "function"}
     tables = {"phase_space": {"q": ["q"], "p": ["p"], "Q": ["Q"], "P": ["P"]}, "symbols": words,
-              "transformation": {"Q": [Q], "P": [P]}, "domain": {"on": [on]} if on else {},
+              "transformation": {"Q": [Q], "P": [P]}, "domain": {"where": [*where]} | ({"on": [on]} if on else {}),
               "claim": {"kind": "canonical", **claim}}  # fmt: skip
     data = {"certificate": 1, "tables": tables, "verdict": "proved", "known": {}, "witness": None, "cases": [{}]}
     return alone_maps.checked(resealed(data))[0]
@@ -46,6 +48,7 @@ MAPS: Any = [
     ("cos(3*atan(q)/2)", "-2/3*p*(1 + q**2)/sin(3*atan(q)/2)"),
     ("sqrt(q**2 + 1)**n", "p/(n*q)*sqrt(q**2 + 1)**(2 - n)"),
     ("jacobi_epsilon(q, m)", "p/jacobi_dn(q, m)**2"),
+    ("(1 + q**2)**n", "p*sqrt((1 + q**2)**2)/(2*n*q)*(1 + q**2)**(-n)"),
 ]  # fmt: skip
 
 
@@ -93,14 +96,61 @@ BOUNDS: Any = [
     ("sqrt((1 - x*y)**2)", "1 - x*y", ("0 < x < 1", "0 < y < 1"), ("0 < x < 2", "0 < y < 1")),
     ("sqrt((x - y)**2)", "x - y", ("x > y",), ("x > 1", "y < 2")), ("sqrt((x*y)**2)", "x*y", ("x*y > 0",), ("x > 0",)),
     ("sqrt(x**2)", "x", ("x > 0",), ("x**2 > 1",)), ("x**k*x**(-k)", "1", ("x > 1",), ("x > -1",)),
-    ("sqrt((m - 1)**2)", "m - 1", ("m > 1",), ("m < 2",)),
+    ("sqrt((m - 1)**2)", "m - 1", ("m > 1",), ("m < 2",)), ("sqrt(c**2)", "-c", ("c > -1",), None),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize("given", BOUNDS)
 def test_conditions_hold_at_the_points(given: Any) -> None:
     lhs, rhs, where, other = given
-    assert (answer(lhs, rhs, *where), answer(lhs, rhs, *other)) == ("shown", "not shown")
+    assert answer(lhs, rhs, *where) == "shown"
+    assert answer(lhs, f"-({rhs})", *where) == "not shown"
+    assert other is None or answer(lhs, rhs, *other) == "not shown"
+
+
+COMPONENTS: Any = [
+    ("sqrt(x)", 0), ("sqrt(m)", 0), ("sqrt(sqrt(m))", 0), ("sqrt(2*m*y)/sqrt(y)", 0), ("sqrt(x)*sqrt(y)*sqrt(x*y)", 0),
+    ("sqrt(x)*sqrt(x**3)", 0), ("sqrt(sqrt(x))", 1), ("sqrt(x**2)", 1), ("sqrt(sqrt(x**4))", 2), ("sqrt(c**2)", 1),
+    ("sqrt(sqrt(x**2*y**4))", 2), ("sqrt(((x**2 + 1)**2)**(n + 1/2))", 2), ("sqrt(x**2)*sqrt(y)", 2),
+    ("m**n*sqrt(m**n)", 0), ("jacobi_dn(x, 1)*sqrt(y)", 2), ("jacobi_dn(x, y)*sqrt(y)", 0), ("abs(x)*sqrt(abs(x))", 2),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("given", COMPONENTS)
+def test_roots_that_may_tell_components_apart_are_counted(given: Any) -> None:
+    """And what is taken for a square is one."""
+    text, roots = given
+    tables = {**SPACE, "symbols": NAMES, "claim": {"kind": "identity", "lhs": text, "rhs": text}}
+    claim: Any = alone_special.Small(tables)
+    assert alone_values.shown(claim) == ("shown", "")
+    for _ in range(200):
+        point = alone_values.Values(claim, alone_values.random_prime())
+        with suppress(alone.Elsewhere):
+            point.evaluate()
+            break
+    assert point.components() == roots
+    assert all(pow(x, point.half, point.p) == 1 for x in point.sure | point.seen)
+
+
+TERMS: Any = [
+    ("cos(X)", "cos(x)*cos(y) - sin(x)*sin(y)", ()), ("exp(X)", "exp(x)*exp(y)", ()),
+    ("cos(asin(sin(x)))", "-cos(x)", ("pi/2 < x < 3*pi/2",)),
+    ("exp(asin(sin(x)))", "exp(pi)/exp(x)", ("pi/2 < x < pi",)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("given", TERMS)
+def test_names_that_are_given_and_branches_are_sums_of_their_terms(given: Any) -> None:
+    lhs, rhs, where = given
+    assert answer(lhs, rhs, *where, by=SURFACE) == "shown"
+    assert answer(lhs, f"2*{rhs}", *where, by=SURFACE) == "not shown"
+
+
+def test_points_of_maps_are_within_many_bounds() -> None:
+    """Two conditions for each of nine names: by chance nearly no point fulfils them."""
+    where = [f"0 < a{k} < {k + 2}" for k in range(9)]
+    assert canonical("q*exp(a0*a1)", "p*exp(-a0*a1)", where=where) == "shown"
+    assert canonical("q*exp(a0*a1)", "p*exp(-a0*a2)", where=where) == "not shown"
 
 
 def test_no_bound_chooses_what_a_map_or_a_surface_gives() -> None:

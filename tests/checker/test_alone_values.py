@@ -1,11 +1,12 @@
 """One family of values of functions for the small checkers: what maps and identities have in common, and forgeries."""
 
 from contextlib import suppress
+from itertools import count
 from typing import Any
 
 import pytest
 
-from canon.checker import alone, alone_maps, alone_special, alone_values
+from canon.checker import alone, alone_maps, alone_special, alone_squares, alone_values
 from tests.checker.certified import resealed
 from tests.checker.identities import NAMES, SPACE, answer
 
@@ -108,6 +109,16 @@ def test_conditions_hold_at_the_points(given: Any) -> None:
     assert other is None or answer(lhs, rhs, *other) == "not shown"
 
 
+def found(claim: Any) -> Any:
+    """A point at which all is positive that has to be."""
+    for _ in range(500):
+        point = alone_values.Values(claim, alone_values.random_prime())
+        with suppress(alone.Elsewhere):
+            point.evaluate()
+            return point
+    raise AssertionError
+
+
 COMPONENTS: Any = [
     ("sqrt(x)", 0), ("sqrt(m)", 0), ("sqrt(sqrt(m))", 0), ("sqrt(2*m*y)/sqrt(y)", 0), ("sqrt(x)*sqrt(y)*sqrt(x*y)", 0),
     ("sqrt(x)*sqrt(x**3)", 0), ("sqrt(sqrt(x))", 1), ("sqrt(x**2)", 1), ("sqrt(sqrt(x**4))", 2), ("sqrt(c**2)", 1),
@@ -117,17 +128,14 @@ COMPONENTS: Any = [
 
 
 @pytest.mark.parametrize("given", COMPONENTS)
-def test_roots_that_may_tell_components_apart_are_counted(given: Any) -> None:
-    """And what is taken for a square is one."""
+def test_roots_that_may_tell_components_apart_are_counted(given: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And what is taken for a square is one. By many points, as what is never refused by chance counts, too."""
     text, roots = given
+    monkeypatch.setattr(alone_squares, "ENOUGH", 20)
     tables = {**SPACE, "symbols": NAMES, "claim": {"kind": "identity", "lhs": text, "rhs": text}}
     claim: Any = alone_special.Small(tables)
     assert alone_values.shown(claim) == ("shown", "")
-    for _ in range(200):
-        point = alone_values.Values(claim, alone_values.random_prime())
-        with suppress(alone.Elsewhere):
-            point.evaluate()
-            break
+    point = found(claim)
     assert point.components() == roots
     assert all(pow(x, point.half, point.p) == 1 for x in point.sure | point.seen)
 
@@ -169,9 +177,15 @@ def test_a_square_on_a_surface_has_two_roots() -> None:
     assert answer("x**4", "m**4", on="x**2 - m**2") == "shown"
 
 
-def test_a_prime_is_the_same_only_until_a_point_is_found() -> None:
-    """29 is a square modulo every other prime: no claim is shown at the others alone, nor refused for these."""
-    assert answer("sqrt(29)**2", "29") == "shown"
-    assert answer("sqrt(29)*sqrt(31)", "sqrt(29*31)") == "shown"
+def test_primes_at_which_a_number_is_no_square_are_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    """29 is a square modulo every other prime: no claim is refused for the first few of them."""
+    plain, given = alone_squares.random_prime, count()
+
+    def prime() -> int:
+        at_first = next(given) < 5
+        return next(p for p in iter(plain, 0) if not at_first or pow(29, p // 2, p) != 1)
+
+    monkeypatch.setattr(alone_squares, "random_prime", prime)
+    assert answer("sqrt(29)**2*sqrt(x)", "29*sqrt(x)") == "shown"
     assert answer("sqrt(29)", "sqrt(31)") == "not shown"
     assert alone.MODULUS % 29

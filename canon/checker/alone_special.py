@@ -51,8 +51,8 @@ class Bounds(alone_signs.Signs):
 
     plainly = False
 
-    def late(self, v: str) -> tuple[bool, bool, str]:
-        return v not in self.claim.variables, v in self.sure, v
+    def late(self, v: str) -> tuple[bool, str]:
+        return v not in self.claim.variables, v
 
     def turn(self, sine: bool, angle: Any) -> of.Quotient:
         if not self.plainly:
@@ -61,13 +61,13 @@ class Bounds(alone_signs.Signs):
 
 
 class Sides(Bounds):
-    """Real names with one bound alone; with two of them U = L + s + … is as likely as that 1 + s is a square."""
+    """Names by one bound alone: by two of them, L + (U − L) s/(1 + s), it takes as much luck that 1 + s is a square."""
 
     def use(self, p: of.Polynomial) -> None:
         before = {*self.put}
         super().use(p)
         for v in {*self.put} - before:
-            if v in self.sure or not {*of.names_in(self.put[v][1])} <= {*of.names_in(p)}:
+            if not {*of.names_in(self.put[v][1])} <= {*of.names_in(p)}:
                 del self.put[v]
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from canon.checker import alone, alone_maps, alone_special, alone_squares, alone_values
+from canon.checker import alone, alone_maps, alone_related, alone_special, alone_squares, alone_values
 from tests.checker.certified import resealed
 from tests.checker.identities import NAMES, SPACE, answer
 
@@ -97,7 +97,9 @@ BOUNDS: Any = [
     ("sqrt((1 - x*y)**2)", "1 - x*y", ("0 < x < 1", "0 < y < 1"), ("0 < x < 2", "0 < y < 1")),
     ("sqrt((x - y)**2)", "x - y", ("x > y",), ("x > 1", "y < 2")), ("sqrt((x*y)**2)", "x*y", ("x*y > 0",), ("x > 0",)),
     ("sqrt(x**2)", "x", ("x > 0",), ("x**2 > 1",)), ("x**k*x**(-k)", "1", ("x > 1",), ("x > -1",)),
-    ("sqrt((m - 1)**2)", "m - 1", ("m > 1",), ("m < 2",)), ("sqrt(c**2)", "-c", ("c > -1",), None),
+    ("sqrt((m - 1)**2)", "m - 1", ("m > 1",), ("m < 2",)),
+    ("sqrt((x*(y + m) - 1)**2)", "x*(y + m) - 1", ("y > 0", "x*(y + m) > 1"), ("y > 0",)),
+    ("sqrt(c**2)", "-c", ("c > -1",), None),
 ]  # fmt: skip
 
 
@@ -154,6 +156,45 @@ def test_names_that_are_given_and_branches_are_sums_of_their_terms(given: Any) -
     assert answer(lhs, f"2*{rhs}", *where, by=SURFACE) == "not shown"
 
 
+INSISTED: Any = [
+    ("x", ("0 < x < 1",)), ("x*y", ("0 < x < 2", "x < y", "y < 5")), ("sqrt(1 - x)", ("0 < x < 1",)),
+    ("sqrt((1 - x)**2)", ("0 < x < 1",)), ("sqrt(m*x - m)", ("x > 1",)), ("sqrt(x*m)", ("m > 2", "x > m")),
+    ("sqrt(m)", ("0 < k", "k*m < x**2")), ("k", ("m > u", "k > 1", "u > k")),
+    ("x", ("x > 0", "x/(1 + exp(y)) > 0")),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("given", INSISTED)
+def test_conditions_that_are_insisted_on_are_no_components(given: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    text, where = given
+    monkeypatch.setattr(alone_squares, "ENOUGH", 20)
+    identity = {"kind": "identity", "lhs": text, "rhs": text}
+    claim: Any = alone_special.Small({**SPACE, "symbols": NAMES, "domain": {"where": [*where]}, "claim": identity})
+    claim.insist()
+    assert alone_values.shown(claim) == ("shown", "")
+    point = found(claim)
+    assert point.components() == 0
+    assert {point.at(f) for f in claim.conditions()} <= point.seen | point.sure
+
+
+def test_what_a_map_gives_is_no_square_that_is_chosen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """X is x² and positive: its root is x or −x, and the root of this is √x or √−x."""
+    monkeypatch.setattr(alone_squares, "ENOUGH", 20)
+    explicit = {"Q": ["x**2", "y"], "P": ["u/(2*x)", "v"]}
+    for text, roots in (("X", 1), ("sqrt(X)", 1), ("sqrt(sqrt(X))", 2), ("sqrt(m*X)", 1)):
+        identity = {"kind": "identity", "lhs": text, "rhs": text}
+        tables = {**SPACE, "symbols": {**NAMES, "X": "positive"}, "transformation": explicit, "claim": identity}
+        claim: Any = alone_related.Related(tables)
+        assert alone_values.shown(claim) == ("shown", "")
+        assert found(claim).components() == roots
+        f = claim.known("m")
+        assert claim.is_positive(f)
+        assert claim.factor(f) == claim.factor(claim.known("m**3"))
+        claim.settle({"m"})
+        assert not claim.is_positive(f)
+        assert claim.factor(f) != claim.factor(claim.known("m**3"))
+
+
 def test_points_of_maps_are_within_many_bounds() -> None:
     """Two conditions for each of nine names: by chance nearly no point fulfils them."""
     where = [f"0 < a{k} < {k + 2}" for k in range(9)]
@@ -169,6 +210,8 @@ def test_no_bound_chooses_what_a_map_or_a_surface_gives() -> None:
     assert answer("sqrt(x**2)", "x", "x > 0", "y > x", on="x - u*m") == "shown"
     assert answer("sqrt((y - u*m)**2)", "y - u*m", "x > 0", "y > x", on="x - u*m") == "shown"
     assert answer("sqrt(y**2)", "y", "x > v", "y > x", on="x - u*m") == "not shown"
+    assert answer("sqrt((y - x)**2)", "y - y*m", "y > x", on="x - y*m") == "shown"
+    assert answer("sqrt((y - x)**2)", "y*m - y", "y > x", on="x - y*m") == "not shown"
 
 
 def test_a_square_on_a_surface_has_two_roots() -> None:

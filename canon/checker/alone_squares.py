@@ -17,9 +17,11 @@ from typing import Any
 
 if __package__:
     from canon.checker import alone, alone_wider
+    from canon.checker.alone_special import UNIT
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_wider  # type: ignore
+    from alone_special import UNIT  # type: ignore
 
 Stop, Elsewhere, RANDOM = alone.Stop, alone.Elsewhere, alone.RANDOM
 HALF, SIGNS = Fraction(1, 2), {"positive", "nonnegative", "negative"}
@@ -39,7 +41,7 @@ class Squares(alone_wider.Placed):
     def __init__(self, claim: Any, prime: int, fixed: Any = None, free: Any = None) -> None:
         super().__init__(claim, prime)
         self.fixed, self.free = dict[str, int](fixed or {}), dict[Any, int](free or {})
-        self.bounded, self.seen, self.steps, self.kinds = cache(self.bounded), set[int](), list[bool](), set[Any]()
+        self.bounded, self.seen, self.steps, self.kinds = cache(self.bounded), set[int](), list[bool](), {(UNIT, UNIT)}
 
     # -- squares
 

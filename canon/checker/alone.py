@@ -302,7 +302,7 @@ class Point:
             return {v: r for v, r in found.items() if r}
         if f.kind == "^" and len(a[0]) == 1 and (n := f.of[1].of[0]).denominator == 1 and abs(n) < LONGEST:
             return {self.root(v, n): number(r ** int(n)).of[0] for v, r in a[0].items()}
-        return {self.value(f): Fraction(1)}
+        return {self.at(f): Fraction(1)}
 
     def circle(self, terms: dict[int, Fraction]) -> tuple[int, int]:
         """(cos, sin) of a sum: for each term the power of a random point on the circle."""

@@ -14,12 +14,12 @@ from typing import Any
 
 if __package__:
     from canon.checker import alone, alone_polynomials, alone_signs
-    from canon.checker.alone_functions import JACOBI
+    from canon.checker.alone_special import JACOBI
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_polynomials  # type: ignore
     import alone_signs  # type: ignore
-    from alone_functions import JACOBI  # type: ignore
+    from alone_special import JACOBI  # type: ignore
 
 Formula, Stop = alone.Formula, alone.Stop
 ONE, LAST = alone.number(1), "~pi"
@@ -113,6 +113,8 @@ class Facts:
         if not self.radicands and not any(f.kind in ("asin", "acos") for f in self.parts):
             return
         for f, apart in self.sums():
+            if f in self.radicands:  # it has to be positive anyhow
+                continue
             for way in (f, claim.made("*", one, f)):
                 if self.is_positive(way, strict=not apart):
                     facts.append(way)
@@ -124,7 +126,7 @@ class Facts:
                 cosh = claim.made("cosh", a)
                 for f in turning[:3]:
                     facts += [claim.made("+", cosh, f), claim.made("+", cosh, claim.made("*", one, f))]
-        claim.facts = facts
+        claim.facts = [*claim.facts, *facts]
 
     def divisors(self) -> list[Any]:
         """What isn't 0 where the claim has a value: factors of what is divided by, and of radicands."""

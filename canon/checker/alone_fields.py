@@ -3,7 +3,7 @@
 For each field u of variables x the claim says Σ (−1)^|α| D^α ∂L/∂(D^α u). With u + ε exp(k·x) for u, ∂L/∂ε at ε = 0 is
 exp(k·x) Σ k^α ∂L/∂(D^α u), a polynomial in k, whose coefficients are derivatives at k = 0. So the sum is one of
 derivatives of L as it is written, by ε, k and x, each of which is taken before ε and k are 0; it is compared with the
-claim's equation at random points (`alone_functions.py`).
+claim's equation at random points (`alone_values.py`).
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from math import factorial, prod
 from typing import Any
 
 if __package__:
-    from canon.checker import alone
-    from canon.checker.alone_functions import Functions, Small, sample
+    from canon.checker import alone, alone_special, alone_values
 else:  # as a program, beside the other files
     import alone  # type: ignore
-    from alone_functions import Functions, Small, sample  # type: ignore
+    import alone_special  # type: ignore
+    import alone_values  # type: ignore
 
 Formula, Stop = alone.Formula, alone.Stop
 CALL = re.compile(r"\s*(\w+)\s*\(\s*(\w+(?:\s*,\s*\w+)*)\s*\)\s*")
@@ -32,7 +32,7 @@ def order(f: Any) -> int:
     return inner + (len(f.orders) if f.kind == "D" else sum(f.orders))
 
 
-class Field(Small):
+class Field(alone_special.Small):
     """The equation of one field, as an identity; in L it stands beside ε exp(k·x)."""
 
     def __init__(self, tables: Any, name: str, variables: list[str], equation: str, fields: Any) -> None:
@@ -79,7 +79,7 @@ class Field(Small):
         return f
 
 
-class Still(Functions):
+class Still(alone_values.Values):
     """A random point, where ε and k are 0."""
 
     def __init__(self, claim: Any, prime: int) -> None:
@@ -102,7 +102,8 @@ def shown(data: Any) -> tuple[str, str]:
         raise Stop("not shown", "fields of other variables, or no functions")
     for name, equation in zip(names, claim["equations"], strict=True):
         one = Field(tables, name, places[0], equation, names)
-        alone.tried(lambda prime, one=one: sample(one, prime, Still))
+        one.insist()
+        alone_values.shown(one, Still)
     return "shown", ""
 
 

@@ -16,20 +16,18 @@ from itertools import count, product
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_algebras, alone_lie, alone_names
-    from canon.checker.alone_functions import Calls, names_of
-    from canon.checker.alone_functions import sample as sampled
+    from canon.checker import alone, alone_algebras, alone_lie, alone_names, alone_special, alone_values
     from canon.checker.alone_surfaces import On, Surface
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_algebras  # type: ignore
     import alone_lie  # type: ignore
     import alone_names  # type: ignore
-    from alone_functions import Calls, names_of  # type: ignore
-    from alone_functions import sample as sampled  # type: ignore
+    import alone_special  # type: ignore
+    import alone_values  # type: ignore
     from alone_surfaces import On, Surface  # type: ignore
 
-Formula, Stop = alone.Formula, alone.Stop
+Formula, Stop, names_of = alone.Formula, alone.Stop, alone_special.names_of
 MOST_REAL, MOST_OTHERS = 2, 300
 Row = dict[str, Fraction]
 """A linear form in the weights of names."""
@@ -70,7 +68,7 @@ class Weights:
         return any(v[names.index(name)] for v in alone_lie.kernel(rows, len(names)))
 
 
-class Restricted(Surface, Calls, alone_algebras.Algebra):
+class Restricted(Surface, alone_special.Functions, alone_algebras.Algebra):
     """A claim that functions make a Lie algebra, on a surface or not, with a basis that is homogeneous."""
 
     def __init__(self, tables: Any) -> None:
@@ -81,18 +79,16 @@ class Restricted(Surface, Calls, alone_algebras.Algebra):
             raise Stop("not shown", "a surface of several equations")
         texts = dict(zip([fresh], on, strict=False))
         super().__init__({**tables, "domain": domain, "definitions": {**tables.get("definitions", {}), **texts}})
-        self.trail: list[tuple[int, bool]] | None = None  # radicands that are met, and whether they are squares
         self.is_independent = False
         weights, equations = Weights(), [self.known(text) for text in texts]
         used = frozenset[str]().union(*map(names_of, (*equations, *self.basis)))
-        for f in (*equations, *self.basis, *(g for g, _ in self.conditions())):
+        for f in (*equations, *self.basis, *self.conditions()):
             weights.of(f)
         self.fixed = {x for x in self.parameters if x in used}
         for x in self.fixed:
             signed = {*self.words[x]} & {"positive", "negative", "nonzero"}
             if not signed or "integer" in self.words[x] or not weights.scales(x, self.fixed):
                 raise Stop("not shown", f"that the functions are independent, whatever {x[:40]} is")
-        self.still = {*self.parameters, self.names[-1]}
         for f in equations:
             if used - {*self.variables, *self.parameters}:
                 raise Stop("not shown", "a surface in other variables")
@@ -126,12 +122,6 @@ class Restricted(Surface, Calls, alone_algebras.Algebra):
 class Apart(On):
     """A random point, and others for the same parameters, at which the basis is independent."""
 
-    def root(self, x: int, r: Fraction) -> int:
-        trail = self.asked.trail  # type: ignore[attr-defined]
-        if r.denominator > 1 and trail is not None and x not in self.sure and (x, True) not in trail:
-            trail.append((x, pow(x, self.half, self.p) == 1))
-        return super().root(x, r)
-
     def check(self) -> None:
         super().check()
         claim: Any = self.asked
@@ -150,9 +140,11 @@ class Apart(On):
 
     def another(self) -> Apart:
         """A point for the same parameters, at the same time."""
-        still = self.asked.still  # type: ignore[attr-defined]
-        free = {k: x for k, x in self.free.items() if k[0] in still or k[0] == "pi"}
-        return Apart(self.asked, self.p, {name: x for name, x in self.held.items() if name in still}, free)
+        claim: Any = self.asked
+        still = {*claim.parameters, claim.names[-1], "pi"}
+        still = still.union(*(claim.within(name) for name in still & {*claim.put}))
+        free = {k: x for k, x in self.free.items() if k[0] in still}
+        return Apart(claim, self.p, {name: x for name, x in self.fixed.items() if name in still}, free)
 
     def check_one_part(self) -> None:
         """See that all points of the surface and the roots are those of one irreducible part, for these parameters.
@@ -161,20 +153,19 @@ class Apart(On):
         isn't a square times a number, and the cover by its root has one part. Else some functions may depend on each
         other on the domain's part, and not on both: √(x²) and x.
         """
-        claim: Any = self.asked
         found = list[list[bool]]()
         for _ in range(MOST_OTHERS):
-            claim.trail = []
+            point = self.another()
             with suppress(alone.Elsewhere):
-                self.another().row()
-            found.append([square for _, square in claim.trail])
-        claim.trail = None
+                point.row()
+            found.append(point.steps)
         for k in range(max(map(len, found))):
-            if {trail[k] for trail in found if len(trail) > k} != {True, False}:
+            if {steps[k] for steps in found if len(steps) > k} != {True, False}:
                 raise Stop("not shown", "that a radicand is no square")
 
     def row(self) -> list[int]:
-        return [self.at(f) for f in self.asked.basis]  # type: ignore[attr-defined]
+        self.place()
+        return [self.at(f) for f in self.asked.basis]
 
 
 def determinant(rows: list[list[int]], p: int) -> int:
@@ -204,14 +195,26 @@ def one(data: Any) -> tuple[str, str]:
     tables, said, names = alone_algebras.claim_of(data)
     on = "on" in tables.get("domain", {})
     try:
-        claim, of = Restricted(tables), Apart
+        claim: Any = Restricted(tables)
+        by = lambda: alone_values.shown(claim, Apart)
     except Stop as stop:
         if on:
             return stop.args[0], stop.args[1]
-        claim, of = alone_algebras.Algebra(tables), alone_algebras.Independent
+        claim = alone_algebras.Algebra(tables)
+        by = lambda: alone.tried(independent, claim)
     if "equals" in said and not is_named(claim, len(names), said["equals"]):
         raise Stop("not shown", "that it is the algebra of this name")
-    return alone.tried(lambda prime: sampled(claim, prime, of))
+    return by()
+
+
+def independent(claim: Any, prime: int) -> int:
+    """See at a random point that all vanishes that has to, and that the basis is independent."""
+    point = alone_algebras.Independent(claim, prime)
+    point.check_domain()
+    if any(map(point.text, claim.zeros)):
+        raise Stop("not shown", "that all of it is 0")
+    point.check()
+    return len(point.roots)
 
 
 def shown(data: Any) -> tuple[str, str]:

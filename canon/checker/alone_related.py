@@ -3,7 +3,7 @@
 Old and new variables are names that are independent of each other wherever something is differentiated; then those that
 a map gives have its formulas' values. A map is given forward (to as many variables, or to fewer), backward, or by a
 generating function, p being ∂F/∂q and so on; where it isn't forward its determinant isn't 0 (`alone_wider.py`).
-Surfaces: `alone_surfaces.py`. What else is known at the points: `alone_functions.py`, `alone_facts.py`; of other kinds
+Surfaces: `alone_surfaces.py`. What else is known at the points: `alone_values.py`, `alone_facts.py`; of other kinds
 of claims, without maps and surfaces, these are asked too.
 """
 
@@ -16,16 +16,15 @@ from itertools import chain, count, permutations
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_facts, alone_table
-    from canon.checker.alone_functions import Small, Wide, names_of
-    from canon.checker.alone_functions import sample as sampled
+    from canon.checker import alone, alone_facts, alone_table, alone_values
+    from canon.checker.alone_special import Small, Wide, names_of
     from canon.checker.alone_surfaces import On, Surface
 else:  # as a program, beside the other files
     import alone  # type: ignore
     import alone_facts  # type: ignore
     import alone_table  # type: ignore
-    from alone_functions import Small, Wide, names_of  # type: ignore
-    from alone_functions import sample as sampled  # type: ignore
+    import alone_values  # type: ignore
+    from alone_special import Small, Wide, names_of  # type: ignore
     from alone_surfaces import On, Surface  # type: ignore
 
 Formula, Stop, flat = alone.Formula, alone.Stop, alone_table.flat
@@ -67,6 +66,7 @@ class Related(Surface, Small):
             "definitions": {**definitions, **texts}, "symbols": {**dict.fromkeys(self.new, "real"), **symbols},
         })  # fmt: skip
         self.given = {name: self.known(f"{fresh}{k}") for k, (name, _) in enumerate(ways)}
+        self.settle(self.given)
         self.base = [name for name in held[:-1] if name not in self.given]
         if any(names_of(f) & {*self.given} for f in self.given.values()) or len(self.given) < len(ways):
             raise Stop("not shown", "a map of variables that it gives")
@@ -152,11 +152,11 @@ def shown(data: Any) -> tuple[str, str]:
     for read in (Related,) if kind == "identity" else (Small, Wide):
         try:
             claim: Any = read(data["tables"])
-            put = lambda prime, claim=claim: sampled(claim, prime, On)
+            claim.insist()
             with suppress(Stop):
-                return alone.tried(put)
+                return alone_values.shown(claim, On)
             alone_facts.find(claim)
-            return alone.tried(put)
+            return alone_values.shown(claim, On)
         except (Stop, KeyError, ValueError) as other:
             reason = other if isinstance(other, Stop) else reason
     raise reason

@@ -1,11 +1,13 @@
 """More functions for `alone.py` and its table: elliptic integrals, Jacobi's functions, moduli, and what is positive.
 
 Here is how they are read, and what is seen of signs (`alone_signs.py`); `alone_values.py` has their values at a point.
-The derivatives of elliptic integrals are known, as those of any function; |a| is √(a²).
+The derivatives of elliptic integrals are known, as those of any function; |a| is √(a²). A name's value may be `given`
+by a formula; derivatives by the name are taken before.
 """
 
 from __future__ import annotations
 
+import re
 from contextlib import suppress
 from fractions import Fraction
 from functools import cache
@@ -21,7 +23,7 @@ else:  # as a program, beside the other files
     import alone_wider  # type: ignore
 
 Formula, Stop = alone.Formula, alone.Stop
-QUICK = 17_000
+QUICK, UNIT = 17_000, frozenset({((), Fraction(1))})
 _FALL = "((1 - b)*a - jacobi_epsilon(a, b))"
 MORE = {
     "elliptic_k": ["elliptic_e(a)/(2*a*(1 - a)) - elliptic_k(a)/(2*a)"],
@@ -40,6 +42,7 @@ MORE = {
 }  # fmt: skip
 """The derivatives by the arguments a and b; of a function that there is with one and two, of either."""
 WORDS = {"abs": "sqrt(a**2)", "sign": "a/sqrt(a**2)"}
+JACOBI = ("jacobi_sn/2", "jacobi_cn/2", "jacobi_dn/2")
 KNOWN = {*(name.partition("/")[0] for name in MORE), *WORDS}
 
 
@@ -57,42 +60,90 @@ class Bounds(alone_signs.Signs):
         return of.named(self.new((sine, self.structure(angle)), False)), of.ONE
 
 
+class Sides(Bounds):
+    """Names by one bound alone: by two of them, L + (U − L) s/(1 + s), it takes as much luck that 1 + s is a square."""
+
+    def use(self, p: of.Polynomial) -> None:
+        before = {*self.put}
+        super().use(p)
+        for v in {*self.put} - before:
+            if not {*of.names_in(self.put[v][1])} <= {*of.names_in(p)}:
+                del self.put[v]
+
+
+def names_of(f: Any, inner: Any = None) -> frozenset[str]:
+    """The names that stand in a formula, also where it is differentiated; those of its parts may be known."""
+    parts = [(inner or names_of)(x) for x in f.of if isinstance(x, Formula)]
+    return frozenset({f.of[0]} if f.kind == "." else ()).union(*parts)
+
+
 class Functions:
     """What is read otherwise."""
 
     form: Any = {}  # noqa: RUF012
+    places: Any = ()
+    besides: Any = ()
+    nonzero: Any = ()
     names: Any
     words: Any
     texts: Any
     domain: Any
-    signs: Any
+    signs: Any = None
+    bounds: Any = None
     scale: Any = None
     chosen_too = True  # that positive names within bounds are squares, too
     bases, zero, loose = False, "", frozenset[int]()
 
     def __init__(self, tables: Any, *form: Any) -> None:
+        self.given = dict[str, Any]()  # name: the formula that says its value
+        self.facts = list[Any]()  # formulas that are positive wherever all formulas of the claim have values
+        self.branches = dict[Any, Any]()  # an arc of a sine: what it is on the domain
+        self.moduli = set[Any]()  # those of Jacobi's functions that are less than 1
+        self.cosh = list[Any]()  # what hyperbolic cosines are taken of
         super().__init__(tables, *form)  # type: ignore[call-arg]
         self.outer, self.halves, self.is_positive = map(cache, (self.sloped, self.halves, self.is_positive))
-        self.reach = cache(self.reach)
+        self.reach = cache(lambda f: names_of(f, self.reach))
+        self.conditions = cache(self.conditions)
         self.formula, self.factor = cache(self.formula), cache(self.factor)
         self.is_above = cache(self.is_above)
         if KNOWN & {*self.names, *self.words, *self.texts}:
             raise Stop("not shown", "names with two meanings")
+        self.settled = set[str]()
+        self.choose(Bounds)
+
+    def choose(self, of_kind: Any) -> None:
+        """Choose names in their bounds."""
         try:
-            self.signs = Bounds(self)  # type: ignore[arg-type]
-            named = {*self.signs.roots, *self.signs.seen.values()}
-            self.put = {v: q for v, q in self.signs.put.items() if not named & {v, *self.within(v)} and v != "pi"}
-            self.chosen = {"pi"}.union(*map(self.within, self.put)) - {*self.names, *self.words, *self.put}
-            self.chosen |= {v for v, w in self.words.items() if "positive" in w} - {*self.put, *self.texts}
+            self.bounds = of_kind(self)
+            self.signs = self.signs or self.bounds
+            named = {*self.bounds.roots, *self.bounds.seen.values()}
+            self.put = {v: q for v, q in self.bounds.put.items() if not named & {v, *self.within(v)} and v != "pi"}
         except (Stop, ValueError, ArithmeticError):  # no sign is seen then
-            self.signs, self.put, self.chosen = None, dict[str, of.Quotient](), set[str]()
+            self.signs, self.put = None, dict[str, of.Quotient]()
+        self.settle(())
+
+    def insist(self) -> None:
+        """Let the domain's conditions be positive at each point, also those that hold as names are chosen."""
+        self.facts = self.conditions()
+        self.choose(Sides)
+
+    def settle(self, names: Any) -> None:
+        """Let bounds choose no value for these names, nor for those in whose bounds they are."""
+        self.settled |= {*names}
+        self.put = {v: q for v, q in self.put.items() if not {v, *self.within(v)} & self.settled}
+        self.squares = {"pi"}.union(*map(self.within, self.put)) - {*self.names, *self.words, *self.put}
+        self.squares |= {v for v, w in self.words.items() if "positive" in w} - {*self.put, *self.texts, *self.settled}
+        self.is_positive.cache_clear()  # type: ignore[attr-defined]
+        self.factor.cache_clear()  # type: ignore[attr-defined]
 
     def within(self, name: str) -> set[str]:
         """The names by which a name is given, and those by which these are."""
-        given = {*of.names_in(self.signs.put[name][0]), *of.names_in(self.signs.put[name][1])}  # type: ignore
-        return given.union(*(self.within(v) for v in given if v in self.signs.put))
+        given = {*of.names_in(self.bounds.put[name][0]), *of.names_in(self.bounds.put[name][1])}
+        return given.union(*(self.within(v) for v in given if v in self.bounds.put))
 
     def made(self, kind: str, *of: Any) -> Any:
+        if kind == "cosh" and len(of) == 1:
+            self.cosh.append(of[0])
         if kind not in KNOWN:
             return super().made(kind, *of)  # type: ignore[misc]
         if kind in WORDS and len(of) == 1:
@@ -111,16 +162,17 @@ class Functions:
         return alone.Claim.outer(self, f, k)  # type: ignore[arg-type]
 
     def sign_of(self, f: Any, *, plainly: bool = False) -> Any:
-        """A formula as a quotient; None where no signs are seen."""
+        """A formula as a quotient, `plainly` in the names by which others are chosen; None where no signs are seen."""
         if self.signs is None:
             return None
-        self.signs.work, self.signs.plainly = QUICK, plainly
+        signs = self.bounds if plainly else self.signs
+        signs.work, signs.plainly = QUICK, plainly
         try:
-            return self.signs.quotient(f)
+            return signs.quotient(f)
         except (Stop, ValueError, ArithmeticError, RecursionError, AttributeError):
             return None
         finally:
-            self.signs.plainly = False
+            signs.plainly = False
 
     def is_above(self, f: Any, strict: bool = True) -> bool:
         """Whether a formula is seen to be positive in the domain, or not to be negative."""
@@ -134,30 +186,40 @@ class Functions:
         """A formula of others, which are called a and b in it."""
         return self.read(text, dict(zip("ab", of, strict=False)))  # type: ignore
 
-    def reach(self, f: Any) -> set[str]:
-        """The names in a formula."""
-        return {*f.of} if f.kind == "." else set[str]().union(*(self.reach(g) for g in f.of if isinstance(g, Formula)))
+    def is_function(self, name: str) -> bool:
+        """Whether a name is declared as one."""
+        return "function" in self.words.get(name, ())
+
+    def conditions(self) -> list[Any]:
+        """What is positive in the domain, or not negative."""
+        found = list[Any]()
+        for words in (re.split(r"(<=|>=|<|>)", text) for text in self.domain.get("where", [])):
+            for a, sign, b in zip(words[::2], words[1::2], words[2::2], strict=False):
+                found.append(self.known(f"({b}) - ({a})" if "<" in sign else f"({a}) - ({b})"))  # type: ignore
+        return found
 
     def factor(self, f: Any) -> Any:
-        """A polynomial: a formula times squares, of numbers and of the roots of names that are chosen as squares.
+        """Two polynomials: of f times squares, of numbers and of the roots of names that are chosen as squares.
 
         What else is positive has a root that isn't: its square's root may be it, or less it, modulo a prime.
         """
         with suppress(Stop, ValueError, ArithmeticError, RecursionError, TypeError):
-            p, d = self.sign_of(f, plainly=True)
-            low, *others = d.items()
-            chosen = [v for v in of.names_in(p) if v in self.chosen]
-            least = {v: min(dict(m).get(v, 0) for m in p) for v in chosen}
-            size, plain = abs(p[min(p)]), all(v in self.chosen for v, _ in low[0]) and not others
-            if plain and low[1] > 0 and pow(alone.MODULUS, alone.LONGEST, _size(size) * _size(low[1])) == 0:
-                rest = lambda m: tuple((v, k - least.get(v, 0)) for v, k in m if k > least.get(v, 0))
-                return frozenset((rest(m), c / size) for m, c in p.items())
+            return tuple(map(self.rest, self.sign_of(f, plainly=True)))
         return None
 
-    def is_bound(self, text: str) -> bool:
+    def rest(self, p: of.Polynomial) -> Any:
+        """A polynomial less the factors that are such squares."""
+        least = {v: min(dict(m).get(v, 0) for m in p) for v in of.names_in(p) if v in self.squares}
+        less = {tuple((v, k - least.get(v, 0)) for v, k in m if k > least.get(v, 0)): c for m, c in p.items()}
+        size = abs(less[min(less)])
+        if pow(alone.MODULUS, alone.LONGEST, _size(size)):
+            raise Stop("not shown", "a number without a root that is known")
+        return frozenset((m, c / size) for m, c in less.items())
+
+    def is_bound(self, f: Any) -> bool:
         """Whether a condition is one that the names within their bounds fulfil, of one among them."""
-        f = self.formula(text)
-        return self.factor(f) is None and bool(self.reach(f) & {*self.put}) and self.is_above(f)
+        divided = (self.factor(f) or (0, 0))[1] != UNIT
+        return divided and bool(self.reach(f) & {*self.put}) and self.is_above(f)
 
     def halves(self, f: Any) -> tuple[int, ...]:
         """The quarters k for which an angle is seen to be between k π/2 and (k + 2) π/2."""
@@ -173,9 +235,9 @@ class Functions:
             return self.is_positive(self.known(self.texts[f.of[0]]))  # type: ignore
         if f.kind == "^":
             return f.of[1].kind == "#" and self.is_positive(f.of[0])
-        named = f.kind == "." and (f.of[0] == "pi" or "positive" in self.words.get(f.of[0], ()))  # type: ignore
+        named = f.kind == "." and f.of[0] in self.squares
         small = f.kind == "#" and f.of[0] > 0 and pow(alone.MODULUS, alone.LONGEST, _size(f.of[0])) == 0
-        return (named and f.of[0] not in self.put) or small or (f.kind == "*" and all(map(self.is_positive, f.of)))
+        return named or small or (f.kind == "*" and all(map(self.is_positive, f.of)))
 
 
 def _size(r: Fraction) -> int:

@@ -16,12 +16,14 @@ from typing import Any
 
 if __package__:
     from canon.checker import alone
-    from canon.checker.alone_functions import Functions, names_of
+    from canon.checker.alone_special import names_of
+    from canon.checker.alone_values import Values
 else:  # as a program, beside the other files
     import alone  # type: ignore
-    from alone_functions import Functions, names_of  # type: ignore
+    from alone_special import names_of  # type: ignore
+    from alone_values import Values  # type: ignore
 
-Formula, Stop = alone.Formula, alone.Stop
+Formula, Stop, HALF = alone.Formula, alone.Stop, Fraction(1, 2)
 RATIONAL = ("#", ".", "+", "*", "^", "D")
 
 
@@ -52,6 +54,7 @@ class Surface:
                 known = all(map(self.is_apart, factors)) and (power == 1 or self.is_fine(f))
                 if known or (power == 1 and self.is_irreducible(f, name, factors)):
                     self.equation, self.solved, self.power = f, name, power
+                    own.settle({name})
                     return
         raise Stop("not shown", "a surface that isn't solved for a name")
 
@@ -96,27 +99,31 @@ class Surface:
         odd = len(others) != 1 or others[0].kind != "." or any(g.of[0] == 0 for g in factors if g.kind == "#")
         if odd or not is_rational(f, entire=True) or not self.is_claimed_rational():
             return False
-        return bool(Functions(self, alone.random_prime(), {name: 0, others[0].of[0]: 0}).at(f))
+        return bool(Values(self, alone.random_prime(), {name: 0, others[0].of[0]: 0}).at(f))
 
 
-class On(Functions):
+class On(Values):
     """A random point, on the surface where the claim is on one."""
 
-    def __init__(self, claim: Any, prime: int, held: Any = None, free: Any = None) -> None:
-        super().__init__(claim, prime, held)
-        self.free |= free or {}
+    def check_domain(self) -> None:
+        self.place()
+        super().check_domain()
+
+    def place(self) -> None:
+        """Solve for the name for which the surface is solved."""
+        claim, p = self.asked, self.p
         name = getattr(claim, "solved", "")
-        if not name or name in self.held:
+        if not name or name in self.fixed:
             return
-        flat, unit = (type(self)(claim, prime, {**self.held, name: k}) for k in (0, 1))
-        flat.free = unit.free = self.free
-        rest = flat.at(claim.equation)
-        factor = (unit.at(claim.equation) - rest) % prime
+        low, high = (type(self)(claim, p, {**self.fixed, name: k}) for k in (0, 1))
+        for line in (low, high):  # what they meet counts here
+            line.free, line.sure, line.seen, line.steps = self.free, self.sure, self.seen, self.steps
+        rest = low.at(claim.equation)
+        factor = (high.at(claim.equation) - rest) % p
         if not factor:
             raise alone.Elsewhere
-        value = -rest * pow(factor, -1, prime) % prime
+        value = -rest * pow(factor, -1, p) % p
         if claim.power == 2:
-            self.roots.add(value)
-            value = self.root(value, Fraction(1, 2)) * alone.RANDOM.choice((1, -1)) % prime
-        self.held[name] = self.signed(name, value)
-        self.roots |= flat.roots - flat.sure
+            self.step(value)
+            value = pow(value, self.fraction(HALF, self.half), p) * alone.RANDOM.choice((1, -1)) % p
+        self.fixed[name] = self.signed(name, value)

@@ -15,13 +15,13 @@ from itertools import chain
 from typing import Any
 
 if __package__:
-    from canon.checker import alone, alone_functions, alone_maps, alone_related, alone_surfaces
+    from canon.checker import alone, alone_maps, alone_related, alone_surfaces, alone_values
 else:  # as a program, beside the other files
     import alone  # type: ignore
-    import alone_functions  # type: ignore
     import alone_maps  # type: ignore
     import alone_related  # type: ignore
     import alone_surfaces  # type: ignore
+    import alone_values  # type: ignore
 
 Stop = alone.Stop
 MOST = 4
@@ -92,7 +92,8 @@ def shown(data: Any) -> tuple[str, str]:
     for left, right in rows(tables):
         asked = Transported({**tables, "claim": {"kind": "identity", "lhs": left, "rhs": right}})
         asked.check_sides()
-        alone.tried(lambda prime, asked=asked: alone_functions.sample(asked, prime, alone_surfaces.On))
+        asked.insist()
+        alone_values.shown(asked, alone_surfaces.On)
     return "shown", ""
 
 

@@ -7,6 +7,7 @@ them.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, Final
 
 import sympy as sp
@@ -100,6 +101,12 @@ class Builder:
     def keep(self, conditions: tuple[Condition, ...]) -> None:
         for condition in conditions:
             self.conditions[condition] = stricter(self.conditions.get(condition, condition), condition)
+
+    def drop_kinks(self, values: list[Any]) -> None:
+        """What is differentiated has no slope where it has a kink: what was passed there is so no more."""
+        bent = {name for value in values for modulus in value.atoms(sp.Abs) for name in modulus.free_symbols}
+        for c in [c for c in self.conditions.values() if c.kink and bent & c.terms[0].free_symbols]:
+            self.conditions[c] = replace(c, kink=False)
 
     def name(self, node: Name) -> Any:
         name, vocabulary = node.name, self.vocabulary
@@ -245,6 +252,7 @@ class Builder:
             order = int(times.value)
             if order > _HIGHEST:
                 raise InputError(f"D {where} is of order {order}: at most {_HIGHEST}")
+        self.drop_kinks(values)
         value = values[0]
         for _ in range(order):
             value = differentiated(value, symbol, self.measure)
@@ -272,6 +280,7 @@ class Builder:
         for name in sorted(self.vocabulary.new & written_names(node, self.vocabulary)):
             raise InputError(f"'bracket' {where} is in the old variables, but {name!r} is a new one")
         f, g = values
+        self.drop_kinks(values)
         terms = list[Any]()
         if inside := written_functions(node, self.vocabulary):
             self.slopes |= {(x.name, name) for pair in self.vocabulary.pairs for x in pair for name in inside}

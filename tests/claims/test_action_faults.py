@@ -252,3 +252,25 @@ def test_the_square_of_a_modulus_is_an_oscillator(status):
     sections = {"space": LINE, "hamiltonian": 'H = "p**2/2 + abs(q)**2/2"'}
     assert status(action_claim("2*pi*E"), **sections) == "proved"
     assert status(action_claim("2*pi*E"), domain='where = ["q != 0"]', **sections) == "undecided"
+
+
+@pytest.mark.parametrize(
+    "V",
+    ["q*D(abs(q), q)", "abs(q) + 0*D(abs(q), q)", "0*D(sqrt(abs(q)), q) + abs(q)", "q*bracket(abs(q), p)",
+     "u + 0*D(u, q)", "0*D(u, q) + u"],
+)  # fmt: skip
+def test_what_has_a_kink_has_no_slope_there(status, V):
+    sections = {"space": LINE, "symbols": 'E = "positive"', "definitions": 'u = "abs(q)"'}
+    assert status(SLOPES, hamiltonian=f'H = "p**2/2 + {V}"', **sections) == "undecided"
+    smooth = f'H = "p**2/2 + abs(q) + 0*({V.replace("abs(q)", "q**2").replace("u", "p")})"'
+    assert status(SLOPES, hamiltonian=smooth, **sections) == ("undecided" if "sqrt" in V else "proved")
+
+
+def test_a_free_rotation_has_room_for_a_period(status):
+    claim = action_claim("2*pi*sqrt(2*E)", branch='"rotation"', period='"2*pi"')
+    sections = {"space": LINE, "hamiltonian": 'H = "p**2/2"'}
+    assert status(claim, symbols='E = "positive"', **sections) == "proved"
+    assert status(claim, symbols='E = "positive"', domain='where = ["-pi < q < pi"]', **sections) == "proved"
+    with pytest.raises(InputError):
+        status(claim, symbols='E = "positive"', domain='where = ["0 < q < 1"]', **sections)
+    assert status(claim, symbols='E = "positive"\nq = "positive"', **sections) != "proved"

@@ -13,7 +13,7 @@ import sympy as sp
 
 from canon.calls import function
 from canon.constants import check_constant_condition, check_constant_power
-from canon.domain import Condition, function_conditions, nonzero, power_conditions, stricter
+from canon.domain import Condition, function_conditions, hardened, leans_on_kinks, nonzero, power_conditions, stricter
 from canon.errors import InputError
 from canon.functions import FUNCTIONS, applied
 from canon.measure import AGAIN, CALL, Measure, check_power, check_product, check_sum
@@ -101,6 +101,12 @@ class Builder:
         for condition in conditions:
             self.conditions[condition] = stricter(self.conditions.get(condition, condition), condition)
 
+    def drop_kinks(self, values: list[Any]) -> None:
+        """The kinks of these values may be passed no more: there is no slope, or a condition may rest on |x| > 0."""
+        bent = {name for value in values for modulus in value.atoms(sp.Abs) for name in modulus.free_symbols}
+        if bent:
+            self.conditions = dict(zip(self.conditions, hardened(self.conditions.values(), bent), strict=True))
+
     def name(self, node: Name) -> Any:
         name, vocabulary = node.name, self.vocabulary
         where = place(self.text, node.span[0])
@@ -150,6 +156,7 @@ class Builder:
         for part, value, straight in zip(node.factors, values, node.multiplied, strict=True):
             if not straight:
                 self.add(nonzero(value, self.source(part), is_complex=self.measure.is_complex))
+                self.drop_kinks([value])
                 check_power(value, sp.Integer(-1))
                 self.measure.spend_on_power(value, -1)
             factors.append(value if straight else value**-1)
@@ -166,7 +173,10 @@ class Builder:
             check_constant_power(base, exponent)
             return conditions, base**exponent
 
-        return self.once(("power", base, exponent, text), built)
+        power = self.once(("power", base, exponent, text), built)
+        if leans_on_kinks(sp.Pow, (base, exponent)):
+            self.drop_kinks([base, exponent])
+        return power
 
     def call(self, node: Call, values: list[Any]) -> Any:
         name, where = node.name, place(self.text, node.span[0])
@@ -202,7 +212,10 @@ class Builder:
             is_complex = any(self.measure.is_complex(value) for value in values)
             return conditions, applied(function, values, is_complex, self.vocabulary.has_integers)
 
-        return self.once((function, *values, texts), built)
+        value = self.once((function, *values, texts), built)
+        if leans_on_kinks(function, values):
+            self.drop_kinks(values)
+        return value
 
     def once(self, key: Any, build: Callable[[], tuple[tuple[Condition, ...], Any]]) -> Any:
         """What `build` makes; where the same was written in this file before, what it made then."""
@@ -245,6 +258,7 @@ class Builder:
             order = int(times.value)
             if order > _HIGHEST:
                 raise InputError(f"D {where} is of order {order}: at most {_HIGHEST}")
+        self.drop_kinks(values)
         value = values[0]
         for _ in range(order):
             value = differentiated(value, symbol, self.measure)
@@ -272,6 +286,7 @@ class Builder:
         for name in sorted(self.vocabulary.new & written_names(node, self.vocabulary)):
             raise InputError(f"'bracket' {where} is in the old variables, but {name!r} is a new one")
         f, g = values
+        self.drop_kinks(values)
         terms = list[Any]()
         if inside := written_functions(node, self.vocabulary):
             self.slopes |= {(x.name, name) for pair in self.vocabulary.pairs for x in pair for name in inside}

@@ -183,11 +183,34 @@ def power_conditions(
     return tuple(replace(c, kink=True) for c in found) if bent else found
 
 
+_ENTIRE: Final = (sp.exp, sp.sin, sp.cos, sp.sinh, sp.cosh)
+
+
+def leans_on_kinks(operation: Any, arguments: Iterable[Any]) -> bool:
+    """Whether what an operation demands of its arguments may rest on |x| > 0 in them, as that √|x| isn't 0 does.
+
+    A whole power of |x| that isn't negative, and another positive one of |x| alone, demand nothing else.
+    """
+    given = tuple(arguments)
+    if not any(argument.has(sp.Abs) for argument in given) or operation in (sp.Add, sp.Mul, *_ENTIRE):
+        return False
+    if operation is not sp.Pow:
+        return True
+    base, exponent = given
+    plain = known_sign(exponent) == "positive" and not exponent.has(sp.Abs)
+    return not (plain and (exponent.is_Integer or isinstance(base, sp.Abs)))
+
+
+def hardened(conditions: Iterable[Condition], names: Iterable[sp.Basic]) -> tuple[Condition, ...]:
+    """The conditions; of these names none is there for a kink alone, which may be passed."""
+    bent = {*names}
+    return tuple(replace(c, kink=False) if c.kink and bent & c.terms[0].free_symbols else c for c in conditions)
+
+
 _BOUNDED: Final = (sp.asin, sp.acos, sp.atanh)
 _POLES: Final = {
     sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin, sp.coth: sp.sinh, sp.csch: sp.sinh,
 }  # fmt: skip
-_ENTIRE: Final = (sp.exp, sp.sin, sp.cos, sp.sinh, sp.cosh)
 _SPECIAL: Final = (
     sp.gamma, sp.LambertW, sp.elliptic_k, sp.elliptic_e, sp.elliptic_f, sp.polygamma, JacobiSN, JacobiCN, JacobiDN,
     JacobiEpsilon, EllipticPi,
@@ -270,7 +293,10 @@ class Smoothness:
                 continue
             stack.pop()
             own = () if node.__class__ in _EVERYWHERE else _node_conditions(node, self.is_complex)
-            known[node] = unique(own, *inner) if inner else own
+            found = unique(own, *inner) if inner else own
+            if any(c.kink for c in found) and leans_on_kinks(node.func, node.args):
+                found = hardened(found, (name for part in node.atoms(sp.Abs) for name in part.free_symbols))
+            known[node] = found
         return known[expression]
 
 

@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import sympy as sp
+
 from canon.building import Builder
-from canon.domain import Condition, nonzero, positive, unique
+from canon.domain import Condition, leans_on_kinks, nonzero, positive, unique
 from canon.errors import InputError
 from canon.measure import Measure
 from canon.syntax import parse, parse_relation
@@ -68,7 +70,7 @@ def _read_relation(text: str, vocabulary: Vocabulary, measure: Measure | None) -
         raise InputError("an equation restricts to a surface: write it as a difference under `on`")
     builder = Builder(text, vocabulary, measure)
     values = [builder.value_of(side) for side in sides]
-    found = list(builder.conditions.values())
+    found = list[Condition]()
     for i, sign in enumerate(signs):
         left, right = (builder.source(side) for side in sides[i : i + 2])
         difference = builder.measure.admit(values[i] - values[i + 1])
@@ -85,4 +87,6 @@ def _read_relation(text: str, vocabulary: Vocabulary, measure: Measure | None) -
         except InputError:
             raise InputError(f"the inequality {left} {sign} {right} can't hold anywhere") from None
         found += [Condition(c.kind, c.terms, f"{left} {written} {right}", closed) for c in conditions]
-    return unique(found)
+        if not conditions or any(leans_on_kinks(sp.log, (power,)) for power in difference.atoms(sp.Pow)):
+            builder.drop_kinks([difference])
+    return unique(builder.conditions.values(), found)

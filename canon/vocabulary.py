@@ -78,6 +78,12 @@ class Formula:
         return self.text or str(self.expr)
 
     @property
+    def symbols(self) -> set[sp.Basic]:
+        """The names of its expression and of its conditions: 0*log(x) is 0, but for x > 0 alone."""
+        said = (term.free_symbols for condition in self.conditions for term in condition.terms)
+        return self.expr.free_symbols.union(*said)
+
+    @property
     def label(self) -> str:
         """What an answer calls it: its text, or how large it is where nobody wrote or would read one.
 

@@ -173,17 +173,18 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     named = question.key("energy")
     is_free_of(H, [named], "H", "key 'energy'")
     for name, formula in fixed.items():
-        if question.claim.kind == "frequency" and name != named and named in formula.expr.free_symbols:
+        if question.claim.kind == "frequency" and name != named and named in formula.symbols:
             raise InputError(
                 f"{name} is held fixed while a frequency differentiates by {named}, so it can't be given by {named}: "
                 "write a constant of its own for it",
                 "key 'fixed'",
             )
     period, well = (question.key(word) for word in ("period", "well"))
-    if question.claim.kind == "frequency" and period is not None and named in period.expr.free_symbols:
+    if question.claim.kind == "frequency" and period is not None and named in period.symbols:
         raise InputError(f"a frequency differentiates by {named}, and a period doesn't change with it", "key 'period'")
     moved: Any = replaced(H.expr, rules)
-    for symbol in sorted(moved.free_symbols & ({*space.q, space.t} - {q}), key=str):
+    timed = H.symbols & {space.t}
+    for symbol in sorted((moved.free_symbols | timed) & ({*space.q, space.t} - {q}), key=str):
         raise InputError(
             f"H depends on {symbol}, so that {q} alone has no action: separate the variables first, or fix {symbol}",
             "key 'coordinate'",
@@ -199,10 +200,10 @@ def setting_of(question: Question, *also: Formula) -> Setting:
     equals = question.key("equals")
     if equals is None:
         raise InputError(f"a claim of kind {question.claim.kind!r} needs the key 'equals'")
-    for symbol in sorted(equals.expr.free_symbols & {q, p, space.t, *space.new}, key=str):
+    for symbol in sorted(equals.symbols & {q, p, space.t, *space.new}, key=str):
         raise InputError(f"{_what(question)} is a function of energy and constants, not of {symbol}", "key 'equals'")
     written = (H, equals, *also, *(given for given in (period, well) if given is not None))
-    used = {named, *space.old, *(symbol for formula in written for symbol in formula.expr.free_symbols)}
+    used = {named, *space.old, *(symbol for formula in written for symbol in formula.symbols)}
     for name in sorted({*fixed} - used, key=str):
         raise InputError(f"{name} is held fixed, but nothing here depends on it", "key 'fixed'")
     others = {*space.new}

@@ -46,7 +46,7 @@ def action_angle(question: Question) -> Outcome:
     length: Any = sp.S.One if period is None else period.expr
     given = question.map
     for formula in (H, *_written(given)):
-        if space.t in formula.expr.free_symbols:
+        if space.t in formula.symbols:
             raise InputError("action and angle variables are those of an H and a map without time")
     if length.free_symbols & {*space.old, *space.new, space.t} or length.is_zero:
         raise InputError("a period is an expression in parameters, and not 0", "key 'angle_period'")
@@ -71,7 +71,8 @@ def action_angle(question: Question) -> Outcome:
         return combined(grounds)
     whole, turn = _whole_cycle(backward), backward.tape.load(length)
     cycles = [closes(Cycle(backward, angle, turn, whole)) for angle in space.Q]
-    bent = stays_smooth(backward, whole)
+    own = (c for formula in _written(given) for c in formula.conditions) if given.direction == "backward" else ()
+    bent = stays_smooth(backward, whole, own)
     found = combined([*grounds, depends, *cycles, *([bent] if bent is not None else [])])
     return _if_inverted(backward, given, length, grounds, found)
 

@@ -53,7 +53,7 @@ def range_of(question: Question, x: sp.Symbol, low: End, high: End, formulas: Se
     """The range, with what the claim's formulas demand of x inside of it. **Raises:** `InputError`, `Unproved`."""
     tape, node = question.tape, question.tape.symbol(x)
     for word, end in (("from", low), ("to", high)):
-        if isinstance(end, Formula) and x in end.expr.free_symbols:
+        if isinstance(end, Formula) and x in end.symbols:
             raise InputError(f"{x} is the variable of integration: it can't be in an end of its range", f"key {word!r}")
         if isinstance(end, Formula) and tape.is_complex(question.load(end)):
             raise InputError(f"{end} is complex: a range is one of real numbers", f"key {word!r}")

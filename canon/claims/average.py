@@ -126,12 +126,12 @@ def _along(question: Question) -> Outcome:
     moving = {*space.old, space.t}
     ends = [question.key(word) for word in ("from", "to")]
     given = [("to", end) for end in ends if isinstance(end, Formula)]
-    if u in claimed.expr.free_symbols:
+    if u in claimed.symbols:
         raise InputError(f"{u} runs through the stretch: its average doesn't depend on it", "key 'equals'")
     for word, formula in (("equals", claimed), *given, *(("motion", m) for m in motion.values())):
-        for symbol in sorted(formula.expr.free_symbols & (moving - {u}), key=str):
+        for symbol in sorted(formula.symbols & (moving - {u}), key=str):
             raise InputError(f"{symbol} moves: write it as a formula of {u}", f"key {word!r}")
-    missing = [str(s) for s in f.expr.free_symbols & moving if s not in motion and s != u]
+    missing = [str(s) for s in f.symbols & moving if s not in motion and s != u]
     if missing:
         raise InputError(f"the motion of {', '.join(sorted(missing))} is missing", "key 'motion'")
     for symbol in motion:
@@ -147,7 +147,7 @@ def _along(question: Question) -> Outcome:
     growth = question.load(sp.diff(clock, u))
     if not holds(question, Requirement("positive", (growth,), ""), span.inside, span):
         return Outcome("undecided", note=f"it isn't shown that {space.t} grows with {u} all along the stretch")
-    beyond = _beyond(question, f, motion, span)
+    beyond = _beyond(question, f, motion, u, span)
     if beyond is not None:
         return Outcome("undecided", note=f"it isn't shown that {beyond.text} all along the motion")
     solved = _solves(question, motion, u, span.inside)
@@ -167,7 +167,9 @@ def _along(question: Question) -> Outcome:
     return combined([solved, outcome])
 
 
-def _beyond(question: Question, f: Formula, motion: Mapping[sp.Symbol, Formula], span: Range) -> Requirement | None:
+def _beyond(
+    question: Question, f: Formula, motion: Mapping[sp.Symbol, Formula], u: sp.Symbol, span: Range
+) -> Requirement | None:
     """What the file demands of the variables, or assumes of them, and isn't shown to hold along the motion."""
     tape, space = question.tape, question.space
     images = {tape.symbol(x): question.load(formula) for x, formula in motion.items()}
@@ -175,7 +177,12 @@ def _beyond(question: Question, f: Formula, motion: Mapping[sp.Symbol, Formula],
     formulas = (f,) if question.subject.hamiltonian is None else (f, question.hamiltonian())
     known = {(r.kind, r.nodes) for r in span.inside.requirements}
     for r in question.region(*formulas, images=images).requirements:
-        if (r.kind, r.nodes) in known or any(left & {*tape.support(n)} for n in r.nodes):
+        if (r.kind, r.nodes) in known:
+            continue
+        named = {name for n in r.nodes for name in tape.support(n)}
+        if left & named:  # whatever the others do, of which the claim says nothing, but for what relates them to these
+            if tape.symbol(u) in named:
+                return r
             continue
         if not holds(question, r, span.inside, span):
             return r

@@ -37,7 +37,7 @@ def over_orbits(question: Question) -> Outcome:
     constants, or supported."""
     f, space = question.formula("f"), question.space
     moving = {*space.q, space.t} - {question.key("coordinate")}
-    for symbol in sorted(f.expr.free_symbols & moving, key=str):
+    for symbol in sorted(f.symbols & moving, key=str):
         raise InputError(f"{symbol} moves too, and not with the orbit's period: give the `motion`", "key 'f'")
     try:
         setting = setting_of(question, f)

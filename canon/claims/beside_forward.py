@@ -69,6 +69,7 @@ def _holds_anyway(question: Question, condition: Condition) -> bool:
     plain, new, H = chart_of(question.tape, question.space, None), {*question.space.new}, question.subject.hamiltonian
     without = [c for c in question.subject.domain.conditions if not names_of(c) & new]
     without += [] if H is None else H.conditions
+    without = [c for c in without if not c.kink]  # which an orbit passes, and nothing else that is asked for there
     try:
         region = exactly.region(domain=Domain(tuple(without)), chart=plain, regular=False)
         return holds_throughout(exactly, condition, region)

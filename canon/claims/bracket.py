@@ -205,7 +205,7 @@ def identity(question: Question) -> Outcome:
     """`identity`: lhs = rhs throughout the domain; old and new variables are related by the map."""
     lhs, rhs = question.formula("lhs", "both"), question.formula("rhs", "both")
     tape = question.tape
-    used = lhs.expr.free_symbols | rhs.expr.free_symbols
+    used = lhs.symbols | rhs.symbols
     if question.subject.map is None and used & set(question.space.new):
         raise InputError("new variables occur, but there is no transformation that relates them to the old ones")
     residual = Residual("lhs - rhs", tape.minus(question.load(lhs), question.load(rhs)))

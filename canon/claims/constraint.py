@@ -60,8 +60,8 @@ def constraint(question: Question) -> Outcome:
     there = region
     if written == ["functions"]:
         there = replace(region, surface=(*region.surface, *lines))
-        for formula, node in zip(given, lines, strict=True):
-            if question.tape.support(node) & {*jets.v}:
+        for formula in given:
+            if _moves(question, jets, formula):
                 raise InputError(f"{formula} contains velocities: write it under 'forms'", "key 'functions'")
         lines = [jets.rate(node) for node in lines]
     forms = [_coefficients(question, jets, node, region) for node in lines]
@@ -77,6 +77,11 @@ def constraint(question: Question) -> Outcome:
         )
     parts = [rank] if question.key("holonomic") is not None or question.key("integrals") is not None else []
     return combined([*parts, *_answers(question, jets, forms, region), *_motions(question, jets, forms, lines, there)])
+
+
+def _moves(question: Question, jets: Motion, formula: Formula) -> bool:
+    """Whether a formula contains velocities, as 0*log(v) does, too, which is for v > 0 alone."""
+    return bool(formula.symbols & {question.tape.symbol_at(v) for v in jets.v})
 
 
 def _dependence(rank: Outcome) -> str:
@@ -231,7 +236,7 @@ def _integrals(question: Question, jets: Motion, forms: Sequence[Form], region: 
     gradients = []
     for formula in functions:
         node = question.load(formula)
-        if tape.support(node) & {*jets.v}:
+        if _moves(question, jets, formula):
             raise InputError(f"{formula} contains velocities", "key 'integrals'")
         gradients.append([derivative(tape, node, y) for y in x])
     residuals = []

@@ -7,7 +7,7 @@ another one, whose orbits are others; there nothing is known of the cycle.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -22,16 +22,18 @@ if TYPE_CHECKING:
     from canon.domain import Condition
 
 
-def stays_smooth(question: Question, region: Region) -> Outcome | None:
-    """None where H has no kink on any cycle of the angles; else, or where that isn't seen, a mere `supported`.
+def stays_smooth(question: Question, region: Region, also: Iterable[Condition] = ()) -> Outcome | None:
+    """None where H has no kink on any cycle of the angles, and the map is defined all along them; else, or where that
+    isn't seen, a mere `supported`.
 
-    **Arguments:** `question`, about a map given as old variables in new ones; `region`, its domain.
+    **Arguments:** `question`, about a map given as old variables in new ones; `region`, its domain; `also`, what else
+    is to hold along the cycles.
     """
     tape, chart = question.tape, question.chart
     angles = {tape.symbol(angle) for angle in question.space.Q}
     alike = tuple(r for r in region.requirements if not any(angles & tape.support(node) for node in r.nodes))
     cycles = replace(region, requirements=alike)
-    for kink in _kinks(question):
+    for kink in (*_kinks(question), *also):
         nodes = tuple(chart.pull(tape.load(term)) for term in kink.terms)
         if not any(angles & tape.support(node) for node in nodes):
             continue

@@ -47,7 +47,8 @@ def determined(
     ]
     rows += [[*form[:-1], *([tape.zero] * len(forms))] for form in forms]
     det = determinant(tape, rows)
-    if tape.support(det) & {*jets.v}:  # then it is one at velocities that the constraints allow
+    asked = [det, *(node for r in region.requirements for node in r.nodes)]
+    if any(tape.support(node) & {*jets.v} for node in asked):  # then it is one at velocities that the constraints allow
         region = replace(region, surface=(*region.surface, *lines))
     vanishing = question.decide([Residual("determinant of the equations", det, det)], region)
     if question.key("determined") is False:

@@ -94,7 +94,7 @@ def legendre(question: Question) -> Outcome:
     H, space, tape = question.hamiltonian(), question.space, question.tape
     L = question.formula("L")
     velocities = velocity_names(question, "velocities")
-    for symbol in sorted(L.expr.free_symbols & set(space.p), key=str):
+    for symbol in sorted(L.symbols & set(space.p), key=str):
         raise InputError(f"L is a function of coordinates and velocities, not of {symbol}", "key 'L'")
     is_free_of(H, velocities, "H", "key 'velocities'")
     v, node = question.nodes(velocities), question.load(L)

@@ -72,7 +72,7 @@ def _integral(question: Question, H: Formula) -> tuple[str, Formula]:
     if word == "W":
         if question.key("energy") is None:
             raise InputError("a W needs the key 'energy': the constant, or an expression of the constants")
-        if question.space.t in H.expr.free_symbols:
+        if question.space.t in H.symbols:
             raise InputError(f"H depends on {question.space.t}, so there is no W at an energy: give S", "key 'W'")
     return word, question.key(word)
 
@@ -93,7 +93,7 @@ def _constants(question: Question, energy: Formula | None) -> tuple[sp.Symbol, .
 
 def _only_of(function: Formula, word: str, allowed: Sequence[sp.Symbol], question: Question) -> None:
     space = question.space
-    wrong = function.expr.free_symbols & ({*space.old, *space.new, space.t} - set(allowed))
+    wrong = function.symbols & ({*space.old, *space.new, space.t} - set(allowed))
     for symbol in sorted(wrong, key=str):
         open_to = "coordinates, constants and time" if word == "S" else "coordinates and constants"
         raise InputError(f"{word} is a function of {open_to}, not of {symbol}", f"key {word!r}")

@@ -34,7 +34,7 @@ def integral(question: Question) -> Outcome:
     f, equals = question.formula("f"), question.formula("equals")
     x: sp.Symbol = question.key("variable")
     given = question.key("antiderivative")
-    if x in equals.expr.free_symbols:
+    if x in equals.symbols:
         raise InputError(f"{x} is the variable of integration: the integral doesn't depend on it", "key 'equals'")
     try:
         span = range_of(question, x, question.key("from"), question.key("to"), (f, equals))

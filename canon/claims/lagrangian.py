@@ -67,7 +67,7 @@ def euler_lagrange(question: Question) -> Outcome:
 
 def _lagrangian(question: Question) -> Formula:
     L = question.formula("L")
-    for symbol in sorted(L.expr.free_symbols & set(question.space.p), key=str):
+    for symbol in sorted(L.symbols & set(question.space.p), key=str):
         raise InputError(f"L is a function of coordinates and velocities, not of {symbol}", "key 'L'")
     return L
 

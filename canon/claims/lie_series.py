@@ -99,7 +99,7 @@ def _parameter(question: Question, *formulas: Formula) -> sp.Symbol:
     if parameter.is_integer:
         raise InputError(f"{parameter} is an integer: a series in it has no coefficients", "key 'parameter'")
     for formula in formulas:
-        if parameter in formula.expr.free_symbols:
+        if parameter in formula.symbols:
             raise InputError(
                 f"generator and f must not depend on the series' own parameter {parameter}", "key 'parameter'"
             )

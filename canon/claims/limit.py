@@ -55,7 +55,7 @@ def limit(question: Question) -> Outcome:
     if declared(x).get("integer") and not isinstance(to, str):
         raise InputError(f"{x} is an integer: it can tend to an infinity alone", "key 'to'")
     for word, value in (("to", to), ("equals", equals)):
-        if isinstance(value, Formula) and x in value.expr.free_symbols:
+        if isinstance(value, Formula) and x in value.symbols:
             raise InputError(f"{x} tends to its limit: it can't be in it", f"key {word!r}")
     if isinstance(equals, str) and question.tape.is_complex(question.load(f)):
         raise InputError(f"{f} is complex: {equals} is a limit of real numbers", "key 'equals'")

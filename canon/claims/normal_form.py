@@ -76,14 +76,14 @@ def _table(question: Question) -> dict[int, Formula]:
     space = question.space
     if order > HIGHEST_DEGREE:
         raise InputError(f"an order up to {HIGHEST_DEGREE} is expected, not {order}", "key 'order'")
-    if space.t in question.hamiltonian().expr.free_symbols:
+    if space.t in question.hamiltonian().symbols:
         raise InputError(f"H depends on {space.t}: a normal form is one of an H without time")
     for degree, formula in table.items():
         where = f"key 'N', degree {degree}"
         if degree > order:
             raise InputError(f"the order is {order}", where)
         question.checked(formula, f"N, degree {degree}", "old")
-        if space.t in formula.expr.free_symbols:
+        if space.t in formula.symbols:
             raise InputError(f"N depends on {space.t}", where)
         wrong = within(
             question.budget, lambda degree=degree, expr=formula.expr: _not_of_degree(expr, space.old, degree)

@@ -43,7 +43,7 @@ def stays_off(question: Question, places: Sequence[Place]) -> bool:
         return True
     if kind in ("limit", "integral"):  # along one variable, whatever the other ones are
         values = (value for value in question.claim.keys.values() if isinstance(value, Formula))
-        names = {name for formula in values for name in formula.expr.free_symbols}
+        names = {name for formula in values for name in formula.symbols}
         return names & {*question.space.old} <= {question.key("variable")}
     try:
         if question.subject.hamiltonian is None or not all(_is_invariant(exactly, place) for place in places):

@@ -43,7 +43,7 @@ def check_variables(claim: Claim) -> None:
         closed = _closed(claim, own, entry)
         words = _WORDS["constant" if entry.form == "constant" else own]
         for formula in _formulas(value):
-            for symbol in sorted(formula.expr.free_symbols & closed, key=str):
+            for symbol in sorted(formula.symbols & closed, key=str):
                 raise InputError(f"{symbol} is out of place: this is {words}", f"key {WRITTEN.get(name, name)!r}")
 
 

@@ -40,5 +40,5 @@ def of_integers(name: Any, where: str) -> None:
 
 def is_free_of(formula: Formula, names: Iterable[sp.Symbol], what: str, where: str) -> None:
     """**Raises** `InputError` where the formula, called `what`, contains one of the names that a key declares."""
-    for symbol in sorted(formula.expr.free_symbols & {*names}, key=str):
+    for symbol in sorted(formula.symbols & {*names}, key=str):
         raise InputError(f"{symbol} is in {what} too: what a claim varies needs a name of its own", where)

@@ -127,7 +127,7 @@ class Question:
         if side == "both":
             return formula
         wrong = self.space.new if side == "old" else self.space.old
-        for symbol in sorted(formula.expr.free_symbols & set(wrong), key=str):
+        for symbol in sorted(formula.symbols & set(wrong), key=str):
             other = "new" if side == "old" else "old"
             raise InputError(
                 f"{symbol} is one of the {other} variables: this formula is one in the {side} ones", f"key {name!r}"

@@ -101,7 +101,7 @@ def scale_of(question: Question) -> Formula | None:
         return None
     where = "key 'scale'"
     variables = {*question.space.old, *question.space.new, question.space.t}
-    for symbol in sorted(scale.expr.free_symbols & variables, key=str):
+    for symbol in sorted(scale.symbols & variables, key=str):
         raise InputError(f"the scale is an expression in parameters alone, but it contains {symbol}", where)
     if scale.expr.has(AppliedUndef):
         raise InputError("the scale is an expression in parameters alone, without arbitrary functions", where)

@@ -96,7 +96,7 @@ def _are_of_time(question: Question, path: Sequence[Formula]) -> None:
         ("conjugate", question.key("conjugate") or ()),
         ("to", (end for end in ends if isinstance(end, Formula))),
     ):
-        for symbol in sorted({s for formula in given for s in formula.expr.free_symbols & moving}, key=str):
+        for symbol in sorted({s for formula in given for s in formula.symbols & moving}, key=str):
             raise InputError(f"a path is a function of {question.space.t}, not of {symbol}", f"key {key!r}")
 
 

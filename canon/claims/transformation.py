@@ -198,9 +198,9 @@ def checked_solution(question: Question, table: Any, where: str) -> dict[Any, Fo
     for name, value in values.items():
         if name not in question.space.parameters:
             raise InputError(f"{name} is not a parameter", where)
-        for symbol in sorted(value.expr.free_symbols & variables, key=str):
+        for symbol in sorted(value.symbols & variables, key=str):
             raise InputError(f"the value of {name} contains the variable {symbol}", where)
-        for symbol in sorted(value.expr.free_symbols & set(values), key=str):
+        for symbol in sorted(value.symbols & set(values), key=str):
             raise InputError(f"the value of {name} contains {symbol}, which the same table fixes", where)
         for word in ("real", "positive", "negative", "nonnegative", "nonpositive", "nonzero", "integer"):
             if getattr(name, f"is_{word}") and getattr(value.expr, f"is_{word}") is False:

@@ -190,10 +190,11 @@ def _first(found: Iterator[dict[Any, Any]]) -> list[dict[Any, Any]]:
 
 
 def _old_domain(question: Question) -> Domain:
-    """The domain in old variables that the file would have without its map."""
+    """The domain in old variables that the file would have without its map, with the kinks that orbits pass."""
     subject = without_map(question)
-    H = subject.hamiltonian
-    return subject.domain if H is None else subject.domain & Domain(conditions=H.conditions)
+    H, domain = subject.hamiltonian, subject.domain
+    whole = domain if H is None else domain & Domain(conditions=H.conditions)
+    return replace(whole, conditions=tuple(c for c in whole.conditions if not c.kink))
 
 
 def _is_right_inverse(question: Question, given: Map, solution: Mapping[Any, Any], part: Part) -> bool:

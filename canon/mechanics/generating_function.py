@@ -63,7 +63,7 @@ class GeneratingFunction:
                 f"complex={' '.join(names)!r}",
                 "generating_function, F",
             )
-        for symbol in sorted(self.F.expr.free_symbols & {*self.old_conjugates, *self.new_conjugates}, key=str):
+        for symbol in sorted(self.F.symbols & {*self.old_conjugates, *self.new_conjugates}, key=str):
             raise InputError(
                 f"F of type {self.type} is a function of {', '.join(map(str, self.mixed))}, not of {symbol}",
                 "generating_function, F",

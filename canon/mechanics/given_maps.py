@@ -42,5 +42,5 @@ def check_sides(
     side, other = (space.old, space.new) if forward else (space.new, space.old)
     strangers = {*other} - {*side}
     for formula in formulas:
-        for symbol in sorted(formula.expr.free_symbols & strangers, key=str):
+        for symbol in sorted(formula.symbols & strangers, key=str):
             raise InputError(f"{symbol} cannot occur here: the formula is one in {', '.join(map(str, side))}", where)

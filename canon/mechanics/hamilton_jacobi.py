@@ -63,10 +63,10 @@ class CompleteIntegral:
         if len(set(alphas)) != space.n:
             raise InputError(f"{space.n} constants are expected, each once, not {len(alphas)}", "constants")
         outside = {*space.old, *space.new, space.t} - {*space.q, *alphas, *([space.t] if energy is None else [])}
-        for symbol in sorted(self.function.expr.free_symbols & outside, key=str):
+        for symbol in sorted(self.function.symbols & outside, key=str):
             raise InputError(f"S is a function of coordinates, constants and time, W without time, not of {symbol}")
         moving = {*space.old, *space.new, space.t} - {*alphas}
-        for symbol in sorted(moving & (self.energy.expr.free_symbols if self.energy else set()), key=str):
+        for symbol in sorted(moving & (self.energy.symbols if self.energy else set()), key=str):
             raise InputError(f"the energy is a function of the constants, not of {symbol}", "energy")
 
     @property

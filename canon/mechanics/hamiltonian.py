@@ -28,7 +28,7 @@ class Hamiltonian:
         object.__setattr__(self, "space", space)
         object.__setattr__(self, "H", as_formula(H, "hamiltonian, H"))
         check_symbols([self.H], space.vocabulary, "hamiltonian, H")
-        for symbol in sorted(self.H.expr.free_symbols & {*space.new}, key=str):
+        for symbol in sorted(self.H.symbols & {*space.new}, key=str):
             raise InputError(f"H is a function of the old variables, not of {symbol}", "hamiltonian, H")
 
     def equations(self) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:

@@ -37,7 +37,7 @@ class Lagrangian:
         names = _velocities(space, velocities)
         L = as_formula(L, "L")
         check_symbols([L], space.vocabulary, "L")
-        for symbol in sorted(L.expr.free_symbols & set(space.p), key=str):
+        for symbol in sorted(L.symbols & set(space.p), key=str):
             raise InputError(f"L is a function of coordinates and velocities, not of {symbol}", "L")
         object.__setattr__(self, "space", space)
         object.__setattr__(self, "L", L)

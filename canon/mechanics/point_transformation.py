@@ -52,7 +52,7 @@ class PointTransformation:
         check_symbols((*given, gauge), space.vocabulary, "point transformation")
         allowed = {*(space.q if forward else space.Q)}
         for formula in (*given, gauge):
-            for symbol in sorted(formula.expr.free_symbols & ({*space.old, *space.new} - allowed), key=str):
+            for symbol in sorted(formula.symbols & ({*space.old, *space.new} - allowed), key=str):
                 raise InputError(f"{symbol} cannot occur in this point transformation", "point transformation")
         for name, value in (("space", space), ("Q", forward), ("q", backward), ("shift", gauge)):
             object.__setattr__(self, name, value)

@@ -27,6 +27,8 @@ def rotation(motion: OneDegree, period: sp.Expr | None) -> Iterator[ClosedAction
         if period is None:
             raise InputError(f"H doesn't depend on {motion.q}: a rotation needs the key 'period'", "key 'branch'")
         momentum = motion.mean + sp.sqrt(motion.square)
+        if not _whole(motion, period):
+            return
         yield ClosedAction(period * momentum, (motion.square, momentum), (), "a constant momentum")
         return
     found = cosine(motion.square, motion.q)

@@ -98,7 +98,7 @@ class Subject:
             check_extent(formula.expr)
         check_symbols(shared, self.space.vocabulary, "hamiltonian")
         strangers = {*self.space.new} - {*self.space.old}
-        for symbol in sorted({s for form in shared for s in form.expr.free_symbols & strangers}, key=str):
+        for symbol in sorted({s for form in shared for s in form.symbols & strangers}, key=str):
             said = f"{symbol} is one of the new variables: the Hamiltonian is one in the old ones"
             raise InputError(said, "hamiltonian")
         for name, value in keys.items():

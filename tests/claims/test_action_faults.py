@@ -3,9 +3,11 @@
 from fractions import Fraction
 
 import pytest
+import sympy as sp
 
 from canon.claims.reader import read_text
 from canon.claims.verify import verify
+from canon.domain import conditions_of
 from canon.errors import InputError
 from tests.claims.test_action import LINE, PLANE, action_claim
 
@@ -252,3 +254,71 @@ def test_the_square_of_a_modulus_is_an_oscillator(status):
     sections = {"space": LINE, "hamiltonian": 'H = "p**2/2 + abs(q)**2/2"'}
     assert status(action_claim("2*pi*E"), **sections) == "proved"
     assert status(action_claim("2*pi*E"), domain='where = ["q != 0"]', **sections) == "undecided"
+
+
+@pytest.mark.parametrize(
+    "V",
+    ["q*D(abs(q), q)", "abs(q) + 0*D(abs(q), q)", "0*D(sqrt(abs(q)), q) + abs(q)", "q*bracket(abs(q), p)",
+     "u + 0*D(u, q)", "0*D(u, q) + u"],
+)  # fmt: skip
+def test_what_has_a_kink_has_no_slope_there(status, V):
+    sections = {"space": LINE, "symbols": 'E = "positive"', "definitions": 'u = "abs(q)"'}
+    assert status(SLOPES, hamiltonian=f'H = "p**2/2 + {V}"', **sections) == "undecided"
+    smooth = f'H = "p**2/2 + abs(q) + 0*({V.replace("abs(q)", "q**2").replace("u", "p")})"'
+    assert status(SLOPES, hamiltonian=smooth, **sections) == ("undecided" if "sqrt" in V else "proved")
+
+
+def test_a_free_rotation_has_room_for_a_period(status):
+    claim = action_claim("2*pi*sqrt(2*E)", branch='"rotation"', period='"2*pi"')
+    sections = {"space": LINE, "hamiltonian": 'H = "p**2/2"'}
+    assert status(claim, symbols='E = "positive"', **sections) == "proved"
+    assert status(claim, symbols='E = "positive"', domain='where = ["-pi < q < pi"]', **sections) == "proved"
+    with pytest.raises(InputError):
+        status(claim, symbols='E = "positive"', domain='where = ["0 < q < 1"]', **sections)
+    assert status(claim, symbols='E = "positive"\nq = "positive"', **sections) != "proved"
+
+
+@pytest.mark.parametrize(
+    "term",
+    ["0/sqrt(abs(q))", "0*log(sqrt(abs(q)))", "0*sign(sqrt(abs(q)))", "0*sqrt(abs(q))**(-1)", "0/abs(q)**(3/2)",
+     "0/(1 - exp(sqrt(abs(q))))", "0*log(abs(q) + sqrt(abs(q)))", "0*log(abs(q)**(1/3))"],
+)  # fmt: skip
+def test_a_root_of_a_modulus_is_positive_only_off_the_kink(status, term):
+    """That √|q| isn't 0 shows from |q| > 0, of which nothing may be left where the kink is passed."""
+    sections = {"space": LINE, "symbols": 'E = "positive"'}
+    assert status(SLOPES, hamiltonian=f'H = "p**2/2 + abs(q) + {term}"', **sections) == "undecided"
+    definitions = f'u = "abs(q)"\nv = "sqrt(u)"\nw = "{term.replace("sqrt(abs(q))", "v")}"'
+    assert status(SLOPES, hamiltonian='H = "p**2/2 + u + w"', definitions=definitions, **sections) == "undecided"
+
+
+@pytest.mark.parametrize("said", ["abs(q)**(1/2) > 0", "1 < 1 + sqrt(abs(q))", "exp(sqrt(abs(q))) > 1"])
+def test_a_domain_that_excludes_a_kink_by_a_root(status, said):
+    sections = {"space": LINE, "symbols": 'E = "positive"', "hamiltonian": 'H = "p**2/2 + abs(q)"'}
+    assert status(SLOPES, domain=f'where = ["{said}"]', **sections) == "undecided"
+
+
+def test_kinks_of_sympys_formulas():
+    q = sp.Symbol("q", real=True)
+    (kink,) = conditions_of(sp.Abs(q))
+    assert kink.kink
+    assert all(c.kink for c in conditions_of(sp.sqrt(sp.Abs(q)) + sp.Abs(q) ** 3))
+    assert not any(c.kink for c in conditions_of(sp.Abs(q) + 0 * q + sp.log(sp.sqrt(sp.Abs(q)))))
+
+
+@pytest.mark.parametrize(
+    ("section", "said"),
+    [
+        ("transformation", 'Q = ["q + 0/q"]\nP = ["p"]'),
+        ("transformation", 'Q = ["q"]\nP = ["p + sign(q)"]'),
+        ("transformation", 'Q = ["abs(q)"]\nP = ["p"]'),
+        ("transformation", 'q = ["Q"]\np = ["P + 0/Q"]'),
+        ("domain", 'where = ["Q != 0"]'),
+        ("symbols", 'E = "positive"\nQ = "nonzero"'),
+    ],
+)
+def test_a_kink_of_H_implies_nothing_that_a_map_demands(status, section, said):
+    """With Q = q + 0/q a file is about q != 0: that |q| says so, too, doesn't keep an orbit off."""
+    sections = {"symbols": 'E = "positive"', "hamiltonian": 'H = "p**2/2 + abs(q)"',
+                "transformation": 'Q = ["q"]\nP = ["p"]'}  # fmt: skip
+    assert status(SLOPES, **sections) == "proved"
+    assert status(SLOPES, **{**sections, section: said}) == "undecided"

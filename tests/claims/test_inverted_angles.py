@@ -82,3 +82,15 @@ def test_a_map_that_sympy_inverts_for_minutes_keeps_to_the_budget() -> None:
     start = time.process_time()
     assert verify(claim, budget=0.6).status == "undecided"
     assert time.process_time() - start < 3.0
+
+
+@pytest.mark.parametrize("term", ["0*asin(w)", "0*log(w)", "0/w", "0*sqrt(1 - w)*sqrt(1 + w)", "w/w - 1"])
+def test_a_map_is_defined_all_along_its_cycles(status, term):
+    """A formula that ends within a turn has no cycle, though what is left of it goes on; other than a bound."""
+    given = 'q = ["sqrt(2*J/(m*omega))*sin(w) + {}"]\np = ["sqrt(2*m*omega*J)*cos(w)"]'
+    sections = {"space": SPACE, **OSCILLATOR}
+    assert status(angle_claim("2*pi"), transformation=given.format(term), **sections) == "supported"
+    for smooth in ("0*w", "0*exp(w)", "0/(2 + sin(w))"):
+        assert status(angle_claim("2*pi"), transformation=given.format(smooth), **sections) == "proved"
+    bounded = {"transformation": given.format("0*J"), "domain": 'where = ["0 < w < 1"]'}
+    assert status(angle_claim("2*pi"), **bounded, **sections) == "proved"

@@ -8,6 +8,7 @@ import re
 import shutil
 import sys
 import tomllib
+import zipfile
 import zlib
 from pathlib import Path
 
@@ -117,6 +118,18 @@ def inventories(folder):
 
 
 intersphinx_mapping = inventories(HERE.parent / "build" / "inventories")
+
+
+def small_checkers(path):
+    """Write an archive of the small checkers with their tables, to be downloaded as one."""
+    folder = HERE.parent / "canon" / "checker"
+    names = ("alone*", "counterexample*", "refutations.py", "lie_invariants.py")
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for file in sorted(file for name in names for file in folder.glob(name) if file.is_file()):
+            archive.writestr(zipfile.ZipInfo(f"small-checkers/{file.name}", (1980, 1, 1, 0, 0, 0)), file.read_bytes())
+
+
+small_checkers(HERE.parent / "build" / "small-checkers.zip")
 
 INLINE = re.compile(r"(``.+?``|`[^`]+`|\*\*[\w ,]+:?\*\*)")
 

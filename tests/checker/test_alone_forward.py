@@ -75,6 +75,7 @@ def test_near_misses_are_not_shown(name: str) -> None:
     assert answer(*MISSES[name]) == "not shown"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("more", ["", " + 0*sqrt(k + q**2)", " + 0*log(k + q**2)"])
 def test_a_formula_of_the_energy_has_values_in_the_domain(more: str) -> None:
     """Where k < 0 the factor is 2, and the angle advances by π. At q = 0 there is √k, that is: k > 0."""

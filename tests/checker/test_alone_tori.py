@@ -164,6 +164,7 @@ OSCILLATING: Any = [{"coordinate": "theta", "action": "2*pi*L", "value": "K"},
 FLAT: Any = {"cycles": OSCILLATING, "turns": [[0, 1], [1, 0]]}
 
 
+@pytest.mark.slow
 def test_an_oscillator_by_its_generating_function_is_shown() -> None:
     """J is the radial action over 2π, E = 2 J + K, and F = ∫ p dr + K θ."""
     assert answer(ISOTROPIC, FLAT) == "shown"
@@ -188,6 +189,7 @@ GENERATED: Any = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", GENERATED)
 def test_other_generating_functions_are_not_shown(name: str) -> None:
     changes, turns, cycles = GENERATED[name]
@@ -210,6 +212,7 @@ def well(action: str = "L/4 - sqrt(-2*level_1)", value: str = "K", H: str = WELL
     return {"cycles": [circle, swing], "turns": [[0, 1], [1, 0]]}
 
 
+@pytest.mark.slow
 def test_a_well_by_its_generating_function_is_shown() -> None:
     assert answer(WELL, well()) == "shown"
 
@@ -223,7 +226,7 @@ def test_a_well_by_its_generating_function_is_shown() -> None:
         well("sqrt(L**2)/4 + 0*asin(1 - L) - sqrt(-2*level_1)"),
         well("sqrt(L**2)/4 - sqrt(-2*level_1)", "sqrt(K)*sqrt(K)"),
         well("sqrt(L**2)/4 - sqrt(-2*level_1)", H=f"{WELL['hamiltonian']['H']} + 0*sqrt(L)"),
-        well(),
+        pytest.param(well(), marks=pytest.mark.slow),
     ],
 )
 def test_a_torus_without_values_in_the_domain_shows_nothing(torus: Any) -> None:

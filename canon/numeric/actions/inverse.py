@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from flint import arb
 
@@ -121,21 +121,24 @@ def _branch(motion: Motion, E: Ball, kind: str, lowest: Critical | None) -> Bran
 
 def _increasing(
     function: Callable[[Ball], tuple[Ball, Ball]], low: Ball, high: Ball, scale: Ball, bits: int = BITS
-) -> Ball:
-    """The zero of an increasing function given with its derivative, to so many bits of the `scale`."""
+) -> tuple[Ball, Ball]:
+    """The zero of an increasing function given with its derivative, to so many bits of the `scale`, or to as many as
+    its values have; and the function's value there.
+    """
     x = ((low + high) / 2).mid()
     close = abs(scale) / 2**bits
+    value, slope = function(x)
     for _ in range(_ROUNDS):
-        value, slope = function(x)
-        if abs(value.mid()) <= close:
-            return x
+        if abs(value.mid()) <= close or value.contains(0):
+            break
         low, high = (x, high) if value < 0 else (low, x)
         target = x - value / slope
         new = target.mid() if target > low and target < high else ((low + high) / 2).mid()
         if new == x:
-            return x
+            break
         x = new
-    return x
+        value, slope = function(x)
+    return x, value
 
 
 def _place(course: Course, w: Ball) -> tuple[Bounded, Bounded]:
@@ -160,8 +163,8 @@ def _place(course: Course, w: Ball) -> tuple[Bounded, Bounded]:
             passed = span - time_to_high(course, q, side, BITS)
         return passed - since, half * sine * profile.outward(q, course.E, side)[1]
 
-    theta: Any = _increasing(defect, arb(0), arb.pi(), span)
+    theta, missed = _increasing(defect, arb(0), arb.pi(), span)
     q = (centre - half * theta.cos()).mid()
-    off = (span / 2 ** (BITS - 2)) / profile.outward(q, course.E, side)[1]
+    off = (span / 2 ** (BITS - 2) + 2 * abs(missed)) / profile.outward(q, course.E, side)[1]
     q = q + arb(0, off.abs_upper())
     return bounded(q), bounded(profile.outward(q, course.E, side)[0])

@@ -7,6 +7,7 @@ import pytest
 from mpmath import mp, mpf
 
 from canon import InputError, motion
+from canon.numeric.actions import course
 
 FAR = ("1e110", "1e200", "1e300")
 
@@ -90,6 +91,18 @@ def test_the_energy_of_a_small_action(action: Any) -> None:
     with mp.workdps(320):
         J = mpf(action)
         assert agrees(found, 1 - (1 - J / (2 * mp.pi * mp.sqrt(2))) ** 2)
+
+
+@pytest.mark.parametrize("action", ["1e-200", "1e-150", "1e-90", "0.3"])
+def test_no_energy_is_asked_for_once_its_action_is_met_to_its_last_bit(
+    action: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Newton's method had gone on for 200 rounds about an action whose own bound is wider than what was asked for."""
+    asked = []
+    ends = course.end_place
+    monkeypatch.setattr(course, "end_place", lambda *of: (asked.append(1), ends(*of))[1])
+    motion("p**2/2 + (1 - exp(-q))**2").energy(action)
+    assert 0 < len(asked) < 60
 
 
 @pytest.mark.parametrize("action", [1e-10, 1e-3, 0.3, 2.0, 7.7, 8.88])

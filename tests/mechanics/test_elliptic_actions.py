@@ -70,7 +70,13 @@ def test_closed_forms_are_the_integrals(motion: OneDegree, well: Any, low: Any, 
         assert abs(number(closed.value) - value) < mpmath.mpf(10) ** -20
 
 
-@pytest.mark.parametrize(("motion", "well", "low", "high"), CASES[:8])
+DEAR = (2, 3)
+
+
+@pytest.mark.parametrize(
+    ("motion", "well", "low", "high"),
+    [pytest.param(*case, marks=pytest.mark.slow if k in DEAR else ()) for k, case in enumerate(CASES[:8])],
+)
 def test_what_they_rest_on_vanishes(motion: OneDegree, well: Any, low: Any, high: Any) -> None:
     """Each identity at some numbers; with a factor of 1001/1000 in p² the first one fails."""
     closed = found(motion, well)

@@ -26,7 +26,7 @@ def test_the_adjoint_is_the_inverse_of_a_symplectic_matrix() -> None:
     assert np.array_equal(adjoint(M), -J @ M.T @ J)
 
 
-@pytest.mark.parametrize("n", [1, 2, 10, 50])
+@pytest.mark.parametrize("n", [1, 2, 10, pytest.param(50, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("off", [1e-2, 1e-6, 1e-10])
 def test_a_nearby_matrix_is_found(n: int, off: float) -> None:
     M = symplectic(n, n) + off * np.random.default_rng(1).normal(size=(2 * n, 2 * n)) / n

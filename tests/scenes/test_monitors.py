@@ -125,6 +125,7 @@ duration = 4.0
     assert abs(last - first) <= found["loop"].max_drift < abs(first)
 
 
+@pytest.mark.slow
 def test_relativistic_friction_contracts_volume_along_the_orbit() -> None:
     text = """
 dynamics = "relativistic"
@@ -197,6 +198,7 @@ duration = 2.0
     assert found["lrl"].expected == "broken by inverse_square, driving"
 
 
+@pytest.mark.slow
 def test_a_loop_that_is_torn_is_said_to_be() -> None:
     """A hyperbolic motion stretches any loop by e^30."""
     text = HENON_HEILES.replace("(x**2 + y**2)/2 + x**2*y - y**3/3", "(x**2 + y**2)/2*(-1) + x**4").replace(

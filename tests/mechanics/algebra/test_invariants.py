@@ -53,7 +53,12 @@ def as_table(f, names):
 
 @pytest.mark.parametrize(
     ("matrices", "degrees"),
-    [(orthogonal(3), [2]), (orthogonal(3, 1), [2, 2]), (orthogonal(4, 1), [2, 4]), (orthogonal(6), [2, 4, 3])],
+    [
+        (orthogonal(3), [2]),
+        (orthogonal(3, 1), [2, 2]),
+        (orthogonal(4, 1), [2, 4]),
+        pytest.param(orthogonal(6), [2, 4, 3], marks=pytest.mark.slow),
+    ],
 )
 def test_orthogonal_casimirs_commute_with_everything(matrices, degrees):
     found, g = orthogonal_casimirs(matrices), algebra_of_matrices(matrices).algebra

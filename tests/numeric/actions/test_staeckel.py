@@ -127,6 +127,7 @@ def test_frequencies_in_the_plane() -> None:
     assert np.all(found.azimuthal < 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("L", [1e-3, 1e-6, 1e-12])
 def test_orbits_that_pass_by_the_axis_beyond_the_foci(L: float) -> None:
     """Each passage adds π to φ, however close: ν_φ tends to ν_ν, and J_ν + 2πL to what J_ν is in a plane through it."""

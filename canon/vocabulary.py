@@ -111,7 +111,8 @@ class Vocabulary:
     (q_i, p_i) of `bracket`; `new`, the names of new variables, which its arguments can't contain; `refused`, names
     that are declared but out of place here, each with the reason; `no_bracket`, why `bracket` is out of place, if it
     is; `later`, abbreviations that are defined further down; `signs`, the words "positive", "negative" or "nonzero"
-    that some of the functions are declared with; `undeclared`, what to do with a name that nothing else is known of.
+    that some of the functions are declared with; `undeclared`, what to do with a name that nothing else is known of,
+    and `instead` with certain of them.
     """
 
     symbols: Mapping[str, sp.Symbol] = field(default_factory=dict)
@@ -124,6 +125,7 @@ class Vocabulary:
     later: frozenset[str] = frozenset()
     signs: Mapping[str, str] = field(default_factory=dict)
     undeclared: str = ""
+    instead: Mapping[str, str] = field(default_factory=dict)
 
     def refusing(self, names: Iterable[str], reason: str, no_bracket: str = "") -> Vocabulary:
         """The same with `names` out of place, `reason` said of each."""
@@ -154,8 +156,8 @@ class Vocabulary:
         is probably meant."""
         if name in self.later:
             return f"{name!r} {where}".rstrip() + " is defined further down: definitions are read from top to bottom"
-        if name in _MEANT:
-            return f"unknown name {name!r} {where}".rstrip() + f": {_MEANT[name]}"
+        if advice := self.instead.get(name) or _MEANT.get(name):
+            return f"unknown name {name!r} {where}".rstrip() + f": {advice}"
         known = [*self.symbols, *self.functions, *self.definitions, *CONSTANTS, *CALLABLE]
         meant = nearest(_spelled(name), known, but=name) if compared else ""
         advice = meant or (f": {self.undeclared}" if self.undeclared else "")

@@ -93,6 +93,16 @@ class Names:
         return vocabulary.refusing(refused, _allowed_words(side, open_names), no_bracket)
 
 
+_KEYS = {
+    section: (
+        name,
+        f'a key of [{section}] is no name: define {name} in [definitions], and write {name} = "{name}" there',
+    )
+    for section, name in (("hamiltonian", "H"), ("generating_function", "F"))
+}
+"""For sections whose key people take for a name, the key, and how formulas can have it."""
+
+
 def _named(symbols: Iterable[Any]) -> tuple[str, ...]:
     return tuple(symbol.name for symbol in symbols)
 
@@ -159,6 +169,7 @@ def read_names(tables: Table, letters: int = 0) -> Names:
         pairs=tuple(zip(space.q, space.p, strict=True)),
         new=frozenset(_named(space.new)),
         undeclared="declare it in [symbols]",
+        instead={name: text for section, (name, text) in _KEYS.items() if section in tables},
     )
     names = Names(space, vocabulary, measure=Measure(letters))
     _define(names, definitions)

@@ -29,6 +29,10 @@ SCENE = '[[body]]\nmass = 1.0\nposition = [1.0, 0.0]\n[[effect]]\nkind = "spring
         (PLANE + "[symbols]\nm = 1" + DEMAND, 'as "positive": what has a value is given in [definitions]'),
         (PLANE + "[[body]]\n" + DEMAND, "unknown key 'body': that is a scene's, and `canon simulate` runs it"),
         (PLANE + '[hamiltonian]\nH = "k*x"' + DEMAND, "unknown name 'k' at column 1: declare it in [symbols]"),
+        (
+            PLANE + '[hamiltonian]\nH = "x"\n' + claim("conserved", 'f = "H"'),
+            'a key of [hamiltonian] is no name: define H in [definitions], and write H = "H" there',
+        ),
         (OSCILLATOR + claim("new_hamiltonian", 'K = "ω*I"'), "unknown name 'ω' at column 1: did you mean 'omega'?"),
         (OSCILLATOR + claim("symplectic"), "unknown kind 'symplectic': did you mean 'canonical'?"),
     ],

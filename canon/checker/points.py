@@ -167,18 +167,30 @@ def on_surface(s: Statement, numbers: Numbers, of: dict[str, Any], held: Collect
     for _ in range(40 if equations else 0):
         try:
             found = numbers.values(f, [*equations, *(d for row in slopes for d in row)], of)
-            residual, rows = (
-                mp.matrix([found[e] for e in equations]),
-                mp.matrix([[found[d] for d in r] for r in slopes]),
-            )
+            residual = [found[e] for e in equations]
             if mp.norm(residual) < mp.mpf(10) ** (5 - mp.dps):
                 return True
-            step = rows.T * mp.lu_solve(rows * rows.T, residual)
+            step = _shortest(mp, [[found[d] for d in row] for row in slopes], residual)
         except (Outside, ZeroDivisionError, ValueError):
             return False
         for name, change in zip(names, step, strict=True):
             of[name] -= change
     return not equations
+
+
+def _shortest(mp: Any, rows: Sequence[Sequence[Any]], values: Sequence[Any]) -> list[Any]:
+    """The shortest x with row · x = value for all rows but those that are, nearly, combinations of rows before them."""
+    across, x = list[Any](), [mp.mpf(0) for _ in rows[0]]
+    for row, value in zip(rows, values, strict=True):
+        rest = [*row]
+        for other in across:
+            part = mp.fdot(rest, other, conjugate=True) / mp.norm(other) ** 2
+            rest = [a - part * b for a, b in zip(rest, other, strict=True)]
+        if rest and mp.norm(rest) > mp.mpf(10) ** (-mp.dps // 2) * mp.norm(row):
+            part = (value - mp.fdot(row, x)) / mp.norm(rest) ** 2
+            x = [a + part * mp.conj(b) for a, b in zip(x, rest, strict=True)]
+            across.append(rest)
+    return x
 
 
 def completed(

@@ -42,3 +42,17 @@ def test_multipliers_that_are_open_are_not_refuted_so() -> None:
     for functions in (["x - y", "y - x"], ["x - y", "2*x - 2*y"]):
         data["tables"]["claim"]["functions"] = functions
         assert not str(check(resealed(data))).startswith("confirmed")
+
+
+@pytest.mark.parametrize("functions", ["'x - 2', '2*x - 4'", "'x - y', '2*x - 2*y'", "'x**2 + y**2 - 1', 'z', '2*z'"])
+def test_constraints_that_follow_from_others_leave_the_multipliers_open(functions: str) -> None:
+    """Points are found though the equations aren't independent."""
+    data = certified(SPACE, MULTIPLIERS.format(functions, "false"))
+    assert data["verdict"] == "proved"
+    assert check(data).status in ("confirmed", "confirmed in part")
+
+
+def test_constraints_that_contradict_one_another_have_no_point() -> None:
+    data = certified(SPACE, MULTIPLIERS.format("'x - y', '2*x - 2*y'", "false"))
+    data["tables"]["claim"]["functions"][1] = "2*x - 2*y - 1"
+    assert str(check(resealed(data))) == "not confirmed: the checker found no point of the domain"

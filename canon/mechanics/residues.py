@@ -2,7 +2,8 @@
 
 With Q = A (u − u₋)(u₊ − u), A > 0, and c outside of [u₋, u₊]: ∫ √Q/(u − c) du = π (√A (m − c) ∓ √−Q(c)) between the
 turning points, m being their middle; the upper sign where c lies below (Sommerfeld, Atombau und Spektrallinien I,
-appendix 6; Goldstein, Poole and Safko 2002, section 10.8). Derivatives by c give the higher poles.
+appendix 6; Goldstein, Poole and Safko 2002, section 10.8). Derivatives by c give the higher poles. Poles off the real
+line come in pairs, and are known where they and the turning points lie symmetrically about 0.
 """
 
 from collections.abc import Iterable, Iterator
@@ -111,8 +112,10 @@ def _sign(factors: list[tuple[Any, int]], chosen: Substitution) -> int | None:
     for factor, exponent in factors:
         pole = _pole(sp.expand(factor), chosen)
         if pole is None:
-            if exponent % 2 or not _never_zero(factor):
+            if (known := known_sign(factor)) not in ("positive", "negative"):
                 return None
+            if exponent % 2 and known == "negative":
+                sign = -sign
             continue
         slope, _, side = pole
         known = known_sign(slope)
@@ -121,10 +124,6 @@ def _sign(factors: list[tuple[Any, int]], chosen: Substitution) -> int | None:
         if exponent % 2:
             sign *= side * (1 if known == "positive" else -1)
     return sign
-
-
-def _never_zero(factor: Any) -> bool:
-    return known_sign(factor) in ("positive", "negative")
 
 
 def _integral(term: Any, Q: Any, coefficients: tuple[Any, Any, Any], chosen: Substitution) -> Any | None:
@@ -138,12 +137,14 @@ def _integral(term: Any, Q: Any, coefficients: tuple[Any, Any, Any], chosen: Sub
         moments = (sp.S.One, middle, middle**2 + spread / 4)
         return term.coeff(U, power) * sp.pi * sp.sqrt(A) * spread / 2 * moments[power]
     above, below = sp.fraction(sp.together(term))
-    if above.has(U):
-        return None
     constant, factors = factored(below, U)
     if len(factors) != 1:
         return None
     (factor, order) = factors[0]
+    if degree(factor, U) == 2:
+        return _of_two_poles(above / constant, sp.expand(factor), order, coefficients)
+    if above.has(U):
+        return None
     pole = _pole(sp.expand(factor), chosen)
     if pole is None:
         return None
@@ -152,3 +153,19 @@ def _integral(term: Any, Q: Any, coefficients: tuple[Any, Any, Any], chosen: Sub
     value = sp.pi * (B / (2 * sp.sqrt(A)) - sp.sqrt(A) * at - side * sp.sqrt(-Q.xreplace({U: at})))
     value = sp.diff(value, at, order - 1) / sp.factorial(order - 1)
     return above / (constant * slope**order) * value.xreplace({at: c})
+
+
+def _of_two_poles(above: Any, factor: Any, order: int, coefficients: tuple[Any, Any, Any]) -> Any | None:
+    """∫ √(C − Au²) (β + αu)/(f(u² + s))ⁿ du between the turning points, which lie as far from 0 as one another, s > 0.
+
+    The poles ±i√s give π(√(C + As)/√s − √A) for n = 1, and derivatives by s the others; what is odd gives nothing.
+    """
+    A, B, C = coefficients
+    leading, square = factor.coeff(U, 2), sp.Dummy("s", positive=True)
+    centred = sp.expand(B) == 0 and factor.coeff(U, 1) == 0 and above.is_polynomial(U) and degree(above, U) < 2
+    at = sp.cancel(factor.coeff(U, 0) / leading)
+    if not centred or known_sign(at) != "positive":
+        return None
+    value = sp.pi * (sp.sqrt(C + A * square) / sp.sqrt(square) - sp.sqrt(A))
+    value = (-1) ** (order - 1) * sp.diff(value, square, order - 1) / sp.factorial(order - 1)
+    return above.xreplace({U: sp.S.Zero}) / leading**order * value.xreplace({square: at})

@@ -248,3 +248,23 @@ def test_an_absolute_value_of_a_constant(status, equals, where, expected):
     claim = f'kind = "action"\ncoordinate = "q"\nenergy = "E"\nequals = "{equals}"'
     hamiltonian, symbols = 'H = "p**2/2 + abs(a)*q**2/2"', 'E = "positive"\na = "real"'
     assert status(claim, symbols=symbols, hamiltonian=hamiltonian, domain=f'where = ["{where}"]') in expected
+
+
+@pytest.mark.parametrize(
+    ("equals", "kind", "expected"),
+    [
+        ("2*pi*(w - sqrt(w**2 - 2*k*E))/k", "action", "proved"),
+        ("2*pi*(w - sqrt(w**2 - 2*k*E))/(1001/1000*k)", "action", "refuted"),
+        ("sqrt(w**2 - 2*k*E)/(2*pi)", "frequency", "proved"),
+        ("w/(2*pi)", "frequency", "refuted"),
+    ],
+)
+@pytest.mark.parametrize("where", ["w**2 > 2*k*E", "E > 0"])
+def test_an_oscillator_whose_mass_depends_on_the_position(status, equals, kind, expected, where):
+    """The integrand has poles off the real line (Mathews and Lakshmanan 1974, Quarterly of Applied Mathematics 32)."""
+    keys = {
+        "symbols": 'w = "positive"\nk = "positive"\nE = "positive"',
+        "hamiltonian": 'H = "p**2*(1 + k*q**2)/2 + w**2*q**2/(2*(1 + k*q**2))"',
+        "domain": f'where = ["{where}"]',
+    }
+    assert status(action_claim(equals, kind=kind), space=LINE, **keys) == expected

@@ -57,6 +57,29 @@ def test_residues_give_the_area(square: Any, low: Any, high: Any) -> None:
     assert abs(sp.N((closed.vanishes[0][1] + square / 1000).xreplace(at), 30)) > 1e-12
 
 
+@pytest.mark.parametrize(
+    "square",
+    [
+        (4 - r**2) / (3 + r**2) ** 2,
+        7 * (4 - r**2) / (1 + 2 * r**2) ** 4,
+        (4 - r**2) * (r**2 + 5) ** 2 / (3 + r**2) ** 2,
+        (4 - r**2) / ((1 + r**2) ** 2 * (3 + r**2) ** 4),
+        (4 - r**2) * (3 - r) ** 2 / (3 + r**2) ** 2,  # r/(3 + r²) is odd, and gives nothing
+        (4 - r**2) / (-3 - r**2) ** 2,
+    ],
+)
+def test_poles_off_the_line_come_in_pairs(square: Any) -> None:
+    closed = next(by_residues(orbit(square, r, -3, 3)))
+    assert same(closed.value, area(square, r, -2, 2))
+
+
+@pytest.mark.parametrize(
+    "square", [(3 - r) * (r - 1) / (3 + r**2) ** 2, (4 - r**2) / (3 + r + r**2) ** 2, (4 - r**2) / (r**2 - 1) ** 2]
+)
+def test_poles_that_are_not_symmetric_or_lie_on_the_way_have_no_closed_form(square: Any) -> None:
+    assert not list(by_residues(orbit(square, r, -5, 5)))
+
+
 def test_a_motion_exists_where_both_turning_points_lie_in_the_range() -> None:
     """A circle of radius √E round c, between −1 and 3/2: `exists` is positive just where it fits in."""
     size, centre = sp.symbols("E c", real=True)

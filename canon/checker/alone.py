@@ -22,9 +22,9 @@ import unicodedata
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from itertools import chain, combinations, compress, count, product
-from math import prod
+from math import gcd, prod
 from pathlib import Path
 from random import SystemRandom
 from typing import Any
@@ -111,8 +111,7 @@ class Claim:
             self.texts |= {f"_{key}{i}": x for i, x in enumerate(value if isinstance(value, list) else ())}
             self.texts[f"_{key}"] = value
         self.pairs, self.variables = [*zip(sides["q"], sides["p"], strict=True)], self.names
-        said = {*re.findall(r"\w+", json.dumps([*self.texts.values()], ensure_ascii=False))}
-        if self.kind in MAPS or {*sides["Q"], *sides["P"]} & said:
+        if self.kind in MAPS or {*sides["Q"], *sides["P"]} & {*re.findall(r"\w+", str([*self.texts.values()]))}:
             self.zeros = self.of_map(sides, explicit, claim if self.kind == MAPS[-1] else tables.get(MAPS[-1], {}))
         elif self.kind == "involution":
             pairs = combinations(range(len(claim["functions"])), 2)
@@ -256,8 +255,9 @@ class Point:
         if not by or f.kind in "#.":
             return self.value(f) if not by else int(by == f.of)
         found = 0 * self.at(f)  # where it has no value, it has no slope
-        for (k, inner), taken in product(enumerate(f.of), product((True, False), repeat=len(by) - 1)):
-            if steep := self.at(inner, by[0], *compress(by[1:], taken)):
+        # a sum's derivative is that of its terms, of any order
+        for (k, x), taken in product(enumerate(f.of), product((1, 0)[: 1 + (f.kind != "+")], repeat=len(by) - 1)):
+            if steep := self.at(x, by[0], *compress(by[1:], taken)):
                 found += steep * self.at(self.claim.outer(f, k), *compress(by[1:], (not one for one in taken)))
         return found % self.p
 
@@ -321,9 +321,13 @@ class Point:
 def random_prime() -> int:
     """A prime of some 127 bits that is −1 modulo MODULUS, by Fermat's test, as it is a random number."""
     while True:
-        p = MODULUS * RANDOM.getrandbits(127 - MODULUS.bit_length()) - 1
-        if p > 2**110 and all(pow(RANDOM.randrange(2, p), p - 1, p) == 1 for _ in range(20)):
+        p = MODULUS * (RANDOM.getrandbits(94) + 2**94) - 1
+        if gcd(p, prod(range(29, 99, 2))) < 2 and all(pow(RANDOM.randrange(p), p - 1, p) == 1 for _ in range(12)):
             return p
+
+
+factors = lru_cache(MOST_VALUES)(lambda m: [(x, int(n or 1)) for x, _, n in (y.partition("^") for y in m.split())])
+"""[(name, power), …] of "g1^2 x"."""
 
 
 def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = None) -> int:
@@ -333,8 +337,9 @@ def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = 
 
     def put(polynomial: Any, kernel: Any) -> int:
         """A polynomial's value, of {"g1^2 x": "3/2"}."""
-        at = lambda m: prod(pow(kernel(x), int(n or 1), prime) for x, _, n in (y.partition("^") for y in m.split()))
-        return sum(point.fraction(number(c).of[0], prime) * at(m) for m, c in polynomial.items()) % prime
+        return sum(at(c) * prod(pow(kernel(x), n, prime) for x, n in factors(m)) for m, c in polynomial.items()) % prime
+
+    at = cache(lambda c: point.fraction(number(c).of[0], prime))
 
     # the claim first: a kernel's root may throw points away; a scale is one number everywhere, which sign(x) isn't
     claim.scales = {r for r in claim.scales if point.text(claim.texts.get("_scale", "1")) == point.fraction(r, prime)}

@@ -54,6 +54,20 @@ def test_formulas_are_set(text: str, latex: str | None, plain: str) -> None:
     written(tree, MATHML)
 
 
+@pytest.mark.parametrize(
+    ("text", "grown"),
+    [("(a + b1)*c", [False]), ("(a + b/c)*d", [True]), ("((x + y)*z + sqrt(w))*v", [True, False])],
+)
+def test_parentheses_grow_round_what_is_tall_only(text: str, grown: list[bool]) -> None:
+    """A browser without a font for formulas sets those that may grow twice as tall as a line, an index given."""
+    opening = re.findall("<mo [^>]*>(?=[(])", written(tree_of(text), MATHML))
+    assert ["stretchy='false'" not in each for each in opening] == grown
+
+
+def test_a_number_as_index_is_a_number() -> None:
+    assert written(Tree("name", "u1"), MATHML) == "<msub><mi>u</mi><mn>1</mn></msub>"
+
+
 def test_names_have_their_indices() -> None:
     assert [split_name(n) for n in ("omega_0", "q1", "px", "ptheta", "alpha", "energy", "pi", "Mx", "dx")] == [
         ("omega", "0"), ("q", "1"), ("p", "x"), ("p", "theta"), ("alpha", ""), ("energy", ""), ("pi", ""),

@@ -23,6 +23,7 @@ from canon.decide.ring import TooCostly
 from canon.errors import InputError
 from canon.report.coq_kernels import kernels_of
 from canon.report.coq_shared import procedure, theorem
+from canon.report.coq_sign import SIGNED, inequality_of
 from canon.report.coq_text import identifiers, number, term, wrapped
 from canon.report.coq_theorem import SIGNS, atoms_of, names_of, theorem_of, used_kernels
 
@@ -86,14 +87,16 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
         else:
             pairs = list(zip(cases, certificate["cases"], strict=False))
             for case in cases:
-                if case.measured is not None or case.positive or not (case.zeros or case.nonzeros):
+                if case.measured is not None or not (case.zeros or case.nonzeros or case.positive):
                     raise Unknown("what is claimed is no identity")
             _compare("cases", len(certificate["cases"]), len(cases))
             for case, data in pairs:
                 _compare("residuals", len(data["residuals"]), len(case.zeros))
             if not all("cofactors" in entry for _, data in pairs for entry in data["residuals"]):
                 _reduced(certificate)
-            body = [text for case, data in pairs for text in _proofs(statement, case, data)]
+            body = [
+                text for case, data in pairs for text in _proofs(statement, case, data, certificate.get("points", []))
+            ]
     except (Unknown, Unreadable, TooCostly) as reason:
         raise InputError(f"this certificate can't be put in Coq: {reason}") from None
     except BROKEN as reason:
@@ -105,6 +108,7 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
     products = [PRODUCTS] if any("nonzero_product" in text for text in numbered) else []
     shared = ["\n  all_vanish " in text for text in numbered]
     heads = [*([procedure()] if any(shared) else []), *([] if all(shared) else [HEAD])]
+    products += [SIGNED] if any("numerator' : 0 <" in text for text in numbered) else []
     if not any(shared) and not any("nonzero" in text for text in numbered):
         heads = [LIBRARY]
     return "\n".join([_comment(certificate), *heads, *products, *map(wrapped, numbered)])
@@ -138,10 +142,14 @@ def _comment(certificate: Mapping[str, Any]) -> str:
     )
 
 
-def _proofs(s: Statement, case: Case, data: Mapping[str, Any]) -> list[str]:
+def _proofs(s: Statement, case: Case, data: Mapping[str, Any], points: Sequence[Mapping[str, Any]]) -> list[str]:
     """A theorem for each residual; one that is the number 0 as it stands needs none."""
     if any("1j" in str(kernel["stands for"]) for kernel in data["kernels"]):
         raise Unknown("complex numbers")
+    if case.positive:
+        if s.claim["kind"] != "inequality":
+            raise Unknown("what is claimed is no identity")
+        return [inequality_of(s, a, points, strict=strict) for a, strict in case.positive]
     zeros, labels = case.zeros, [*case.labels, *[""] * len(case.zeros)]
     open_ = [target for target in zeros if s.f.value(target) is None]
     plain = all("cofactors" in entry or entry.get("argument") in REDUCED for entry in data["residuals"])

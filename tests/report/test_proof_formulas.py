@@ -14,7 +14,7 @@ from canon.report.proof.fitted import LINE, fitted
 from canon.report.proof.latex import document as document_in_latex
 from canon.report.proof.latex import section as section_in_latex
 from canon.report.proof.plain import section
-from canon.report.proof.statement import statement
+from canon.report.proof.statement import setting, statement
 from canon.report.proof.structure import LONG, polynomial, structured
 from canon.typeset.in_latex import LATEX
 from canon.typeset.in_mathml import MATHML
@@ -168,3 +168,16 @@ def test_a_condition_that_ends_with_a_power_is_a_formula() -> None:
     assert isinstance(shown, Paragraph)
     text = "".join(piece if isinstance(piece, str) else written(piece, PLAIN) for piece in shown.words)
     assert text == "E > V(r) + (M^2)/(2 mu r^2), not (y = 0 and x ≤ 0)."
+
+
+@pytest.mark.parametrize(
+    ("q", "p", "words"),
+    [
+        (["q"], ["p"], "Coordinate q with momentum p."),
+        (["x", "y"], ["px", "py"], "Coordinates x and y with momenta px and py."),
+    ],
+)
+def test_one_coordinate_is_not_several(q: list[str], p: list[str], words: str) -> None:
+    (block,) = setting({"phase_space": {"q": q, "p": p}})
+    assert isinstance(block, Paragraph)
+    assert "".join(piece if isinstance(piece, str) else written(piece, PLAIN) for piece in block.words) == words

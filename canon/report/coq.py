@@ -83,7 +83,7 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
         if certificate["verdict"] == "refuted":
             if statement.surface:
                 raise Unknown("a refutation on a surface")
-            body = [_refutation(statement, cases[0].zeros, certificate["witness"])]
+            body = [_refutation(statement, cases[0], certificate["witness"])]
         else:
             pairs = list(zip(cases, certificate["cases"], strict=False))
             for case in cases:
@@ -206,18 +206,25 @@ def _shared(s: Statement, targets: Sequence[int], data: Mapping[str, Any]) -> st
     return theorem(s, targets, atoms, words, kernels, made, signs)
 
 
-def _refutation(s: Statement, zeros: Sequence[int], witness: Mapping[str, Any] | None) -> str:
-    """A residual that is a rational function isn't 0 at the witness."""
+def _refutation(s: Statement, case: Case, witness: Mapping[str, Any] | None) -> str:
+    """A residual that is a rational function isn't 0 at the witness; of an inequality, a difference isn't positive."""
     f = s.f
+    # what has to hold of each residual, and what is shown instead
+    claims = [(target, lambda value: value == 0, "<>") for target in case.zeros]
+    if s.claim["kind"] == "inequality":
+        claims += [
+            (target, (lambda value: value > 0) if strict else (lambda value: value >= 0), "<=" if strict else "<")
+            for target, strict in case.positive
+        ]
     if witness is None:
         raise Unknown("a refutation without a point")
     values = {name: f.number(value) for name, value in witness.items() if RATIONAL.fullmatch(str(value))}
-    for target in zeros:
+    for target, holds, instead in claims:
         leaves = f.rational([target])[1]
         names = sorted({f.ops[a][1] for a in leaves if f.ops[a][0] == "s"})
         if all(f.ops[a][0] == "s" and f.ops[a][1] in values for a in leaves):
             value = f.value(f.substitute(target, values))
-            if value:
+            if value is not None and not holds(value):
                 words = identifiers(names)
                 shown = term(f, target, {a: words[f.ops[a][1]] for a in leaves})
                 equations = [f"  {words[n]} = {number(f.value(values[n]) or Fraction(0))} ->" for n in names]
@@ -226,5 +233,5 @@ def _refutation(s: Statement, zeros: Sequence[int], witness: Mapping[str, Any] |
                 )
                 proof = proof if names else "  lra."
                 head = ["Theorem RESIDUAL :", *([f"  forall {' '.join(words.values())} : R,"] if names else [])]
-                return "\n".join([*head, *equations, f"  {shown} <> 0.", "Proof.", proof, "Qed.", ""])
+                return "\n".join([*head, *equations, f"  {shown} {instead} 0.", "Proof.", proof, "Qed.", ""])
     raise Unknown("no residual is a rational function of the witness's coordinates")

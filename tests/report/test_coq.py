@@ -108,6 +108,9 @@ def inequality(lhs: str, relation: str, rhs: str, domain: str) -> Any:
 @needs_coqc
 def test_coqc_accepts_inequalities(tmp_path: Path) -> None:
     texts = [coq_of(inequality(*each)) for each in INEQUALITIES]
+    for relation, shown in ((">", "<= 0."), (">=", "< 0.")):
+        texts.append(coq_of(inequality("x**2 - a", relation, "p/b", "")))
+        assert shown in texts[-1]
     assert coqc(tmp_path, "\n".join(f"Module M{k}.\n{text}\nEnd M{k}." for k, text in enumerate(texts))) == ""
 
 

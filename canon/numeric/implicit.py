@@ -26,7 +26,8 @@ GENTLE: Final = 8
 """After so many halvings the step is shortened faster: next to a pole a start may be decades away."""
 
 CRAWLING: Final = 12
-"""After so many steps that were shortened faster there is no solution this way: beyond a fold all of them are."""
+"""After so many steps that were shortened faster, with a longer one to come, there is no solution this way: beyond a
+fold all of them are shortened, and many have a longer one before them."""
 
 CLOSE: Final = 8.0
 """So many roundings of the equations, or of y, are as good as solved."""
@@ -123,7 +124,7 @@ def _damped(
 ) -> tuple[Array, Array, Array, Array]:
     """One step for each of the rows, halved until the next correction is shorter; rows without such a step are dropped.
 
-    It changes `y` in place, and counts in `crawled` where the step was a very small part.
+    It changes `y` in place, and counts in `crawled` where the step was a very small part, and the next one is longer.
     """
     before = _length(move, y[rows])
     waiting = np.arange(len(rows))
@@ -142,7 +143,9 @@ def _damped(
         y[rows[chosen]] = trial[good]
         new_off[chosen], new_block[chosen], new_noise[chosen] = t_off[good], t_block[good], t_noise[good]
         kept[chosen] = True
-        crawled[rows[chosen]] += attempt > GENTLE
+        if attempt > GENTLE:  # towards a pole the next step is shorter than this one, towards a fold it is longer
+            ahead = _length(_solved(t_block[good], t_off[good]), y[rows[chosen]])
+            crawled[rows[chosen]] += ahead >= before[chosen]
         waiting = waiting[~good]
         part /= 2 if attempt < GENTLE else 16
     return rows[kept], new_off[kept], new_block[kept], new_noise[kept]

@@ -23,6 +23,7 @@ from canon.decide.ring import TooCostly
 from canon.errors import InputError
 from canon.report.coq_kernels import kernels_of
 from canon.report.coq_shared import procedure, theorem
+from canon.report.coq_sign import SIGNED, inequality_of
 from canon.report.coq_text import identifiers, number, term, wrapped
 from canon.report.coq_theorem import SIGNS, atoms_of, names_of, theorem_of, used_kernels
 
@@ -82,18 +83,20 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
         if certificate["verdict"] == "refuted":
             if statement.surface:
                 raise Unknown("a refutation on a surface")
-            body = [_refutation(statement, cases[0].zeros, certificate["witness"])]
+            body = [_refutation(statement, cases[0], certificate["witness"])]
         else:
             pairs = list(zip(cases, certificate["cases"], strict=False))
             for case in cases:
-                if case.measured is not None or case.positive or not (case.zeros or case.nonzeros):
+                if case.measured is not None or not (case.zeros or case.nonzeros or case.positive):
                     raise Unknown("what is claimed is no identity")
             _compare("cases", len(certificate["cases"]), len(cases))
             for case, data in pairs:
                 _compare("residuals", len(data["residuals"]), len(case.zeros))
             if not all("cofactors" in entry for _, data in pairs for entry in data["residuals"]):
                 _reduced(certificate)
-            body = [text for case, data in pairs for text in _proofs(statement, case, data)]
+            body = [
+                text for case, data in pairs for text in _proofs(statement, case, data, certificate.get("points", []))
+            ]
     except (Unknown, Unreadable, TooCostly) as reason:
         raise InputError(f"this certificate can't be put in Coq: {reason}") from None
     except BROKEN as reason:
@@ -105,6 +108,7 @@ def coq_of(certificate: Mapping[str, Any]) -> str:
     products = [PRODUCTS] if any("nonzero_product" in text for text in numbered) else []
     shared = ["\n  all_vanish " in text for text in numbered]
     heads = [*([procedure()] if any(shared) else []), *([] if all(shared) else [HEAD])]
+    products += [SIGNED] if any("numerator' : 0 <" in text for text in numbered) else []
     if not any(shared) and not any("nonzero" in text for text in numbered):
         heads = [LIBRARY]
     return "\n".join([_comment(certificate), *heads, *products, *map(wrapped, numbered)])
@@ -138,10 +142,14 @@ def _comment(certificate: Mapping[str, Any]) -> str:
     )
 
 
-def _proofs(s: Statement, case: Case, data: Mapping[str, Any]) -> list[str]:
+def _proofs(s: Statement, case: Case, data: Mapping[str, Any], points: Sequence[Mapping[str, Any]]) -> list[str]:
     """A theorem for each residual; one that is the number 0 as it stands needs none."""
     if any("1j" in str(kernel["stands for"]) for kernel in data["kernels"]):
         raise Unknown("complex numbers")
+    if case.positive:
+        if s.claim["kind"] != "inequality":
+            raise Unknown("what is claimed is no identity")
+        return [inequality_of(s, a, points, strict=strict) for a, strict in case.positive]
     zeros, labels = case.zeros, [*case.labels, *[""] * len(case.zeros)]
     open_ = [target for target in zeros if s.f.value(target) is None]
     plain = all("cofactors" in entry or entry.get("argument") in REDUCED for entry in data["residuals"])
@@ -198,18 +206,25 @@ def _shared(s: Statement, targets: Sequence[int], data: Mapping[str, Any]) -> st
     return theorem(s, targets, atoms, words, kernels, made, signs)
 
 
-def _refutation(s: Statement, zeros: Sequence[int], witness: Mapping[str, Any] | None) -> str:
-    """A residual that is a rational function isn't 0 at the witness."""
+def _refutation(s: Statement, case: Case, witness: Mapping[str, Any] | None) -> str:
+    """A residual that is a rational function isn't 0 at the witness; of an inequality, a difference isn't positive."""
     f = s.f
+    # what has to hold of each residual, and what is shown instead
+    claims = [(target, lambda value: value == 0, "<>") for target in case.zeros]
+    if s.claim["kind"] == "inequality":
+        claims += [
+            (target, (lambda value: value > 0) if strict else (lambda value: value >= 0), "<=" if strict else "<")
+            for target, strict in case.positive
+        ]
     if witness is None:
         raise Unknown("a refutation without a point")
     values = {name: f.number(value) for name, value in witness.items() if RATIONAL.fullmatch(str(value))}
-    for target in zeros:
+    for target, holds, instead in claims:
         leaves = f.rational([target])[1]
         names = sorted({f.ops[a][1] for a in leaves if f.ops[a][0] == "s"})
         if all(f.ops[a][0] == "s" and f.ops[a][1] in values for a in leaves):
             value = f.value(f.substitute(target, values))
-            if value:
+            if value is not None and not holds(value):
                 words = identifiers(names)
                 shown = term(f, target, {a: words[f.ops[a][1]] for a in leaves})
                 equations = [f"  {words[n]} = {number(f.value(values[n]) or Fraction(0))} ->" for n in names]
@@ -218,5 +233,5 @@ def _refutation(s: Statement, zeros: Sequence[int], witness: Mapping[str, Any] |
                 )
                 proof = proof if names else "  lra."
                 head = ["Theorem RESIDUAL :", *([f"  forall {' '.join(words.values())} : R,"] if names else [])]
-                return "\n".join([*head, *equations, f"  {shown} <> 0.", "Proof.", proof, "Qed.", ""])
+                return "\n".join([*head, *equations, f"  {shown} {instead} 0.", "Proof.", proof, "Qed.", ""])
     raise Unknown("no residual is a rational function of the witness's coordinates")

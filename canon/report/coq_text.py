@@ -14,7 +14,7 @@ RESERVED: Final = frozenset((
     "fix", "for", "forall", "fun", "if", "in", "let", "match", "mod", "return", "then", "using", "where", "with",
     "Prop", "Set", "Type", "SProp", "sqrt", "sin", "cos", "tan", "exp", "ln", "atan", "PI", "Rabs", "sinh", "cosh",
     "tanh", "Rinv", "Rmult", "Rplus", "pow", "nonzero", "other_form", "nonzero_factor", "T", "V",
-    "list", "nil", "cons", "tt",
+    "list", "nil", "cons", "tt", "positive", "not_negative", "square_positive", "with_differences",
 ))  # fmt: skip
 """Words of Coq, and names of its library that a variable must not hide."""
 

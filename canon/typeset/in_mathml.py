@@ -13,11 +13,25 @@ from canon.typeset.notation import Notation
 def _mathml_name(name: str) -> str:
     head, index = split_name(name) if not name.startswith("∂_") else ("∂", name[2:])
     letter = f"<mi>{escape(GREEK.get(head, head))}</mi>"
-    return f"<msub>{letter}<mi>{escape(GREEK.get(index, index))}</mi></msub>" if index else letter
+    kind = "mn" if index.isdigit() else "mi"
+    return f"<msub>{letter}<{kind}>{escape(GREEK.get(index, index))}</{kind}></msub>" if index else letter
 
 
 def _mrow(parts: Sequence[str]) -> str:
     return parts[0] if len(parts) == 1 else f"<mrow>{''.join(parts)}</mrow>"
+
+
+_TALL: Final = ("<mfrac", "<msqrt", "<mroot")
+"""What makes a row taller than parentheses are by themselves."""
+
+
+def _fenced(left: str, inner: str, right: str) -> str:
+    """Fences round a formula; where it is one line high they don't grow, or else an index makes them twice as tall."""
+    size = "" if any(part in inner for part in _TALL) else " stretchy='false'"
+    return (
+        f"<mrow><mo fence='true'{size} form='prefix' lspace='0' rspace='0'>{left}</mo>{inner}"
+        f"<mo fence='true'{size} form='postfix' lspace='0' rspace='0'>{right}</mo></mrow>"
+    )
 
 
 MATHML: Final = Notation(
@@ -28,10 +42,7 @@ MATHML: Final = Notation(
     ),
     sign=lambda text: f"<mo>{escape(text)}</mo>",
     row=_mrow,
-    fenced=lambda left, inner, right: (
-        f"<mrow><mo fence='true' form='prefix' lspace='0' rspace='0'>{left}</mo>{inner}"
-        f"<mo fence='true' form='postfix' lspace='0' rspace='0'>{right}</mo></mrow>"
-    ),
+    fenced=_fenced,
     fraction=lambda over, under: f"<mfrac>{over}{under}</mfrac>",
     power=lambda base, up: f"<msup>{base}{up}</msup>",
     root=lambda inner, degree: (

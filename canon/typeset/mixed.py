@@ -14,7 +14,9 @@ from canon.typeset.in_mathml import MATHML
 from canon.typeset.notation import written
 from canon.typeset.trees import Tree, tree_of
 
-OPERATION: Final = re.compile(r"[\w)\]] ?(\*\*?|/) ?[\w(-]|[\w)] [+-] [\w(]|\w\(|\{[^{}]+,[^{}]+\}")
+OPERATION: Final = re.compile(
+    r"[\w)\]] ?(\*\*?|/) ?[\w(-]|[\w)] [+-] [\w(]|\w\(|\{[^{}]+,[^{}]+\}|^\w+ = -?\d+\b|[ :]\w+ = -?\d+\b"
+)
 """What makes a run of words worth reading as a formula."""
 LONGEST: Final = 600
 """A longer text stays as it is."""

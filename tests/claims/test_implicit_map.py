@@ -286,3 +286,13 @@ def test_beyond_a_fold_it_is_soon_given_up() -> None:
     found = fold.solve(points)
     assert process_time() - start < 8  # it was 20 s; a second or two alone
     assert (found.solved == (1 + 4 * points[:, 0] * points[:, 1] >= 0)).all()
+
+
+@pytest.mark.parametrize(("p", "guess"), [(0.8, 0.1), (-0.8, 3.1)])
+@pytest.mark.parametrize("q", [1e-3, 1e-8, 1e-14])
+def test_a_start_may_be_decades_away_from_a_pole(q: float, p: float, guess: float) -> None:
+    """φ = atan2(q, p) of p = q cot φ: towards the pole each step is a small part of Newton's, and none is in vain."""
+    pole = ImplicitMap(GeneratingFunction(OSCILLATOR, type=1, F=TYPE_1.F.expr.subs({m: 1, omega: 1})))
+    found = pole.solve(np.array([[q, p]]), np.array([guess]))
+    assert found.solved.all()
+    assert found.images[0, 0] == pytest.approx(float(np.arctan2(q, p)), rel=1e-14)

@@ -86,6 +86,58 @@ def test_the_tactic_for_denominators_knows_multiples(tmp_path: Path) -> None:
     assert coqc(tmp_path, HEAD + "Goal forall a : R, a - 4 <> 0 -> a - 5 <> 0.\nProof. intros. nonzero. Qed.\n") != ""
 
 
+INEQUALITIES = [
+    # terms of one sign, a square, a factor that is negative, a quotient of unknown signs, a difference of the domain
+    ("x**2 + a*b", ">", "0", ""),
+    ("x**2 + b**2", ">=", "2*b*x", ""),
+    ("(a - b)*(b + x**2)", "<", "0", 'where = ["b > a"]'),
+    ("x**2/(p**2 - 5)**2", ">=", "0", ""),
+    ("b*x**2 + a*p**2/b", ">=", "a*x**2 + a*p**2/b", 'where = ["b > a"]'),
+    ("a*x**2 + 2*x*p + b*p**2", ">=", "0", 'where = ["a*b > 1"]'),
+    ("2*a + pi*b", ">", "a + b*pi/2", ""),
+    ("3/7", "<", "4/9", ""),
+    ("c*a", ">=", "0", ""),
+]
+
+
+def inequality(lhs: str, relation: str, rhs: str, domain: str) -> Any:
+    extra = f'[symbols]\na = "positive"\nb = "positive"\nc = "nonnegative"\n[domain]\n{domain}'
+    return of_text(f'kind = "inequality"\nlhs = "{lhs}"\nrelation = "{relation}"\nrhs = "{rhs}"', extra)
+
+
+@needs_coqc
+def test_coqc_accepts_inequalities(tmp_path: Path) -> None:
+    texts = [coq_of(inequality(*each)) for each in INEQUALITIES]
+    for relation, shown in ((">", "<= 0."), (">=", "< 0.")):
+        texts.append(coq_of(inequality("x**2 - a", relation, "p/b", "")))
+        assert shown in texts[-1]
+    assert coqc(tmp_path, "\n".join(f"Module M{k}.\n{text}\nEnd M{k}." for k, text in enumerate(texts))) == ""
+
+
+@needs_coqc
+@pytest.mark.parametrize(
+    ("k", "old", "new"), [(0, "x ^ 2 + a * b", "x ^ 2 - a * b"), (5, "0 < a * b - 1", "0 < a * b + 1")]
+)
+def test_coqc_refuses_an_inequality_that_is_false(tmp_path: Path, k: int, old: str, new: str) -> None:
+    text = coq_of(inequality(*INEQUALITIES[k]))
+    assert old in text
+    assert "Error" in coqc(tmp_path, text.replace(old, new))
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "domain", "reason"),
+    [
+        ("exp(x)", "0", "", "functions"),
+        ("pi", "3", "", "digits of pi"),
+        ("x**6 - x + 1", "0", "", "high degree"),
+        ("a*x**2", "-1", 'where = ["x >= 0"]', "edge of the domain"),
+    ],
+)
+def test_an_inequality_that_has_no_proof_by_signs_is_refused(lhs: str, rhs: str, domain: str, reason: str) -> None:
+    with pytest.raises(InputError, match=reason):
+        coq_of(inequality(lhs, ">", rhs, domain))
+
+
 @needs_coqc
 def test_coqc_refuses_what_is_false(tmp_path: Path) -> None:
     text = coq_of(data("transformations", "polar-coordinates", 0))
@@ -160,7 +212,6 @@ def test_other_functions_are_any_number_with_their_relation() -> None:
         ('kind = "bracket"\nf = "1j*x"\ng = "p"\nequals = "1j"', "", "complex"),
         ('kind = "bracket"\nf = "x"\ng = "p"\nequals = "0"', '[domain]\non = ["x*p"]', "surface"),
         ('kind = "identity"\nlhs = "sin(x)"\nrhs = "x"', "", "rational function"),
-        ('kind = "inequality"\nlhs = "x**2 + 1"\nrelation = ">"\nrhs = "0"', "", "no identity"),
         ('kind = "matrix_algebra"\nbasis = { A = [["0", "1"], ["-1", "0"]] }\nequals = "u(1)"', "", "no identity"),
         (
             'kind = "identity"\nlhs = "asin(sin(x))"\nrhs = "pi - x"',

@@ -14,7 +14,7 @@ from canon.report.proof.fitted import LINE, fitted
 from canon.report.proof.latex import document as document_in_latex
 from canon.report.proof.latex import section as section_in_latex
 from canon.report.proof.plain import section
-from canon.report.proof.statement import statement
+from canon.report.proof.statement import setting, statement
 from canon.report.proof.structure import LONG, polynomial, structured
 from canon.typeset.in_latex import LATEX
 from canon.typeset.in_mathml import MATHML
@@ -52,6 +52,20 @@ def test_formulas_are_set(text: str, latex: str | None, plain: str) -> None:
     if latex is not None:
         assert re.sub(r"\s+", "", written(tree, LATEX)) == re.sub(r"\s+", "", latex)
     written(tree, MATHML)
+
+
+@pytest.mark.parametrize(
+    ("text", "grown"),
+    [("(a + b1)*c", [False]), ("(a + b/c)*d", [True]), ("((x + y)*z + sqrt(w))*v", [True, False])],
+)
+def test_parentheses_grow_round_what_is_tall_only(text: str, grown: list[bool]) -> None:
+    """A browser without a font for formulas sets those that may grow twice as tall as a line, an index given."""
+    opening = re.findall("<mo [^>]*>(?=[(])", written(tree_of(text), MATHML))
+    assert ["stretchy='false'" not in each for each in opening] == grown
+
+
+def test_a_number_as_index_is_a_number() -> None:
+    assert written(Tree("name", "u1"), MATHML) == "<msub><mi>u</mi><mn>1</mn></msub>"
 
 
 def test_names_have_their_indices() -> None:
@@ -154,3 +168,16 @@ def test_a_condition_that_ends_with_a_power_is_a_formula() -> None:
     assert isinstance(shown, Paragraph)
     text = "".join(piece if isinstance(piece, str) else written(piece, PLAIN) for piece in shown.words)
     assert text == "E > V(r) + (M^2)/(2 mu r^2), not (y = 0 and x ≤ 0)."
+
+
+@pytest.mark.parametrize(
+    ("q", "p", "words"),
+    [
+        (["q"], ["p"], "Coordinate q with momentum p."),
+        (["x", "y"], ["px", "py"], "Coordinates x and y with momenta px and py."),
+    ],
+)
+def test_one_coordinate_is_not_several(q: list[str], p: list[str], words: str) -> None:
+    (block,) = setting({"phase_space": {"q": q, "p": p}})
+    assert isinstance(block, Paragraph)
+    assert "".join(piece if isinstance(piece, str) else written(piece, PLAIN) for piece in block.words) == words

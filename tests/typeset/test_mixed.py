@@ -13,6 +13,8 @@ from canon.verdict import Verdict
         ("divide pr by sqrt(x**2 + y**2), where that is not 0", ["divide pr by ", "$$", ", where that is not 0"]),
         ("{X, Y} = 6*p**2*q - 1, {a, b} = 2", ["$$", ", ", "$$"]),
         ("at x = 11/3, y = -3/4", ["at ", "$$", ", ", "$$"]),
+        ("at I = 3/4, omega = 3", ["at ", "$$", ", ", "$$"]),
+        ("it is canonical with scale -1", ["it is canonical with scale -1"]),
         ("power of L in m*v**2/2 - e*phi", ["power of L in ", "$$"]),
         ("a long formula, off by 0.02 at the witness", ["a long formula, off by 0.02 at the witness"]),
         ("well-known and left-handed", ["well-known and left-handed"]),

@@ -26,9 +26,11 @@ section { border-top: 1px solid var(--line); padding: 1.4rem 0 .6rem; }
 .supported { color: var(--supported); } .undecided { color: var(--undecided); }
 .claim { background: var(--box); border-left: .25rem solid currentColor; padding: .4rem .9rem; margin: .8rem 0; }
 .claim > * { color: var(--ink); } p { margin: .5rem 0; } ul { padding-left: 1.3rem; margin: .4rem 0; }
-.math { overflow-x: auto; overflow-y: hidden; margin: .5rem 0; padding: .1rem 0; max-width: 100%; }
+.math { overflow-x: auto; overflow-y: hidden; margin: .5rem 0; padding: .3rem 0; max-width: 100%; }
 li, p { max-width: 100%; overflow-x: auto; overflow-y: hidden; }
-math { font-size: 1.06em; } .end { color: var(--dim); font-size: .92rem; }
+math { font-size: 1.06em;
+  font-family: "Latin Modern Math", "STIX Two Math", "Cambria Math", "DejaVu Math TeX Gyre", math; }
+.end { color: var(--dim); font-size: .92rem; }
 table.matrix { border-collapse: collapse; }
 .matrix th { font-weight: normal; color: var(--dim); } .matrix tbody th { border-right: 1px solid var(--line); }
 nav ol { padding-left: 1.6rem; } a { color: inherit; }

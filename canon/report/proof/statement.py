@@ -37,14 +37,19 @@ def setting(tables: Tables) -> Blocks:
 def _variables(space: Tables, symbols: Tables) -> str:
     text = "Names of which nothing else is said are real"  # of a claim about matrices or groups, without a phase space
     if space.get("q"):
-        text = f"Coordinates {listed(space['q'])} with momenta {listed(space['p'])}"
+        text = f"C{_pairs(space['q'], space['p'])[1:]}"
     if space.get("Q"):
-        text += f"; new coordinates {listed(space['Q'])} with momenta {listed(space['P'])}"
+        text += f"; new {_pairs(space['Q'], space['P'])}"
     groups: dict[str, list[str]] = {}
     for name, value in symbols.items():
         groups.setdefault(value if isinstance(value, str) else " and ".join(value), []).append(name)
     said = [f"{listed(names)} {_assumed(word, len(names))}" for word, names in groups.items() if word != "real"]
     return f"{text}. {'; '.join(said)}.".replace(" .", "") if said else f"{text}."
+
+
+def _pairs(q: list[str], p: list[str]) -> str:
+    one = len(q) == 1
+    return f"coordinate{'' if one else 's'} {listed(q)} with moment{'um' if one else 'a'} {listed(p)}"
 
 
 def _assumed(word: str, count: int) -> str:

@@ -9,7 +9,7 @@ from difflib import SequenceMatcher
 from functools import cached_property
 from heapq import nlargest
 from itertools import islice
-from typing import Final
+from typing import Any, Final
 
 import sympy as sp
 
@@ -55,7 +55,9 @@ class Formula:
     **Arguments:** `expr`, as sympy holds it; `conditions`, also those that no longer show in `expr` (`x/x` is 1
     where x ≠ 0); `text`, as its author wrote it; `names`, those that were written, abbreviations followed;
     `has_bracket`, whether a Poisson bracket was; `calls`, the arbitrary functions with their numbers of arguments;
-    `slopes`, the names by which a derivative or a bracket is taken, each with an arbitrary function inside of it.
+    `slopes`, the names by which a derivative or a bracket is taken, each with an arbitrary function inside of it;
+    `granted`, the operations that were written, with their arguments, whose conditions hold by what is assumed of the
+    names in them, as that of log(m) for a positive m.
 
     **Raises:** `InputError` where `expr` isn't sympy's, or a condition isn't a `Condition`.
     """
@@ -67,6 +69,7 @@ class Formula:
     has_bracket: bool = field(default=False, compare=False)
     calls: frozenset[tuple[str, int]] = field(default=frozenset(), compare=False)
     slopes: frozenset[tuple[str, str]] = field(default=frozenset(), compare=False)
+    granted: tuple[tuple[Any, tuple[Any, ...]], ...] = field(default=(), compare=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.expr, sp.Expr):

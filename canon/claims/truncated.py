@@ -16,7 +16,7 @@ from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.scale import Brackets
 from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node, Tape
-from canon.domain import Condition, Domain, conditions_of
+from canon.domain import Condition, Domain, conditions_of, operation_conditions
 from canon.errors import InputError
 
 if TYPE_CHECKING:
@@ -119,7 +119,8 @@ def region_at_zero(question: Question, parameter: sp.Symbol, *formulas: Formula)
     kept = Domain(tuple(c for c in asked.conditions if not _bounds_only(c, parameter)), asked.surface)
     for formula in (*question.sections(), *formulas):
         kept = kept & Domain(conditions=formula.conditions)
-    for condition in (*kept.conditions, *_granted(parameter, *question.sections(), *formulas)):
+    kept = kept & Domain(tuple(_granted(parameter, *question.sections(), *formulas)))
+    for condition in kept.conditions:
         if _fails_at_zero(condition, parameter):
             raise InputError(f"not analytic at {parameter} = 0, where the claim is made: {condition} fails there")
     tape = question.tape
@@ -127,12 +128,19 @@ def region_at_zero(question: Question, parameter: sp.Symbol, *formulas: Formula)
 
 
 def _granted(parameter: sp.Symbol, *formulas: Formula) -> Iterator[Condition]:
-    """What the formulas require and the parameter's assumed sign grants, though not at 0: eps > 0 in √eps."""
+    """What the formulas require and the parameter's assumed sign grants, though not at 0: eps > 0 in √eps.
+
+    Also what doesn't show in a formula's value any more: eps ≠ 0 in 0/eps.
+    """
     if parameter.is_nonnegative or parameter.is_nonpositive or parameter.is_zero is False:
         plain = sp.Symbol(parameter.name, real=True)
         for formula in formulas:
-            for condition in conditions_of(formula.expr.xreplace({parameter: plain})):
-                yield condition.substitute({plain: parameter})
+            required = [*conditions_of(formula.expr.xreplace({parameter: plain}))]
+            for operation, arguments in formula.granted:
+                if any(argument.has(parameter) for argument in arguments):
+                    freed: Any = tuple(argument.xreplace({parameter: plain}) for argument in arguments)
+                    required += operation_conditions(operation, freed)
+            yield from (condition.substitute({plain: parameter}) for condition in required)
 
 
 def _bounds_only(condition: Condition, parameter: sp.Symbol) -> bool:

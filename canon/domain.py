@@ -262,11 +262,6 @@ def function_conditions(
     raise InputError(f"{function} is not a function of the language")
 
 
-def operation_conditions(operation: Any, arguments: tuple[Any, ...]) -> tuple[Condition, ...]:
-    """Where a power or a function of the language is smooth at its arguments. **Raises:** `InputError` as these do."""
-    return power_conditions(*arguments) if operation is sp.Pow else function_conditions(operation, arguments)
-
-
 class Smoothness:
     """Where sympy expressions are smooth, from their subexpressions as they stand; each is inspected once for all.
 

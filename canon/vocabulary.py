@@ -9,7 +9,7 @@ from difflib import SequenceMatcher
 from functools import cached_property
 from heapq import nlargest
 from itertools import islice
-from typing import Any, Final
+from typing import Final
 
 import sympy as sp
 
@@ -17,6 +17,7 @@ from canon.display import latex
 from canon.domain import Condition, checked_conditions
 from canon.errors import InputError
 from canon.expected import text
+from canon.granted import Operation, leant_on
 from canon.syntax import Call, Name, Node, children
 
 CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
@@ -69,7 +70,7 @@ class Formula:
     has_bracket: bool = field(default=False, compare=False)
     calls: frozenset[tuple[str, int]] = field(default=frozenset(), compare=False)
     slopes: frozenset[tuple[str, str]] = field(default=frozenset(), compare=False)
-    granted: tuple[tuple[Any, tuple[Any, ...]], ...] = field(default=(), compare=False)
+    granted: tuple[Operation, ...] = field(default=(), compare=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.expr, sp.Expr):
@@ -80,11 +81,15 @@ class Formula:
     def __str__(self) -> str:
         return self.text or str(self.expr)
 
-    @property
-    def symbols(self) -> set[sp.Basic]:
-        """The names of its expression and of its conditions: 0*log(x) is 0, but for x > 0 alone."""
+    @cached_property
+    def symbols(self) -> frozenset[sp.Basic]:
+        """The names of its expression and of its conditions: 0*log(x) is 0, but for x > 0 alone.
+
+        Those, too, of which such a condition is assumed, as where x is declared positive.
+        """
         said = (term.free_symbols for condition in self.conditions for term in condition.terms)
-        return self.expr.free_symbols.union(*said)
+        shown = self.expr.free_symbols.union(*said)
+        return frozenset(shown | leant_on(self.granted, but=shown))
 
     @property
     def label(self) -> str:

@@ -16,8 +16,9 @@ from canon.claims.outcome import Outcome, Residual, combined
 from canon.claims.scale import Brackets
 from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node, Tape
-from canon.domain import Condition, Domain, conditions_of, operation_conditions
+from canon.domain import Condition, Domain, conditions_of
 from canon.errors import InputError
+from canon.granted import freed_conditions
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -135,12 +136,11 @@ def _granted(parameter: sp.Symbol, *formulas: Formula) -> Iterator[Condition]:
     if parameter.is_nonnegative or parameter.is_nonpositive or parameter.is_zero is False:
         plain = sp.Symbol(parameter.name, real=True)
         for formula in formulas:
-            required = [*conditions_of(formula.expr.xreplace({parameter: plain}))]
-            for operation, arguments in formula.granted:
-                if any(argument.has(parameter) for argument in arguments):
-                    freed: Any = tuple(argument.xreplace({parameter: plain}) for argument in arguments)
-                    required += operation_conditions(operation, freed)
-            yield from (condition.substitute({plain: parameter}) for condition in required)
+            for condition in conditions_of(formula.expr.xreplace({parameter: plain})):
+                yield condition.substitute({plain: parameter})
+            for operation in formula.granted:
+                if any(argument.has(parameter) for argument in operation[1]):
+                    yield from freed_conditions(operation, {parameter})
 
 
 def _bounds_only(condition: Condition, parameter: sp.Symbol) -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import Any, Final
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from canon.calls import function
 from canon.constants import check_constant_condition, check_constant_power
@@ -231,6 +232,7 @@ class Builder:
         known, called = self.measure.built, (name, *values)
         self.measure.spend(AGAIN if called in known else CALL // 2)
         known[called] = value = function(name)(*values)
+        self.keep((), AppliedUndef, value)
         sign = self.vocabulary.signs.get(name)
         if sign == "nonzero":
             self.add((Condition("nonzero", (value,)),))

@@ -8,22 +8,25 @@ they would have demanded of names of which nothing is assumed but that they are 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any, TypeAlias
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from canon.domain import Condition, function_conditions, power_conditions
 from canon.errors import InputError
 from canon.substitution import replaced
 
 Operation: TypeAlias = tuple[Any, tuple[Any, ...]]
-"""A power or a function of the language, with its arguments."""
+"""A power or a function of the language, with its arguments; or `AppliedUndef` with the call of an arbitrary one."""
 
 
 def freed_conditions(operation: Operation, names: Collection[sp.Symbol]) -> tuple[Condition, ...]:
     """Where the operation is smooth, of these names only known to be real. **Raises:** `InputError` if nowhere."""
     function, arguments = operation
+    if function is AppliedUndef:
+        return ()
     plain = {name: sp.Dummy(name.name, real=True) for name in names}
     freed: Any = tuple(argument.xreplace(plain) for argument in arguments)
     found = power_conditions(*freed) if function is sp.Pow else function_conditions(function, freed)
@@ -55,10 +58,15 @@ def _rests_on(operation: Operation, names: Collection[sp.Symbol]) -> bool:
         return True
 
 
+def called(operations: Iterable[Operation]) -> Iterator[Any]:
+    """The calls of arbitrary functions, also those that show no more, as in 0·x(0), which has x(0) for a value."""
+    yield from (arguments[0] for function, arguments in operations if function is AppliedUndef)
+
+
 def moved(operations: Iterable[Operation], mapping: Mapping[Any, Any]) -> tuple[Operation, ...]:
     """The operations that may rest on assumptions, with what `mapping` says put in their arguments."""
     return tuple(
         (function, tuple(replaced(part, mapping) for part in parts))
         for function, parts in operations
-        if any(is_limited(name) for part in parts for name in part.free_symbols)
+        if function is AppliedUndef or any(is_limited(name) for part in parts for name in part.free_symbols)
     )

@@ -58,7 +58,7 @@ class Formula:
     `has_bracket`, whether a Poisson bracket was; `calls`, the arbitrary functions with their numbers of arguments;
     `slopes`, the names by which a derivative or a bracket is taken, each with an arbitrary function inside of it;
     `granted`, the operations that were written, with their arguments, whose conditions hold by what is assumed of the
-    names in them, as that of log(m) for a positive m.
+    names in them, as that of log(m) for a positive m, and the calls of arbitrary functions.
 
     **Raises:** `InputError` where `expr` isn't sympy's, or a condition isn't a `Condition`.
     """

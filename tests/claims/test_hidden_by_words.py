@@ -1,4 +1,7 @@
-"""A name may stand in a formula and show nowhere, by what is declared of it: in 0·log(t) of a positive t."""
+"""A name may stand in a formula and show nowhere, by what is declared of it: in 0·log(t) of a positive t.
+
+So may the call of a function, in 0·x(0).
+"""
 
 import pytest
 
@@ -82,3 +85,16 @@ def test_a_composed_map_keeps_what_is_granted():
         with pytest.raises(InputError, match="not analytic at eps = 0"):
             verify(made.canonical(order=(eps, 1)))
     assert substituted(space.formula("q + 0/eps"), {}).granted
+
+
+@pytest.mark.parametrize("there", ["0*x(0)", "x(0) - x(0)", "0*x(-t**2)", "0*D(x(0*t + 0), t)", "0*exp(x(0))"])
+@pytest.mark.parametrize(("solution", "left_out"), [("t + 0*log(t)", True), ("t + 0*sqrt(t + t)", True), ("t", False)])
+def test_a_function_that_is_called_has_a_value(ask, status, there, solution, left_out):
+    claim = f'kind = "solves"\nsolution = {{"x(t)" = "{solution}"}}\nequations = ["x(t) - t + {there}"]'
+    for written, definitions in ((claim, ""), (claim.replace(there, "part"), f'part = "{there}"')):
+        file = {"space": LINE, "symbols": 'x = "function"', "definitions": definitions}
+        if not left_out:
+            assert status(written, **file) == "proved"
+            continue
+        with pytest.raises(InputError, match="no point of the domain"):
+            ask(written, **file)

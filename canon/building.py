@@ -6,10 +6,10 @@ them.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, Final
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from canon.calls import function
 from canon.constants import check_constant_condition, check_constant_power
@@ -38,6 +38,7 @@ class Builder:
         self.names: set[str] = set()
         self.calls: set[tuple[str, int]] = set()
         self.slopes: set[tuple[str, str]] = set()
+        self.granted: dict[tuple[Any, tuple[Any, ...]], None] = {}
         self.has_bracket = False
 
     def source(self, node: Node) -> str:
@@ -97,9 +98,12 @@ class Builder:
             check_constant_condition(condition)
         self.keep(conditions)
 
-    def keep(self, conditions: tuple[Condition, ...]) -> None:
+    def keep(self, conditions: tuple[Condition, ...], operation: Any = None, *arguments: Any) -> None:
+        """Take conditions down; the operation, where it demands nothing, perhaps by what is assumed of names alone."""
         for condition in conditions:
             self.conditions[condition] = stricter(self.conditions.get(condition, condition), condition)
+        if operation is not None and not conditions:
+            self.granted[operation, arguments] = None
 
     def drop_kinks(self, values: list[Any]) -> None:
         """The kinks of these values may be passed no more: there is no slope, or a condition may rest on |x| > 0."""
@@ -140,13 +144,14 @@ class Builder:
                 else f"{_WRONG} {name!r} is wrong: {formula.message}"
             )
             raise InputError(first)
-        self.measure.spend(len(formula.names) + 2 * len(formula.conditions))
+        self.measure.spend(len(formula.names) + 2 * len(formula.conditions) + len(formula.granted) // 4)
         for inner in sorted(formula.names):
             self.use(inner, where, name)
         if formula.has_bracket:
             self.use_bracket(where)
         self.calls |= formula.calls
         self.slopes |= formula.slopes
+        self.granted |= dict.fromkeys(formula.granted)
         self.add(formula.conditions)
         return formula.expr
 
@@ -155,7 +160,9 @@ class Builder:
         factors = list[Any]()
         for part, value, straight in zip(node.factors, values, node.multiplied, strict=True):
             if not straight:
-                self.add(nonzero(value, self.source(part), is_complex=self.measure.is_complex))
+                conditions = nonzero(value, self.source(part), is_complex=self.measure.is_complex)
+                self.add(conditions)
+                self.keep(conditions, sp.Pow, value, sp.Integer(-1))
                 self.drop_kinks([value])
                 check_power(value, sp.Integer(-1))
                 self.measure.spend_on_power(value, -1)
@@ -173,7 +180,8 @@ class Builder:
             check_constant_power(base, exponent)
             return conditions, base**exponent
 
-        power = self.once(("power", base, exponent, text), built)
+        conditions, power = self.measure.once(("power", base, exponent, text), built)
+        self.keep(conditions, sp.Pow, base, exponent)
         if leans_on_kinks(sp.Pow, (base, exponent)):
             self.drop_kinks([base, exponent])
         return power
@@ -212,20 +220,11 @@ class Builder:
             is_complex = any(self.measure.is_complex(value) for value in values)
             return conditions, applied(function, values, is_complex, self.vocabulary.has_integers)
 
-        value = self.once((function, *values, texts), built)
+        conditions, value = self.measure.once((function, *values, texts), built)
+        self.keep(conditions, function, *values)
         if leans_on_kinks(function, values):
             self.drop_kinks(values)
         return value
-
-    def once(self, key: Any, build: Callable[[], tuple[tuple[Condition, ...], Any]]) -> Any:
-        """What `build` makes; where the same was written in this file before, what it made then."""
-        known = self.measure.built
-        if key in known:
-            self.measure.spend(AGAIN)
-            self.keep(known[key][0])
-        else:
-            known[key] = build()
-        return known[key][1]
 
     def arbitrary(self, name: str, values: list[Any], where: str) -> Any:
         self.use(name, where)
@@ -233,6 +232,7 @@ class Builder:
         known, called = self.measure.built, (name, *values)
         self.measure.spend(AGAIN if called in known else CALL // 2)
         known[called] = value = function(name)(*values)
+        self.keep((), AppliedUndef, value)
         sign = self.vocabulary.signs.get(name)
         if sign == "nonzero":
             self.add((Condition("nonzero", (value,)),))

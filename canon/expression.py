@@ -59,9 +59,9 @@ def _read(text: str, vocabulary: Vocabulary, measure: Measure | None) -> Formula
     value = builder.value_of(parse(text))
     written = " ".join(text.split())
     names, calls = frozenset(builder.names), frozenset(builder.calls)
-    return Formula(
-        value, tuple(builder.conditions.values()), written, names, builder.has_bracket, calls, frozenset(builder.slopes)
-    )
+    slopes, granted = frozenset(builder.slopes), tuple(builder.granted)
+    conditions = tuple(builder.conditions.values())
+    return Formula(value, conditions, written, names, builder.has_bracket, calls, slopes, granted)
 
 
 def _read_relation(text: str, vocabulary: Vocabulary, measure: Measure | None) -> tuple[Condition, ...]:

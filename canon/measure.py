@@ -7,7 +7,7 @@ return. So every formula that is built has a bounded tree, bounded numbers, and 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any, Final
 
 import sympy as sp
@@ -110,6 +110,14 @@ class Measure:
         """Whether an unknown name may still be compared with so many words: a file may have thousands of such names."""
         self._compared += words
         return self._compared <= COMPARED
+
+    def once(self, key: Any, build: Callable[[], Any]) -> Any:
+        """What `build` makes; where the same was written in this file before, what it made then."""
+        if key in self.built:
+            self.spend(AGAIN)
+        else:
+            self.built[key] = build()
+        return self.built[key]
 
     def begin(self, text: str) -> Measure:
         """Itself, for a further formula: what has been spent counts for the file only. **Raises:** `InputError`."""

@@ -17,6 +17,7 @@ from canon.display import latex
 from canon.domain import Condition, checked_conditions
 from canon.errors import InputError
 from canon.expected import text
+from canon.granted import Operation, leant_on
 from canon.syntax import Call, Name, Node, children
 
 CONSTANTS: Final[Mapping[str, sp.Expr]] = {"pi": sp.pi}
@@ -55,7 +56,9 @@ class Formula:
     **Arguments:** `expr`, as sympy holds it; `conditions`, also those that no longer show in `expr` (`x/x` is 1
     where x ≠ 0); `text`, as its author wrote it; `names`, those that were written, abbreviations followed;
     `has_bracket`, whether a Poisson bracket was; `calls`, the arbitrary functions with their numbers of arguments;
-    `slopes`, the names by which a derivative or a bracket is taken, each with an arbitrary function inside of it.
+    `slopes`, the names by which a derivative or a bracket is taken, each with an arbitrary function inside of it;
+    `granted`, the operations that were written, with their arguments, whose conditions hold by what is assumed of the
+    names in them, as that of log(m) for a positive m, and the calls of arbitrary functions.
 
     **Raises:** `InputError` where `expr` isn't sympy's, or a condition isn't a `Condition`.
     """
@@ -67,6 +70,7 @@ class Formula:
     has_bracket: bool = field(default=False, compare=False)
     calls: frozenset[tuple[str, int]] = field(default=frozenset(), compare=False)
     slopes: frozenset[tuple[str, str]] = field(default=frozenset(), compare=False)
+    granted: tuple[Operation, ...] = field(default=(), compare=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.expr, sp.Expr):
@@ -77,11 +81,15 @@ class Formula:
     def __str__(self) -> str:
         return self.text or str(self.expr)
 
-    @property
-    def symbols(self) -> set[sp.Basic]:
-        """The names of its expression and of its conditions: 0*log(x) is 0, but for x > 0 alone."""
+    @cached_property
+    def symbols(self) -> frozenset[sp.Basic]:
+        """The names of its expression and of its conditions: 0*log(x) is 0, but for x > 0 alone.
+
+        Those, too, of which such a condition is assumed, as where x is declared positive.
+        """
         said = (term.free_symbols for condition in self.conditions for term in condition.terms)
-        return self.expr.free_symbols.union(*said)
+        shown = self.expr.free_symbols.union(*said)
+        return frozenset(shown | leant_on(self.granted, but=shown))
 
     @property
     def label(self) -> str:

@@ -12,6 +12,7 @@ from dataclasses import replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from canon.claims.allowed import are_some, at_velocities
 from canon.claims.chart import chart_of
 from canon.claims.determinant import determinant
 from canon.claims.determined import determined
@@ -56,8 +57,7 @@ def constraint(question: Question) -> Outcome:
     given = question.formulas(written[0])
     jets = motion(question)
     region = region_in_velocities(question, *given, *_others(question))
-    lines = [question.load(formula) for formula in given]
-    there = region
+    lines, there = [question.load(formula) for formula in given], region
     if written == ["functions"]:
         there = replace(region, surface=(*region.surface, *lines))
         for formula in given:
@@ -76,7 +76,9 @@ def constraint(question: Question) -> Outcome:
             "key 'functions'",
         )
     parts = [rank] if question.key("holonomic") is not None or question.key("integrals") is not None else []
-    return combined([*parts, *_answers(question, jets, forms, region), *_motions(question, jets, forms, lines, there)])
+    parts += [*_answers(question, jets, forms, region), *_motions(question, jets, forms, lines, there)]
+    are_some(question, jets, lines, there)
+    return combined(parts)
 
 
 def _moves(question: Question, jets: Motion, formula: Formula) -> bool:
@@ -154,7 +156,7 @@ def _motions(
         regular = region.also(*_regular(question, forms))
     for word in ("possible", "virtual"):
         if question.key(word) is not None:
-            yield _displacement(question, forms, regular, word)
+            yield _displacement(question, jets, forms, regular, word)
     if question.key("multipliers") is not None:
         yield _reactions(question, jets, forms, lines, regular)
     if question.key("determined") is not None:
@@ -252,10 +254,12 @@ def _integrals(question: Question, jets: Motion, forms: Sequence[Form], region: 
     return combined([question.decide(residuals, region), rank])
 
 
-def _displacement(question: Question, forms: Sequence[Form], region: Region, word: str) -> Outcome:
+def _displacement(question: Question, jets: Motion, forms: Sequence[Form], region: Region, word: str) -> Outcome:
     """Velocities that the forms allow, or displacements at fixed time."""
     tape = question.tape
     steps = [question.load(f) for f in question.formulas(word, question.space.n)]
+    if word == "possible":
+        region = at_velocities(question, jets, steps, region)
     residuals = []
     for k, form in enumerate(forms, 1):
         total = tape.plus(*(tape.times(a, step) for a, step in zip(form, steps, strict=False)))

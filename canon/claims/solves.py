@@ -14,6 +14,7 @@ from canon.decide.tape import Node
 from canon.domain import Domain
 from canon.errors import InputError
 from canon.expression import Formula
+from canon.granted import called
 
 if TYPE_CHECKING:
     import sympy as sp
@@ -39,6 +40,9 @@ def solves(question: Question) -> Outcome:
         Residual(f"equation {i}", replaced.value(question.chart.pull(question.load(formula))))
         for i, formula in enumerate(equations, 1)
     ]
+    for formula in equations:
+        for call in called(formula.granted):
+            replaced.value(question.chart.pull(question.load(call)))
     kept = [
         Requirement(r.kind, tuple(replaced.value(node) for node in r.nodes), r.said, r.note)
         for r in written.requirements

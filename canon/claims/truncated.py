@@ -18,6 +18,7 @@ from canon.decide.derivative import derivative, substitute
 from canon.decide.tape import Node, Tape
 from canon.domain import Condition, Domain, conditions_of
 from canon.errors import InputError
+from canon.granted import freed_conditions
 
 if TYPE_CHECKING:
     from canon.claims.question import Question
@@ -119,7 +120,8 @@ def region_at_zero(question: Question, parameter: sp.Symbol, *formulas: Formula)
     kept = Domain(tuple(c for c in asked.conditions if not _bounds_only(c, parameter)), asked.surface)
     for formula in (*question.sections(), *formulas):
         kept = kept & Domain(conditions=formula.conditions)
-    for condition in (*kept.conditions, *_granted(parameter, *question.sections(), *formulas)):
+    kept = kept & Domain(tuple(_granted(parameter, *question.sections(), *formulas)))
+    for condition in kept.conditions:
         if _fails_at_zero(condition, parameter):
             raise InputError(f"not analytic at {parameter} = 0, where the claim is made: {condition} fails there")
     tape = question.tape
@@ -127,12 +129,18 @@ def region_at_zero(question: Question, parameter: sp.Symbol, *formulas: Formula)
 
 
 def _granted(parameter: sp.Symbol, *formulas: Formula) -> Iterator[Condition]:
-    """What the formulas require and the parameter's assumed sign grants, though not at 0: eps > 0 in √eps."""
+    """What the formulas require and the parameter's assumed sign grants, though not at 0: eps > 0 in √eps.
+
+    Also what doesn't show in a formula's value any more: eps ≠ 0 in 0/eps.
+    """
     if parameter.is_nonnegative or parameter.is_nonpositive or parameter.is_zero is False:
         plain = sp.Symbol(parameter.name, real=True)
         for formula in formulas:
             for condition in conditions_of(formula.expr.xreplace({parameter: plain})):
                 yield condition.substitute({plain: parameter})
+            for operation in formula.granted:
+                if any(argument.has(parameter) for argument in operation[1]):
+                    yield from freed_conditions(operation, {parameter})
 
 
 def _bounds_only(condition: Condition, parameter: sp.Symbol) -> bool:

@@ -11,6 +11,7 @@ from canon.domain import Condition, Domain, Smoothness, nonzero, positive, uniqu
 from canon.errors import InputError
 from canon.expected import listed
 from canon.expression import Formula
+from canon.granted import moved
 from canon.mechanics.admissible import check_calls, check_leak, check_symbol
 from canon.mechanics.extent import check_extent, extent_of, recursion_told
 from canon.special import EllipticPi
@@ -125,13 +126,14 @@ def substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formu
 
 
 def _substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Formula:
-    used = [symbol for symbol in mapping if symbol in formula.expr.free_symbols]
-    needed = {symbol for condition in formula.conditions for term in condition.terms for symbol in term.free_symbols}
+    used = [symbol for symbol in mapping if symbol in formula.symbols]
     images: dict[sp.Expr, sp.Expr] = {symbol: image.expr for symbol, image in mapping.items()}
     own = Domain(conditions=formula.conditions).substitute(images).conditions
-    inherited = tuple(c for s in mapping if s in needed or s in used for c in mapping[s].conditions)
-    assumed = tuple(c for s in mapping if s in needed or s in used for c in assumed_of(s, mapping[s].expr))
-    return Formula(replaced(formula.expr, images), distinct(inherited + own + assumed), formula.text)
+    inherited = tuple(c for s in used for c in mapping[s].conditions)
+    assumed = tuple(c for s in used for c in assumed_of(s, mapping[s].expr))
+    granted = tuple(operation for s in used for operation in mapping[s].granted) + moved(formula.granted, images)
+    conditions = distinct(inherited + own + assumed)
+    return Formula(replaced(formula.expr, images), conditions, formula.text, granted=granted)
 
 
 def assumed_of(symbol: sp.Symbol, image: sp.Expr) -> tuple[Condition, ...]:

@@ -30,7 +30,7 @@ from properties.metamorphic.tables import (
 
 WHOLE = (
     "action", "frequency", "average", "action_angle", "algebra", "independent", "canonical_when", "legendre",
-    "hamilton_jacobi", "generates", "generating_function",
+    "hamilton_jacobi", "euler_lagrange", "generates", "generating_function",
 )  # fmt: skip
 """Kinds that speak of a domain, or of orbits in it, as a whole: in a larger one they may become true, as a determinant
 that is 0 on one half of it isn't 0 on the other."""

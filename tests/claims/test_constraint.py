@@ -242,3 +242,35 @@ def test_determined_needs_a_lagrangian(ask):
 )
 def test_a_state_has_velocities_that_the_constraints_allow(status, form, word, L, claimed, expected):
     assert status(_claim(form, f'L = "{L}"', f"determined = {claimed}", word=word), space=SKATE) == expected
+
+
+POSSIBLE = 'kind = "constraint"\nvelocities = ["vx", "vy"]\nforms = ["{}"]\npossible = ["{}", "1"]'
+PLANE = 'q = ["x", "y"]\np = ["px", "py"]'
+
+
+@pytest.mark.parametrize("word", ["positive", "nonnegative", "negative", "nonzero", "real"])
+def test_possible_velocities_are_what_is_said_of_their_names(ask, status, word):
+    for form, step, kept in (("vx", "0", ("nonnegative", "real")), ("vx + 1", "-1", ("negative", "nonzero", "real"))):
+        claim = POSSIBLE.format(form, step)
+        if word in kept:
+            assert status(claim, space=PLANE, symbols=f'vx = "{word}"') == "proved"
+        else:
+            with pytest.raises(InputError, match="no point of the domain"):
+                ask(claim, space=PLANE, symbols=f'vx = "{word}"')
+
+
+@pytest.mark.parametrize("form", ["vx + 1 + 0*log(vx)", "x*vx + x + 0/(vx + 1)", "vx + 1 + 0*sqrt(vx - x**2)"])
+def test_possible_velocities_are_in_the_domain(ask, status, form):
+    with pytest.raises(InputError, match="no point of the domain"):
+        ask(POSSIBLE.format(form, "-1"), space=PLANE)
+    assert status(POSSIBLE.format("vx + 1 + 0*log(vx + 2)", "-1"), space=PLANE) == "proved"
+
+
+@pytest.mark.parametrize(
+    "asked", ['integrals = ["x + t"]', "holonomic = true", 'determined = true\nL = "(vx**2+vy**2)/2"']
+)
+def test_a_constraint_holds_somewhere(ask, status, asked):
+    claim = f'kind = "constraint"\nvelocities = ["vx", "vy"]\nforms = ["vx + 1"]\n{asked}'
+    assert status(claim, space=PLANE) == status(claim, space=PLANE, symbols='vx = "negative"') == "proved"
+    with pytest.raises(InputError, match="no point of the domain"):
+        ask(claim, space=PLANE, symbols='vx = "positive"')

@@ -65,6 +65,10 @@ class Condition:
         """The condition pulled back: every key of `mapping` replaced by its value, all at once."""
         table(mapping, "formulas to put in", "mapping")
         terms: tuple[Any, ...] = tuple(replaced(term, mapping) for term in self.terms)
+        call: Any = self.terms[0]
+        if self.kind == "regular" and isinstance(call, sp.Function) and terms != self.terms:
+            # E(m) isn't analytic at m = 1, nor is W at −1/e: their values there, 1 and −1, no longer show it.
+            terms = (call.func(*(replaced(argument, mapping) for argument in call.args), evaluate=False),)
         return self if terms == self.terms else Condition(self.kind, terms, closed=self.closed, kink=self.kink)
 
 

@@ -62,6 +62,17 @@ def test_domains_unite_and_pull_back():
 
 
 @pytest.mark.parametrize(
+    ("call", "value"), [(sp.elliptic_e(x), 1), (sp.LambertW(x), -sp.exp(-1)), (sp.elliptic_f(sp.pi / 2, x), 1)]
+)
+def test_a_call_stays_one_where_numbers_are_put_in(call, value):
+    """E(1) = 1 is a number, of which it can't be told any more that E isn't analytic there."""
+    (condition,) = conditions_of(call)
+    (moved,) = condition.substitute({x: value}).terms
+    assert isinstance(moved, type(call))
+    assert moved.args == (*call.args[:-1], value)
+
+
+@pytest.mark.parametrize(
     ("expression", "sign"),
     [
         (m * x**2, "nonnegative"),

@@ -35,8 +35,7 @@ if TYPE_CHECKING:
     from canon.claims.question import Question
 
 NEAR = Fraction(1, 16)
-HIGHEST = 3
-MOST_COEFFICIENTS = 3000
+HIGHEST, MOST_COEFFICIENTS = 3, 3000
 SLOPES = tuple(sign * n for n in (1, 2, 3, 5, 7, 11, 13, 17, 19, 23) for sign in (1, -1))
 LOCAL = "a Taylor coefficient at the identity differs"
 
@@ -75,6 +74,7 @@ def group(question: Question) -> Outcome:
     at_zero = fixed_region(question.tape, region, dict.fromkeys((*law.first, *law.second), question.tape.zero))
     if at_zero is None:
         raise InputError("the composition isn't smooth at the identity, where all parameters are 0")
+    question.decide([Residual("0", question.tape.zero)], at_zero)  # raises where no point is shown to meet all of it
     outcomes = [*_identity(question, law, region, at_zero)]
     if all(outcome.status != "refuted" for outcome in outcomes):
         outcomes.append(_associative(question, law, region, at_zero))

@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+from canon.errors import InputError
+
 KEPLER = {
     "space": 'q = ["x", "y", "z"]\np = ["px", "py", "pz"]\n',
     "symbols": 'm = "positive"\na = "positive"\nE0 = "negative"',
@@ -169,6 +171,22 @@ def test_what_has_no_identity_and_what_is_abelian(ask):
     )  # fmt: skip
     assert (boosts.status, none.status, shifted.status) == ("proved", "refuted", "refuted")
     assert none.detail["fails"] == "θ1(a, 0) at order 2"
+
+
+@pytest.mark.parametrize(
+    "term",
+    ["0*atan2(a1, b1)", "0*atan2(a1 + b1, -1)", "0*gamma(a1 + b1)", "0*elliptic_k(1 - a1 - b1)",
+     "0*lambertw(a1 - exp(-1))", "0/(a1 + sin(1)**2 + cos(1)**2 - 1)", "0*log(a1 + b1 + pi - 3.1415926535897932385)",
+     "0*log(a1 + b1 - k**2)"],
+)  # fmt: skip
+def test_a_law_is_defined_at_its_identity(ask, term):
+    """On a cut, at a pole, or by a number that is no fraction it isn't, though it holds at every point nearby."""
+    space = {"space": 'q = ["q"]\np = ["p"]\n', "symbols": 'k = "real"'}
+    with pytest.raises(InputError):
+        ask(law([f"a1 + b1 + {term}"], 1, equals='"u(1)"'), **space)
+    harmless = term.replace("a1", "(a1 + 7/2)").replace("k**2", "exp(k)")
+    if "lambertw" not in term and "elliptic" not in term:
+        assert ask(law([f"a1 + b1 + {harmless}"], 1, equals='"u(1)"'), **space)[0].status == "proved"
 
 
 def test_a_sign_that_the_domain_gives_a_parameter(ask):

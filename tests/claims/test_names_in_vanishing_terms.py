@@ -79,3 +79,17 @@ def test_functions_of_the_coordinates_hold_no_velocities(ask, status):
     assert status(claim.format(rest.format("0/vy")), space=space) == "proved"
     with pytest.raises(InputError, match="no point of the domain"):  # where x = 0 along the motion, vx = 0
         ask(claim.format(rest.format("0/vx")), space=space)
+
+
+@pytest.mark.parametrize("term", ["0*elliptic_e(g)", "0*elliptic_f(pi/2, g)", "0*lambertw(-g*exp(-1))"])
+def test_a_function_is_analytic_at_what_is_fixed(ask, term):
+    """E(1) and W(-1/e) have values, but what isn't analytic there has no place in the domain."""
+    space = {"space": LINE, "symbols": 'g = "positive"'}
+    fixed, inside = {"fixed": '{g = "1"}'}, term.replace("g", "g/2")
+    claims = ((f"2*pi*E + {term}", "g*q**2"), ("2*pi*E", f"g*q**2 + {term}"))
+    for equals, potential in claims:
+        sections = {**space, "hamiltonian": f'H = "(p**2 + {potential})/2"'}
+        with pytest.raises(InputError, match="analytic"):
+            ask(action_claim(equals, **fixed), **sections)
+        sections["hamiltonian"] = sections["hamiltonian"].replace(term, inside)
+        assert ask(action_claim(equals.replace(term, inside), **fixed), **sections)[0].status == "proved"

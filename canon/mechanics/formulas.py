@@ -131,7 +131,8 @@ def _substituted(formula: Formula, mapping: Mapping[sp.Symbol, Formula]) -> Form
     own = Domain(conditions=formula.conditions).substitute(images).conditions
     inherited = tuple(c for s in used for c in mapping[s].conditions)
     assumed = tuple(c for s in used for c in assumed_of(s, mapping[s].expr))
-    granted = tuple(operation for s in used for operation in mapping[s].granted) + moved(formula.granted, images)
+    inside = (operation for s in used for operation in mapping[s].granted)
+    granted = tuple(dict.fromkeys((*inside, *moved(formula.granted, images))))
     conditions = distinct(inherited + own + assumed)
     return Formula(replaced(formula.expr, images), conditions, formula.text, granted=granted)
 

@@ -18,8 +18,8 @@ from canon.report.hard_table import closing_lines, hard_csv
 
 PROFILE = os.environ.get("CANON_PROFILE")
 QUICK = ("Rutherford", "stiff springs", "all but vanishes", "at the edge", "loops")
-"""What is run in the ordinary profile: nothing to compile, and some that state bounds of their errors. `ci` runs all that
-isn't slow, some twenty seconds, since a case may be lost by a change far from it."""
+"""What is run in the ordinary profile: nothing to compile, and some that state bounds of their errors. `ci` runs all
+that isn't slow, some twenty seconds, since a case may be lost by a change far from it."""
 
 ALL = cases(slow=True)
 

@@ -19,7 +19,7 @@ from canon.report.coq_field import Fractions, scaled
 from canon.report.coq_text import identifiers, number, polynomial, term
 from canon.report.coq_theorem import SIGNS
 
-ASSUMED: Final = {**SIGNS, "nonnegative": "0 <= {}", "nonpositive": "{} <= 0"}
+ASSUMED: Final = {**SIGNS, "nonnegative": "0 <= {}"}
 SIGNED: Final = """\
 Lemma square_positive (x : R) : x <> 0 -> 0 < x ^ 2.
 Proof. intro H. destruct (Rdichotomy _ _ H); nra. Qed.
@@ -89,7 +89,11 @@ def inequality_of(s: Statement, target: int, points: Sequence[Mapping[str, Any]]
         if not {"positive", "negative", "nonzero"} & {*s.words.get(fractions.name_of(k) or "", ())}:
             hypotheses.append(f"{polynomial(fractions.table(fractions.field.factors[k]), words)} <> 0")
 
-    signs = {k: _sign(fractions.table(fractions.field.factors[k]), points) for k in (*above, *under)}
+    words_of = [s.words.get(fractions.name_of(k) or "", ()) for k in (*above, *under)]
+    signs = {
+        k: -1 if "negative" in of else _sign(fractions.table(fractions.field.factors[k]), points)
+        for k, of in zip((*above, *under), words_of, strict=True)
+    }
     content *= prod(signs[k] for product in (above, under) for k, e in product.items() if e % 2)
     if content < 0 or (strict and not content):
         raise Unknown("an inequality that isn't seen from the signs of factors")
@@ -101,8 +105,12 @@ def inequality_of(s: Statement, target: int, points: Sequence[Mapping[str, Any]]
         *(f"  {h} ->" for h in dict.fromkeys(hypotheses)),
         f"  0 {sign} {shown}.",
     ]
+    if not content:
+        zero = [f"  replace ({shown}) with 0 by (field; nonzero).", "  lra."]
+        return "\n".join(["Theorem RESIDUAL :", *statement, "Proof.", "  intros.", *zero, "Qed.", ""])
     steps = ["intros.", *(["pose proof PI_RGT_0."] if "pi" in leaves.values() else [])]
-    needed = {k: sign for k, e in above.items() if strict or e % 2} | {k: "<" for k, e in under.items() if e % 2}
+    needed = {k: sign if e % 2 else "<>" for k, e in above.items() if strict or e % 2}
+    needed |= {k: "<" for k, e in under.items() if e % 2}
     for j, (k, less) in enumerate(needed.items(), 1):
         if fractions.name_of(k) is None or above.get(k, under.get(k, 0)) % 2:
             _reachable(tables[k], s)
@@ -118,7 +126,9 @@ def inequality_of(s: Statement, target: int, points: Sequence[Mapping[str, Any]]
 
 
 def _reachable(table: Mapping[str, str], s: Statement) -> None:
-    """Raises Unknown where the tactics have no chance: terms of both signs, with π's digits or of a high degree."""
+    """Raises Unknown where the tactics have no chance: terms of both signs, with π's digits, of a high degree, or for
+    whole numbers alone.
+    """
     powers = [dict(_power(factor) for factor in monomial.split()) for monomial in table]
     signed = {"pi", *(name for name, of in s.words.items() if {"positive", "nonnegative"} & {*of})}
     if all(
@@ -126,6 +136,8 @@ def _reachable(table: Mapping[str, str], s: Statement) -> None:
         for each, c in zip(powers, table.values(), strict=True)
     ):
         return
+    if any("integer" in s.words.get(name, ()) for each in powers for name in each):
+        raise Unknown("an inequality about whole numbers")
     if any("pi" in each for each in powers):
         raise Unknown("an inequality about digits of pi")
     if max((e for each in powers for e in each.values()), default=0) > HIGHEST:
@@ -133,11 +145,14 @@ def _reachable(table: Mapping[str, str], s: Statement) -> None:
 
 
 def _factor(name: str, table: Mapping[str, str], less: str, words: Mapping[str, str]) -> Iterator[str]:
-    """Steps that show a factor's sign."""
-    tactic = "positive" if less == "<" else "not_negative"
-    yield f"assert ({name} : 0 {less} {polynomial(table, words)})."
+    """Steps that show a factor's sign, or that it isn't 0, which a sign shows as well."""
+    text, tactic = polynomial(table, words), "not_negative" if less == "<=" else "positive"
     hints = "".join(f"pose proof (pow2_ge_0 ({hint})); " for hint in _slopes(table, words))
-    yield f"{{ first [ solve [ {tactic} ] | solve [ with_differences; {tactic} ] | {hints}nra ]. }}"
+    shown = f"first [ solve [ {tactic} ] | solve [ with_differences; {tactic} ] | {hints}nra ]"
+    if less == "<>":
+        yield f"assert ({name} : {text} <> 0) by (first [ solve [ nonzero ] | apply Rgt_not_eq; {shown} ])."
+    else:
+        yield f"assert ({name} : 0 {less} {text}).\n  {{ {shown}. }}"
 
 
 def _leaves(s: Statement, target: int) -> dict[int, str] | None:

@@ -97,11 +97,16 @@ INEQUALITIES = [
     ("2*a + pi*b", ">", "a + b*pi/2", ""),
     ("3/7", "<", "4/9", ""),
     ("c*a", ">=", "0", ""),
+    ("(x - p)**2", ">", "0", 'where = ["x != p"]'),
+    ("d**3*(x**2 + 1)", "<", "0", ""),
+    ("0*x", ">=", "0", ""),
 ]
 
 
 def inequality(lhs: str, relation: str, rhs: str, domain: str) -> Any:
-    extra = f'[symbols]\na = "positive"\nb = "positive"\nc = "nonnegative"\n[domain]\n{domain}'
+    words = {"a": "positive", "b": "positive", "c": "nonnegative", "d": "negative", "n": "integer"}
+    symbols = "\n".join(f'{name} = "{word}"' for name, word in words.items())
+    extra = f"[symbols]\n{symbols}\n[domain]\n{domain}"
     return of_text(f'kind = "inequality"\nlhs = "{lhs}"\nrelation = "{relation}"\nrhs = "{rhs}"', extra)
 
 
@@ -130,6 +135,7 @@ def test_coqc_refuses_an_inequality_that_is_false(tmp_path: Path, k: int, old: s
         ("exp(x)", "0", "", "functions"),
         ("pi", "3", "", "digits of pi"),
         ("x**6 - x + 1", "0", "", "high degree"),
+        ("n**2 - n + 1", "0", "", "whole numbers"),
         ("a*x**2", "-1", 'where = ["x >= 0"]', "edge of the domain"),
     ],
 )

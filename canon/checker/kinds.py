@@ -183,14 +183,16 @@ def _is_complete(s: Statement, S: int, constants: list[str], energy: int, word: 
 
 def solves(s: Statement) -> Case:
     """The equations with formulas in place of the functions."""
-    f, solution = s.f, {}
+    f, solution, hidden = s.f, {}, dict[str, list[int]]()
     for call, text in s.claim["solution"].items():
         op = f.ops[f.read(call, {})]
         if op[0] != "f" or op[1] not in f.functions or any(f.ops[a][0] != "s" for a in op[3]) or any(op[2]):
             raise Unreadable(f"{call[:40]!r} is no function of names")
         if len({*op[3]}) < len(op[3]) or op[1] in solution:
             raise Unreadable(f"{call[:40]!r}: a name, or the function, stands twice")
+        before = len(f.unseen)
         solution[op[1]] = [f.ops[a][1] for a in op[3]], f.read(text, s.names)
+        hidden[op[1]] = f.unseen[before:]
         s.conditions += _as_declared(s, op[1], s.pull(solution[op[1]][1]))
     if any(f.ops[a][0] == "f" and f.ops[a][1] in solution for _, body in solution.values() for a in f.reach(body)):
         raise Unreadable("a solution that contains what is to be solved for")
@@ -202,7 +204,10 @@ def solves(s: Statement) -> Case:
         if op[0] == "f" and op[1] in solution:
             names, body = solution[op[1]]
             places = dict(zip(names, (f.put_in(x, solution) for x in op[3]), strict=True))
-            s.written += [s.pull(a) for a in f.at(body, places)]
+            s.written += [
+                s.pull(b) for a in (body, *hidden[op[1]]) for b in (f.substitute(a, places), *f.at(a, places))
+            ]
+            s.conditions += _as_declared(s, op[1], s.pull(f.substitute(body, places)))
     return Case([s.pull(f.put_in(a, solution)) for a in equations])
 
 

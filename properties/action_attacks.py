@@ -18,7 +18,8 @@ from the reference alone, with near misses of them,
 `round19_motion.toml` those of orbits that words, walls, maps and other wells cut, and of germs and signs,
 `round20.toml` those that combine sections and words that lists of one kind pass over,
 `round21_hidden.toml` those with terms that vanish and aren't defined everywhere, beside kinks that are harmless,
-`round22_words.toml` those in which a name shows nowhere, by what its own word says.
+`round22_words.toml` those in which a name shows nowhere, by what its own word says,
+`round22_places.toml` those about single places, as the identity of a group, and about numbers that are nearly 0.
 `action_attacks.toml`, where no file is named, those about actions and their mutants: a sign, a factor, a thousandth;
 energies at and beyond separatrices; several wells, barriers, branches; variables of one sign, domains that cut the
 orbit, kinks, masses that change their sign; angles of several turns. An ill-posed claim has no orbit, or several: it

@@ -44,7 +44,8 @@ class Integral(alone.Claim):
         words = tables.get("symbols", {}).get(x, "real")
         self.signed = words == "positive"
         besides = str([tables.get(key) for key in ("hamiltonian", "transformation", "generating_function")])
-        odd = odd or words not in ("real", "positive") or x in {"pi", *tables.get("definitions", {})}
+        odd = odd or words not in ("real", "positive") or x in {"pi", "infinity", *tables.get("definitions", {})}
+        odd = odd or "infinity" in re.findall(r"\w+", str({**tables, "claim": ""}))  # a name, which is written so, too
         if odd or x in re.findall(r"\w+", besides):
             raise Stop("not shown", "an integral over such a name, or with other keys")
         identity = {"kind": "identity", "lhs": str(said["f"]), "rhs": str(antiderivative)}

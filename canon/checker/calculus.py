@@ -29,6 +29,8 @@ def _end(s: Statement, word: str, x: str) -> int | str:
     """An end of an interval, or a limit: a formula without the name that moves, or "infinity" with its sign."""
     text = s.claim[word]
     if text in ("infinity", "-infinity"):
+        if "infinity" in {x, *s.declared, *s.names}:
+            raise Unreadable("'infinity' is a name of the file")
         return str(text)
     found = s.f.read(text, s.names)
     if moves(s, found, x):

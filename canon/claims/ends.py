@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Final, Literal
 
 from canon.errors import InputError
@@ -10,15 +11,20 @@ Infinity = Literal["infinity", "-infinity"]
 INFINITIES: Final[tuple[Infinity, ...]] = ("infinity", "-infinity")
 
 
-def read_end(value: Any, where: str) -> Infinity | None:
-    """The infinity that a value is; None for an expression. **Raises:** `InputError` for other words for it."""
+def read_end(value: Any, where: str, declares: Callable[[str], bool]) -> Infinity | None:
+    """The infinity that a value is; None for an expression.
+
+    **Raises:** `InputError` for other words for it, and where the file `declares` a name that is written so.
+    """
     if not isinstance(value, str):
         return None
     text = value.strip().replace(" ", "")
     for infinity in INFINITIES:
         if text in (infinity, f"+{infinity}"):
+            if declares("infinity"):
+                raise InputError("'infinity' is a name of the file: call it otherwise, or write (infinity)", where)
             return infinity
-    if text.lstrip("+-") in ("oo", "inf", "Infinity", "∞"):
+    if (word := text.lstrip("+-")) in ("oo", "inf", "Infinity", "∞") and not declares(word):
         raise InputError(f"write 'infinity' or '-infinity', not {text!r}", where)
     return None
 

@@ -79,7 +79,7 @@ class _Keys:
         if entry.form in ("expression", "constant"):
             return self._formula(value, entry, where)
         if entry.form == "end":
-            return read_end(value, where) or self._formula(value, entry, where)
+            return read_end(value, where, self.vocabulary.declares) or self._formula(value, entry, where)
         if entry.form in ("expressions", "per pair"):
             return self._formulas(word, entry, value)
         if entry.form in key_tables.FORMS:

@@ -73,6 +73,7 @@ def test_another_value_or_an_antiderivative_that_jumps_shows_nothing(given: Any)
 @pytest.mark.parametrize("sections", [
     {"symbols": {"x": "positive", "a": "positive"}}, {"symbols": {"x": "function", "a": "positive"}},
     {"symbols": {"x": ["real", "nonzero"], "a": "positive"}}, {"definitions": {"x": "1"}},
+    {"symbols": {"a": "positive", "infinity": "real"}},
     {"hamiltonian": {"H": "log(x - a)"}}, {"domain": {"on": ["k - x"]}}, {"constraints": {}},
 ])  # fmt: skip
 def test_the_variable_is_free_along_the_range(sections: Any) -> None:

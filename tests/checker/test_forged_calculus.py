@@ -78,3 +78,10 @@ def test_what_is_true_of_them_is_confirmed() -> None:
     assert status(integral("1/cosh(u)**2", "tanh(u)", "-1", "1", "2*tanh(1)")) == "confirmed"
     assert status(integral("exp(1j*u)", "-1j*exp(1j*u)", "0", "1", "1j - 1j*exp(1j)")) == "confirmed"
     assert status(average("q**2", "1/2", "u/2 + sin(2*u)/4", ROUND, hamiltonian=OSCILLATOR)) == "confirmed"
+
+
+def test_a_name_that_is_written_as_infinity_is() -> None:
+    decay = integral("exp(-u)", "-exp(-u)", "0", "infinity", "1")
+    assert status(decay) == "confirmed"
+    named = {**decay["tables"], "symbols": {"infinity": "positive"}}
+    assert status(sealed({**decay, "tables": named})) == "unreadable"

@@ -210,3 +210,23 @@ def test_numeric_only(ask):
 def test_faults(ask, claim, message):
     with pytest.raises((InputError, AssertionError), match=message):
         ask(claim, symbols=SYMBOLS)
+
+
+@pytest.mark.parametrize("sections", [
+    {"symbols": 'infinity = "positive"'}, {"space": 'q = ["q"]\np = ["infinity"]'}, {"definitions": 'infinity = "7"'},
+    {"symbols": 'infinity = "function"'},
+])  # fmt: skip
+def test_a_name_that_is_written_as_infinity_is(ask, sections):
+    """Of declared names it is said that they win, of ends of ranges that they are this: nobody knows which is meant."""
+    lower = 'kind = "integral"\nf = "exp(-q)"\nvariable = "q"\nfrom = "0"\nto = "infinity"\nequals = "1"'
+    space = {"space": 'q = ["q"]\np = ["p"]', **sections}
+    for claim in (_claim("1/q", "q", "infinity", "0"), _claim("1/q", "q", "0", "-infinity", "-"), lower):
+        with pytest.raises((InputError, AssertionError), match="is a name of the file"):
+            ask(claim, **space)
+    if "function" not in sections.get("symbols", ""):
+        (meant,) = ask(_claim("(q + 1)/q", "q", "(infinity)", "1 + 1/infinity"), **space)
+        assert meant.status == "proved"
+
+
+def test_a_name_may_be_written_as_other_words_for_it(status):
+    assert status(_claim("q + oo", "q", "oo", "2*oo"), symbols='oo = "real"', space='q = ["q"]\np = ["p"]') == "proved"

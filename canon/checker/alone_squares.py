@@ -12,7 +12,7 @@ from __future__ import annotations
 from contextlib import suppress
 from fractions import Fraction
 from functools import cache
-from math import gcd, prod
+from math import prod
 from typing import Any
 
 if __package__:
@@ -23,10 +23,9 @@ else:  # as a program, beside the other files
     import alone_wider  # type: ignore
     from alone_special import UNIT  # type: ignore
 
-Stop, Elsewhere, RANDOM = alone.Stop, alone.Elsewhere, alone.RANDOM
+Stop, Elsewhere, random_prime = alone.Stop, alone.Elsewhere, alone.random_prime
 HALF, SIGNS = Fraction(1, 2), {"positive", "nonnegative", "negative"}
 PROBED, PRIMES, ENOUGH, ALIKE, MOST, FEW, AGAIN = 2, 60, 4, 12, 300, 8, 10
-FACTORS = prod(n for n in range(29, 2000) if all(n % k for k in range(2, 45) if k < n))
 
 
 class Squares(alone_wider.Placed):
@@ -170,14 +169,6 @@ class Squares(alone_wider.Placed):
             super().check_apart(f)
 
 
-def random_prime() -> int:
-    """A prime as `alone.random_prime` gives it, where what has a small factor is passed over first."""
-    while True:
-        p = alone.MODULUS * RANDOM.getrandbits(127 - alone.MODULUS.bit_length()) - 1
-        if p > 2**110 and gcd(p, FACTORS) == 1 and all(pow(RANDOM.randrange(2, p), p - 1, p) == 1 for _ in range(20)):
-            return p
-
-
 def probe(claim: Any, of_kind: Any) -> list[Any]:
     """See what is refused modulo a prime at some points and not at others; where all are alike it is the prime.
 
@@ -212,7 +203,7 @@ def shown(claim: Any, of_kind: Any) -> tuple[str, str]:
     done, tried, needed, prime = 0, 0, FEW, random_prime()
     while done < needed:
         point, tried = of_kind(claim, prime), tried + 1
-        if tried > alone.MOST_TRIED + 200 * done or needed > alone.TRIALS << alone.MOST_ROOTS:
+        if tried > 3 * alone.MOST_TRIED + 200 * done or needed > alone.TRIALS << alone.MOST_ROOTS:
             raise Stop("not shown", "points at which everything is positive that has to be, or so many roots")
         try:
             point.evaluate()

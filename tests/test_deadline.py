@@ -59,6 +59,8 @@ LENGTHS = itertools.cycle((1, 4, 2, 7, 3))
 class Fading:
     """Whoever ends it is, for half of its life, in a callback that nobody hears."""
 
+    fails = False  # of one whose making is interrupted
+
     def __init__(self, fails: bool) -> None:
         self.fails = fails
         _pass(0.001 * next(LENGTHS))

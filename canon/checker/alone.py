@@ -53,6 +53,7 @@ OWN = {"hamiltonian_field": ["H"], "canonical": ["scale"], "generating_function"
 """Keys that claims of these kinds alone have."""
 TYPES, GIVES = {1: "qQ", 2: "qP", 3: "pQ", 4: "pP"}, {"q": "p-", "p": "q+", "Q": "P+", "P": "Q-"}
 """p − ∂F/∂q = 0, q + ∂F/∂p = 0, P + ∂F/∂Q = 0, Q − ∂F/∂P = 0."""
+factors = lru_cache(MOST_VALUES)(lambda m: [(x, int(n or 1)) for x, _, n in (y.partition("^") for y in m.split())])
 
 
 class Stop(Exception):
@@ -247,7 +248,7 @@ class Point:
         return x
 
     def at(self, f: Formula, *by: str) -> int:
-        """The derivative of a formula by the names: by the chain rule, one after the other."""
+        """The derivative of a formula by the names: by the chain rule, one after the other; of a sum, of its terms."""
         if len(by) > HIGHEST or next(self.count) > MOST_VALUES:
             raise Stop("not shown", "so many derivatives, or so high ones")
         if f.kind == "D":
@@ -255,7 +256,6 @@ class Point:
         if not by or f.kind in "#.":
             return self.value(f) if not by else int(by == f.of)
         found = 0 * self.at(f)  # where it has no value, it has no slope
-        # a sum's derivative is that of its terms, of any order
         for (k, x), taken in product(enumerate(f.of), product((1, 0)[: 1 + (f.kind != "+")], repeat=len(by) - 1)):
             if steep := self.at(x, by[0], *compress(by[1:], taken)):
                 found += steep * self.at(self.claim.outer(f, k), *compress(by[1:], (not one for one in taken)))
@@ -326,20 +326,15 @@ def random_prime() -> int:
             return p
 
 
-factors = lru_cache(MOST_VALUES)(lambda m: [(x, int(n or 1)) for x, _, n in (y.partition("^") for y in m.split())])
-"""[(name, power), …] of "g1^2 x"."""
-
-
 def sample(claim: Claim, case: Any, prime: int, of: Any = Point, besides: Any = None) -> int:
     """Put one random point into everything; returns the number of roots that were met."""
     point, own = of(claim, prime), {}
     point.check_domain()
+    at = cache(lambda c: point.fraction(number(c).of[0], prime))
 
     def put(polynomial: Any, kernel: Any) -> int:
         """A polynomial's value, of {"g1^2 x": "3/2"}."""
         return sum(at(c) * prod(pow(kernel(x), n, prime) for x, n in factors(m)) for m, c in polynomial.items()) % prime
-
-    at = cache(lambda c: point.fraction(number(c).of[0], prime))
 
     # the claim first: a kernel's root may throw points away; a scale is one number everywhere, which sign(x) isn't
     claim.scales = {r for r in claim.scales if point.text(claim.texts.get("_scale", "1")) == point.fraction(r, prime)}

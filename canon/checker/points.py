@@ -145,9 +145,12 @@ def points(
     """
     # nobody foresees the points of what is confirmed; what is measured never is wholly, and has the same ones each time
     rng, found = random.Random(1) if case.measured is not None else random.SystemRandom(), 0
+    whole = {name: rng.sample(range(1, 6), 5) for name in sorted(names) if "integer" in s.words.get(name, ())}
     for attempt in range(TRIES * (1 + bool(hints))):
         hint = hints[attempt // 2 % len(hints)] if hints and attempt % 2 == 0 else {}
         of: dict[str, Any] = completed(s, numbers, {}, names - hint.keys(), rng, Fraction(1, 4 ** (attempt // 4 % 3)))
+        for name in whole.keys() - hint.keys():  # even and odd ones, where what is said hangs on that
+            of[name] = numbers.mp.sign(of[name]) * whole[name][attempt % 5]
         for name in sorted(names & hint.keys()):
             of[name] = numbers.read(hint[name])
             if "integer" not in s.words.get(name, ()):

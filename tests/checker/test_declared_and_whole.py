@@ -8,6 +8,7 @@ from canon.checker.check import check
 from canon.checker.formulas import Formulas
 from canon.checker.functions import Unknown, Unreadable
 from canon.checker.kinds import obligations
+from canon.checker.points import Numbers, points
 from canon.checker.statement import Keys, Statement
 from canon.checker.whole import is_whole
 from canon.claims import document
@@ -179,3 +180,13 @@ def test_a_key_that_a_rule_needs_is_asked_for() -> None:
     claim = {"kind": "group", "first": ["a"], "matrix": [["exp(a)"]], "equals": "u(1)"}
     with pytest.raises(Unknown, match="by its matrices"):
         obligations(Statement({"phase_space": {"q": [], "p": []}, "claim": claim}, {}, "proved"))
+
+
+def test_points_have_whole_numbers_of_every_remainder() -> None:
+    """What is 0 for odd ones alone isn't seen to be 0, however the points fall."""
+    space = {"phase_space": {"q": ["q"], "p": ["p"]}, "symbols": {"m": "integer", "n": "integer"}}
+    claim = {"kind": "identity", "lhs": "cos(pi*n)*cos(pi*m)*q", "rhs": "q"}
+    statement = Statement({**space, "claim": claim}, {}, "proved")
+    (case,) = obligations(statement)
+    found = [*points(statement, case, Numbers(), [], {"q", "m", "n"})]
+    assert [sorted(abs(int(of[name])) for of in found) for name in "mn"] == [[1, 2, 3, 4, 5]] * 2

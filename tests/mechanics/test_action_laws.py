@@ -73,6 +73,13 @@ def test_poles_off_the_line_come_in_pairs(square: Any) -> None:
     assert same(closed.value, area(square, r, -2, 2))
 
 
+def test_a_factor_that_is_negative_everywhere_turns_the_sign() -> None:
+    k = sp.Symbol("k", negative=True)
+    closed = next(by_residues(orbit((4 - r**2) / (k * r**2 - 1) ** 2, r, -3, 3)))
+    value = {k: -sp.Rational(1, 3)}
+    assert same(closed.value.xreplace(value), area(9 * (4 - r**2) / (3 + r**2) ** 2, r, -2, 2))
+
+
 @pytest.mark.parametrize(
     "square", [(3 - r) * (r - 1) / (3 + r**2) ** 2, (4 - r**2) / (3 + r + r**2) ** 2, (4 - r**2) / (r**2 - 1) ** 2]
 )

@@ -4,10 +4,11 @@ import math
 from typing import Any
 
 import pytest
+from flint import arb
 from mpmath import mp, mpf
 
 from canon import InputError, motion
-from canon.numeric.actions import course
+from canon.numeric.actions import course, inverse
 
 FAR = ("1e110", "1e200", "1e300")
 
@@ -103,6 +104,16 @@ def test_no_energy_is_asked_for_once_its_action_is_met_to_its_last_bit(
     monkeypatch.setattr(course, "end_place", lambda *of: (asked.append(1), ends(*of))[1])
     motion("p**2/2 + (1 - exp(-q))**2").energy(action)
     assert 0 < len(asked) < 60
+
+
+def test_a_place_is_as_sure_as_the_times_by_which_it_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    well = motion("p**2/2 + q**4")
+    exact, times = well.point(1, 0.1), inverse.time_from_low
+    monkeypatch.setattr(inverse, "time_from_low", lambda *of: times(*of) + arb(0, "1e-6"))
+    q, p = well.point(1, 0.1)
+    assert 1e-7 < q.bound < 1e-5
+    assert abs(q.value - exact[0].value) <= q.bound
+    assert abs(p.value - exact[1].value) <= p.bound
 
 
 @pytest.mark.parametrize("action", [1e-10, 1e-3, 0.3, 2.0, 7.7, 8.88])
